@@ -1,0 +1,22 @@
+# Debian 12 packages: see scripts/dependencies.
+find_package(TBB REQUIRED)
+find_package(embree 3 REQUIRED)
+# Debian's dnnl-config.cmake demands the OpenCL headers, which only dnnl's GPU interface needs.
+find_path(DNNL_INCLUDE_DIR dnnl.hpp REQUIRED)
+find_library(DNNL_LIBRARY dnnl REQUIRED)
+add_library(DNNL::dnnl SHARED IMPORTED)
+set_target_properties(DNNL::dnnl PROPERTIES IMPORTED_LOCATION ${DNNL_LIBRARY}
+                      INTERFACE_INCLUDE_DIRECTORIES ${DNNL_INCLUDE_DIR})
+find_package(Imath REQUIRED)
+find_package(OpenEXR REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(OpenImageIO REQUIRED)
+if(DRC_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+if(DRC_BUILD_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()

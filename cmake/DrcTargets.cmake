@@ -1,0 +1,57 @@
+# One static library a source folder, one test program beside it.
+include(GoogleTest)
+enable_testing()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(drc_options INTERFACE)
+target_compile_options(drc_options INTERFACE -march=${DRC_MARCH} -Wall -Wextra -Wpedantic -Wshadow
+                       -Wnon-virtual-dtor -Werror -fno-math-errno -fno-trapping-math)
+target_include_directories(drc_options INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+target_compile_definitions(drc_options INTERFACE DRC_VERSION="${PROJECT_VERSION}")
+if(DRC_SANITIZE)
+  target_compile_options(drc_options INTERFACE -fsanitize=${DRC_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(drc_options INTERFACE -fsanitize=${DRC_SANITIZE})
+endif()
+
+set(DRC_LIBRARIES_SO_FAR "" CACHE INTERNAL "")
+
+# drc_library(NAME): src/NAME/*.cpp, linked to the libraries declared before it.
+function(drc_library name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
+  file(GLOB test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*_test.cpp)
+  if(sources)
+    add_library(drc_${name} STATIC ${sources})
+    target_link_libraries(drc_${name} PUBLIC drc_options ${DRC_LIBRARIES_SO_FAR})
+  else()
+    add_library(drc_${name} INTERFACE)
+    target_link_libraries(drc_${name} INTERFACE drc_options ${DRC_LIBRARIES_SO_FAR})
+  endif()
+  set(DRC_LIBRARIES_SO_FAR drc_${name} ${DRC_LIBRARIES_SO_FAR} CACHE INTERNAL "")
+  if(DRC_BUILD_TESTS AND test_sources)
+    add_executable(${name}_tests ${test_sources})
+    target_link_libraries(${name}_tests PRIVATE drc_${name} GTest::gmock GTest::gtest_main)
+    target_compile_definitions(${name}_tests PRIVATE DRC_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    gtest_discover_tests(${name}_tests DISCOVERY_MODE PRE_TEST
+                         WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} PROPERTIES LABELS ${name})
+  endif()
+endfunction()
+
+# drc_link(NAME LIBS...): third-party libraries of a folder.
+function(drc_link name)
+  get_target_property(type drc_${name} TYPE)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    target_link_libraries(drc_${name} INTERFACE ${ARGN})
+  else()
+    target_link_libraries(drc_${name} PUBLIC ${ARGN})
+  endif()
+endfunction()

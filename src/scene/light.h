@@ -1,0 +1,71 @@
+// Light sources (PBR 3e, chapter 12). Radiance is linear RGB; directions are unit and point away from the lit point.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "math/transform.h"
+#include "math/vec.h"
+#include "scene/shape.h"
+#include "scene/texture.h"
+#include "scene/triangle_mesh.h"
+
+namespace drc {
+
+struct LightSample {
+    Vec3 wi;
+    Rgb radiance;            // arriving along wi if nothing blocks; for delta lights the irradiance weight I / d^2 etc.
+    float pdf = 0;           // per solid angle; 1 for delta lights
+    float distance = 0;      // to the sampled point; infinity for lights at infinity
+    bool delta = false;
+};
+
+class Light {
+  public:
+    virtual ~Light() = default;
+    virtual std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const = 0;
+    // Total emitted power, roughly; for choosing among lights. Lights at infinity need the scene's size.
+    virtual Rgb power(float sceneRadius) const = 0;
+    virtual bool isDelta() const { return false; }
+    // Lights at infinity: radiance from direction wi, and the density of sample() there.
+    virtual bool isInfinite() const { return false; }
+    virtual Rgb escaped(const Vec3&) const { return Rgb(0.f); }
+    virtual float pdfEscaped(const Vec3&) const { return 0; }
+    // Point and extent of a light of finite size, for choosing among many; empty for lights at infinity.
+    virtual Bounds bounds() const { return {}; }
+};
+
+using LightPtr = std::shared_ptr<const Light>;
+
+// What an integrator knows of a hit on an emitter.
+struct EmitterHit {
+    Vec3 p, ng;              // world space, ng as the shape orients it
+    uint32_t triangle = 0;
+    Vec2 uv;
+};
+
+// A surface that emits: one for each emissive mesh or shape.
+class AreaLight : public Light {
+  public:
+    // Radiance leaving the hit point towards wo.
+    virtual Rgb emitted(const EmitterHit& hit, const Vec3& wo) const = 0;
+    // Density, per solid angle at `from`, of sample() choosing this hit.
+    virtual float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const = 0;
+};
+
+LightPtr makePointLight(const Vec3& position, const Rgb& intensity);
+// direction: from the lit points towards the light, world space.
+LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
+
+// An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, u = phi / 2 pi.
+struct EnvironmentMap {
+    int width = 0, height = 0;
+    std::vector<Rgb> texels;   // row-major, row 0 at theta = 0
+};
+// map empty: constant. scale multiplies the map.
+LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
+
+// Diffuse emitters (pbrt's "diffuse" area light). Radiance leaves the side of the geometric normal, or both.
+std::shared_ptr<const AreaLight> makeMeshAreaLight(TriangleMeshPtr mesh, const Rgb& radiance, bool twoSided);
+std::shared_ptr<const AreaLight> makeShapeAreaLight(ShapePtr shape, const Rgb& radiance, bool twoSided);
+
+}  // namespace drc

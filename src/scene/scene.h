@@ -1,0 +1,65 @@
+// A scene as the integrators see it: what the front ends build and Accel intersects.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/filter.h"
+#include "scene/light.h"
+#include "scene/material.h"
+#include "scene/shape.h"
+#include "scene/triangle_mesh.h"
+
+namespace drc {
+
+// A mesh or a shape (exactly one is set) with what covers it.
+struct Primitive {
+    TriangleMeshPtr mesh;
+    ShapePtr shape;
+    MaterialPtr material;                        // null: pbrt's "none", which light passes through unhindered
+    std::shared_ptr<const AreaLight> areaLight;  // null: does not emit. Also listed in Scene::lights
+    FloatTexturePtr alpha;                       // 0: a hole, for all rays; null: opaque
+    FloatTexturePtr shadowAlpha;                 // the same for shadow rays alone; null: as alpha
+};
+
+// What pbrt calls an object: primitives in a space of their own.
+struct ObjectDefinition {
+    std::string name;
+    std::vector<Primitive> primitives;
+};
+
+struct Instance {
+    int object = 0;              // index into Scene::objects
+    Transform objectToWorld;
+};
+
+// Settings of the file, obeyed or overridden by the command line.
+struct RenderSettings {
+    std::string integrator = "path";   // as the file names it: "path", "directlighting", "iispt", ...
+    int maxDepth = 5;
+    float rrThreshold = 1;
+    int samplesPerPixel = 16;
+    std::string sampler = "halton";
+    std::string lightStrategy = "spatial";
+    std::string outputFile = "pbrt.exr";
+    FilmGeometry film;
+    float cropWindow[4] = {0, 1, 0, 1};   // x0 x1 y0 y1
+    float filmScale = 1;
+    float maxSampleLuminance = kInfinity;
+    FilterPtr filter;                     // never null
+};
+
+struct Scene {
+    std::vector<Primitive> primitives;
+    std::vector<ObjectDefinition> objects;
+    std::vector<Instance> instances;
+    std::vector<LightPtr> lights;         // all, those of emissive primitives included
+    std::unique_ptr<Camera> camera;
+    RenderSettings settings;
+
+    Bounds bounds() const;
+    size_t triangleCount() const;         // instances counted each
+};
+
+}  // namespace drc

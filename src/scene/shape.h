@@ -1,0 +1,63 @@
+// A shape that is not made of triangles: sphere, disk, ... (PBR 3e, chapter 3).
+//
+// The shape has its own transform to world space; every argument and result here is in world space (or in the space
+// of the instanced object that it belongs to).
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "math/transform.h"
+#include "math/vec.h"
+#include "scene/ray.h"
+
+namespace drc {
+
+struct Bounds {
+    Vec3 min{kInfinity, kInfinity, kInfinity};
+    Vec3 max{-kInfinity, -kInfinity, -kInfinity};
+    void extend(const Vec3& p) {
+        for (int i = 0; i < 3; ++i) {
+            min[i] = std::min(min[i], p[i]);
+            max[i] = std::max(max[i], p[i]);
+        }
+    }
+    void extend(const Bounds& b) {
+        extend(b.min);
+        extend(b.max);
+    }
+    bool empty() const { return !(min.x <= max.x); }
+    Vec3 center() const { return (min + max) * 0.5f; }
+    float radius() const { return empty() ? 0 : length(max - min) * 0.5f; }
+};
+
+struct ShapeHit {
+    float t = 0;
+    Vec3 ng;           // unit, oriented as pbrt does
+    Vec2 uv;
+    Vec3 dpdu, dpdv;
+};
+
+struct ShapeSample {
+    Vec3 p;
+    Vec3 ng;           // unit
+    float pdf = 0;     // per unit area
+};
+
+class Shape {
+  public:
+    virtual ~Shape() = default;
+    virtual Bounds bounds() const = 0;
+    // Nearest hit with tMin < t < ray.tMax.
+    virtual std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const = 0;
+    virtual float area() const = 0;
+    // Uniform by area.
+    virtual ShapeSample sample(const Vec2& u) const = 0;
+    // A point seen from p, with its density per solid angle at p in `pdf`; by default sample() converted.
+    virtual ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const;
+    // Density per solid angle of sampleFrom(p) for the direction wi, where wi hits the shape at `hit` with normal ng.
+    virtual float pdfFrom(const Vec3& p, const Vec3& wi, const Vec3& hit, const Vec3& ng) const;
+};
+
+using ShapePtr = std::shared_ptr<const Shape>;
+
+}  // namespace drc
