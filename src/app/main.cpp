@@ -1,1 +1,33 @@
-int main(){}
+// drc: the command line. Exit codes: 0 done, 1 an error that the user can mend, 130 interrupted before there was a
+// picture; CLI11's own for a wrong command line.
+#include <new>
+
+#include "app/command.h"
+#include "app/compare_command.h"
+#include "base/log.h"
+
+int main(int argc, char** argv) {
+    drc::processInfo().start = std::chrono::steady_clock::now();
+    for (int i = 0; i < argc; ++i) drc::processInfo().commandLine += (i ? " " : "") + std::string(argv[i]);
+
+    CLI::App app("Deep Radiance Caching: physically based global illumination for interiors, on a CPU.", "drc");
+    app.set_version_flag("--version", "drc " DRC_VERSION);
+    app.require_subcommand(1);
+    app.footer("Example: drc render scene.pbrt -o picture.png");
+    drc::addRenderCommand(app);
+    drc::addCompareCommand(app);
+    drc::addInfoCommand(app);
+    drc::addReferenceCommand(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e);
+    } catch (const std::bad_alloc&) {
+        drc::logError("out of memory");
+        return 1;
+    } catch (const std::exception& e) {
+        drc::logError(e.what());
+        return 1;
+    }
+    return 0;
+}

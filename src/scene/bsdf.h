@@ -4,7 +4,10 @@
 // cosine. Which of the reflection and transmission lobes take part is decided by the geometric normal, their values
 // by the shading frame, so that shading normals leak no light (PBR 3e, section 9.1).
 #pragma once
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <type_traits>
 
 #include "math/frame.h"
 #include "scene/lobes.h"
@@ -28,6 +31,8 @@ class Bsdf {
     Bsdf() = default;
     // ng: geometric normal. Neither normal need face the viewer.
     Bsdf(const Frame& shading, const Vec3& ng) : frame_(shading), ng_(ng) {}
+    Bsdf(const Bsdf& other);
+    Bsdf& operator=(const Bsdf& other);
 
     // Lobes beyond kMaxLobes and lobes of zero weight are not added; materials are checked against kMaxLobes when
     // the scene is built.
@@ -36,11 +41,14 @@ class Bsdf {
     // True if any lobe has all of these flags.
     bool has(LobeFlags flags) const;
     bool hasNonSpecular() const;
+    // Light that arrives from behind is seen as more than what a specular path brings.
+    bool hasNonSpecularTransmission() const;
     bool hasSpecular() const { return has(LobeFlags::Specular); }
     int size() const { return count_; }
 
     // Sum of the non-specular lobes within mask; 0 for specular lobes.
-    Rgb f(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All) const;
+    Rgb f(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All,
+          TransportMode mode = TransportMode::Radiance) const;
     // Density of sample() for the same mask, per solid angle; 0 for specular lobes.
     float pdf(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All) const;
     // Chooses among the lobes within mask in proportion to an estimate of their albedo. None: no lobe, or no light.
@@ -55,11 +63,22 @@ class Bsdf {
     Rgb albedo(const Vec3& wo, LobeFlags mask = LobeFlags::All) const;
 
   private:
+    using Probabilities = std::array<float, kMaxLobes>;
+
+    const Lobe& lobe(int i) const { return reinterpret_cast<const Lobe*>(storage_)[i]; }
+    // Probability of choosing each lobe; returns how many match the mask (0 if none can be chosen).
+    int choices(const Vec3& woLocal, LobeFlags mask, Probabilities& p) const;
+    Rgb fLocal(const Vec3& wo, const Vec3& wi, bool reflects, LobeFlags mask, TransportMode mode) const;
+    float pdfLocal(const Vec3& wo, const Vec3& wi, LobeFlags mask, const Probabilities& p) const;
+
     Frame frame_;
     Vec3 ng_{0, 0, 1};
     int count_ = 0;
-    std::array<Lobe, kMaxLobes> lobes_;
+    std::array<LobeFlags, kMaxLobes> flags_;
     std::array<Rgb, kMaxLobes> weights_;
+    // Raw, because a Bsdf is made at every hit and to construct twelve lobes for the two in use would be a waste.
+    alignas(Lobe) std::byte storage_[kMaxLobes * sizeof(Lobe)];
 };
+static_assert(std::is_trivially_destructible_v<Lobe>, "Bsdf does not destroy its lobes");
 
 }  // namespace drc

@@ -38,9 +38,9 @@ using LightPtr = std::shared_ptr<const Light>;
 
 // What an integrator knows of a hit on an emitter.
 struct EmitterHit {
-    Vec3 p, ng;              // world space, ng as the shape orients it
+    Vec3 p{0.f}, ng{0.f};    // world space, ng as the shape orients it
     uint32_t triangle = 0;
-    Vec2 uv;
+    Vec2 uv{0.f};
 };
 
 // A surface that emits: one for each emissive mesh or shape.

@@ -1,5 +1,5 @@
-// The lobes that a BSDF can be made of. Each is a small value type in a pair of files of its own; a new lobe is that
-// pair, one line in the list below, and a test.
+// What the lobes that a BSDF can be made of have in common. Each is a small value type in a file or pair of its own; a
+// new lobe is that, one line in lobes.h, and a test.
 //
 // A lobe works in the shading frame: unit vectors, z is the shading normal, both wo and wi point away from the
 // surface and may be on either side. It offers
@@ -7,11 +7,10 @@
 //     Rgb f(wo, wi) const;                           // BSDF, without cosine; 0 for a specular lobe
 //     float pdf(wo, wi) const;                       // of sample(), per solid angle; 0 for a specular lobe
 //     LobeSample sample(wo, uLobe, u, mode) const;   // pdf 0: no sample
+//     Rgb f(wo, wi, mode) const;                     // only where f depends on what is transported
 //     Rgb albedo(wo) const;                          // estimate of the directional albedo, for choosing lobes
 #pragma once
-#include <array>
 #include <cstdint>
-#include <variant>
 
 #include "math/vec.h"
 

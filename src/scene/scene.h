@@ -34,6 +34,15 @@ struct Instance {
     Transform objectToWorld;
 };
 
+// Pixels [x0, x1) x [y0, y1) of the film.
+struct PixelRegion {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    size_t count() const { return size_t(width()) * size_t(height()); }
+    size_t index(int x, int y) const { return size_t(y - y0) * size_t(width()) + size_t(x - x0); }
+};
+
 // Settings of the file, obeyed or overridden by the command line.
 struct RenderSettings {
     std::string integrator = "path";   // as the file names it: "path", "directlighting", "iispt", ...
@@ -45,6 +54,8 @@ struct RenderSettings {
     std::string outputFile = "pbrt.exr";
     FilmGeometry film;
     float cropWindow[4] = {0, 1, 0, 1};   // x0 x1 y0 y1
+    // What of the film is rendered: the crop window in whole pixels, by pbrt's rounding; at least one pixel.
+    PixelRegion region() const;
     float filmScale = 1;
     float maxSampleLuminance = kInfinity;
     FilterPtr filter;                     // never null

@@ -1,0 +1,344 @@
+#include "accel/accel.h"
+
+#include <embree3/rtcore.h>
+#include <pmmintrin.h>
+#include <xmmintrin.h>
+
+#include "base/error.h"
+#include "base/log.h"
+
+namespace drc {
+namespace {
+
+// What a geometry's callbacks need; lives as long as the Accel.
+struct GeometryData {
+    const Primitive* primitive;
+};
+
+struct Group {
+    RTCScene scene = nullptr;
+    std::vector<std::unique_ptr<GeometryData>> geometries;   // indexed by Embree's geometry id
+};
+
+struct Triangle {
+    Vec3 p[3];
+    uint32_t v[3];
+};
+
+Triangle triangleOf(const TriangleMesh& mesh, uint32_t index) {
+    Triangle t;
+    for (int k = 0; k < 3; ++k) {
+        t.v[k] = mesh.indices[3 * size_t(index) + size_t(k)];
+        t.p[k] = mesh.positions[t.v[k]];
+    }
+    return t;
+}
+
+// pbrt's coordinates for triangles that have none.
+constexpr float kDefaultUv[3][2] = {{0, 0}, {1, 0}, {1, 1}};
+
+struct TriangleUv {
+    Vec2 uv[3];
+};
+
+TriangleUv uvOf(const TriangleMesh& mesh, const Triangle& t) {
+    TriangleUv r;
+    for (int k = 0; k < 3; ++k)
+        r.uv[k] = mesh.uvs.empty() ? Vec2(kDefaultUv[k][0], kDefaultUv[k][1]) : mesh.uvs[t.v[k]];
+    return r;
+}
+
+Vec2 interpolate(const TriangleUv& uv, float b1, float b2) {
+    return uv.uv[0] * (1 - b1 - b2) + uv.uv[1] * b1 + uv.uv[2] * b2;
+}
+
+
+// The hit in the space of the primitive (world, or an instanced object's).
+void fillTriangle(const Primitive& primitive, uint32_t index, float b1, float b2, SurfaceInteraction& hit) {
+    const TriangleMesh& mesh = *primitive.mesh;
+    const Triangle t = triangleOf(mesh, index);
+    const float b0 = 1 - b1 - b2;
+    const Vec3 e1 = t.p[1] - t.p[0], e2 = t.p[2] - t.p[0];
+    hit.p = t.p[0] * b0 + t.p[1] * b1 + t.p[2] * b2;
+    hit.ng = mesh.geometricNormal(index);
+    hit.triangle = index;
+    const TriangleUv uv = uvOf(mesh, t);
+    hit.uv = interpolate(uv, b1, b2);
+    const Vec2 d1 = uv.uv[1] - uv.uv[0], d2 = uv.uv[2] - uv.uv[0];
+    const float determinant = d1.x * d2.y - d1.y * d2.x;
+    if (std::abs(determinant) > 1e-12f) {
+        const float inv = 1 / determinant;
+        hit.dpdu = (e1 * d2.y - e2 * d1.y) * inv;
+        hit.dpdv = (e2 * d1.x - e1 * d2.x) * inv;
+    } else {
+        const Frame f = Frame::fromNormal(hit.ng);
+        hit.dpdu = f.s;
+        hit.dpdv = f.t;
+    }
+    hit.ns = hit.ng;
+    if (!mesh.normals.empty()) {
+        const Vec3 n = mesh.normals[t.v[0]] * b0 + mesh.normals[t.v[1]] * b1 + mesh.normals[t.v[2]] * b2;
+        if (lengthSquared(n) > 1e-12f) hit.ns = faceForward(normalize(n), hit.ng);
+    }
+}
+
+bool fillShape(const Primitive& primitive, const Ray& ray, float tMin, SurfaceInteraction& hit) {
+    const auto found = primitive.shape->intersect(ray, tMin);
+    if (!found) return false;
+    hit.p = ray.o + ray.d * found->t;
+    hit.ng = hit.ns = found->ng;
+    hit.uv = found->uv;
+    hit.dpdu = found->dpdu;
+    hit.dpdv = found->dpdv;
+    hit.triangle = 0;
+    return true;
+}
+
+
+bool isHole(const Primitive& primitive, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
+            float t) {
+    if (alpha == nullptr) return false;
+    SurfaceInteraction hit;
+    if (primitive.mesh) {
+        fillTriangle(primitive, primId, u, v, hit);
+    } else {
+        Ray shortened = ray;
+        shortened.tMax = t * 1.0001f;
+        if (!fillShape(primitive, shortened, t * 0.9999f, hit)) return false;
+    }
+    return alpha->eval(hit.textureContext()) == 0;
+}
+
+Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
+    Ray r;
+    r.o = Vec3(RTCRayN_org_x(ray, n, i), RTCRayN_org_y(ray, n, i), RTCRayN_org_z(ray, n, i));
+    r.d = Vec3(RTCRayN_dir_x(ray, n, i), RTCRayN_dir_y(ray, n, i), RTCRayN_dir_z(ray, n, i));
+    r.tMax = RTCRayN_tfar(ray, n, i);
+    return r;
+}
+
+void filterIntersect(const RTCFilterFunctionNArguments* a) {
+    const Primitive& primitive = *static_cast<const GeometryData*>(a->geometryUserPtr)->primitive;
+    for (unsigned i = 0; i < a->N; ++i) {
+        if (a->valid[i] != -1) continue;
+        if (isHole(primitive, primitive.alpha.get(), RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
+                   RTCHitN_v(a->hit, a->N, i), rayOf(a->ray, a->N, i), RTCRayN_tfar(a->ray, a->N, i)))
+            a->valid[i] = 0;
+    }
+}
+
+void filterOccluded(const RTCFilterFunctionNArguments* a) {
+    const Primitive& primitive = *static_cast<const GeometryData*>(a->geometryUserPtr)->primitive;
+    for (unsigned i = 0; i < a->N; ++i) {
+        if (a->valid[i] != -1) continue;
+        const auto hole = [&](const FloatTexture* alpha) {
+            return isHole(primitive, alpha, RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
+                          RTCHitN_v(a->hit, a->N, i), rayOf(a->ray, a->N, i), RTCRayN_tfar(a->ray, a->N, i));
+        };
+        if (!primitive.material || hole(primitive.alpha.get()) || hole(primitive.shadowAlpha.get())) a->valid[i] = 0;
+    }
+}
+
+void shapeBounds(const RTCBoundsFunctionArguments* a) {
+    const Bounds b = static_cast<const GeometryData*>(a->geometryUserPtr)->primitive->shape->bounds();
+    a->bounds_o->lower_x = b.min.x;
+    a->bounds_o->lower_y = b.min.y;
+    a->bounds_o->lower_z = b.min.z;
+    a->bounds_o->upper_x = b.max.x;
+    a->bounds_o->upper_y = b.max.y;
+    a->bounds_o->upper_z = b.max.z;
+}
+
+void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
+    const GeometryData& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
+    RTCRayHitN* rayhit = a->rayhit;
+    RTCRayN* rays = RTCRayHitN_RayN(rayhit, a->N);
+    RTCHitN* hits = RTCRayHitN_HitN(rayhit, a->N);
+    for (unsigned i = 0; i < a->N; ++i) {
+        if (a->valid[i] != -1) continue;
+        const Ray ray = rayOf(rays, a->N, i);
+        const auto found = data.primitive->shape->intersect(ray, RTCRayN_tnear(rays, a->N, i));
+        if (!found) continue;
+        if (data.primitive->alpha) {
+            SurfaceInteraction hit;
+            hit.p = ray.o + ray.d * found->t;
+            hit.ng = hit.ns = found->ng;
+            hit.uv = found->uv;
+            if (data.primitive->alpha->eval(hit.textureContext()) == 0) continue;
+        }
+        RTCRayN_tfar(rays, a->N, i) = found->t;
+        RTCHitN_geomID(hits, a->N, i) = a->geomID;
+        RTCHitN_primID(hits, a->N, i) = a->primID;
+        RTCHitN_instID(hits, a->N, i, 0) = a->context->instID[0];
+        RTCHitN_u(hits, a->N, i) = found->uv.x;
+        RTCHitN_v(hits, a->N, i) = found->uv.y;
+    }
+}
+
+void shapeOccluded(const RTCOccludedFunctionNArguments* a) {
+    const GeometryData& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
+    for (unsigned i = 0; i < a->N; ++i) {
+        if (a->valid[i] != -1 || !data.primitive->material) continue;
+        const auto found = data.primitive->shape->intersect(rayOf(a->ray, a->N, i), RTCRayN_tnear(a->ray, a->N, i));
+        if (!found) continue;
+        SurfaceInteraction hit;
+        hit.uv = found->uv;
+        const TextureContext context = hit.textureContext();
+        const auto hole = [&](const FloatTexturePtr& alpha) { return alpha && alpha->eval(context) == 0; };
+        if (hole(data.primitive->alpha) || hole(data.primitive->shadowAlpha)) continue;
+        RTCRayN_tfar(a->ray, a->N, i) = -kInfinity;
+    }
+}
+
+}  // namespace
+
+struct Accel::Impl {
+    RTCDevice device = nullptr;
+    Group world;
+    std::vector<Group> objects;
+    std::vector<const Instance*> instances;   // indexed by the world scene's geometry id; null: not an instance
+
+    ~Impl() {
+        for (Group& g : objects)
+            if (g.scene) rtcReleaseScene(g.scene);
+        if (world.scene) rtcReleaseScene(world.scene);
+        if (device) rtcReleaseDevice(device);
+    }
+    void fill(Group& group, const std::vector<Primitive>& primitives);
+};
+
+void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
+    group.scene = rtcNewScene(device);
+    for (const Primitive& primitive : primitives) {
+        auto data = std::make_unique<GeometryData>(GeometryData{&primitive});
+        RTCGeometry geometry = nullptr;
+        if (primitive.mesh) {
+            const TriangleMesh& mesh = *primitive.mesh;
+            geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+            // Embree may read 16 bytes at the last vertex: it gets its own padded copy.
+            void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                     sizeof(Vec3), mesh.positions.size());
+            std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3*>(vertices));
+            rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices.data(), 0,
+                                       3 * sizeof(uint32_t), mesh.triangleCount());
+            if (primitive.alpha) rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
+            if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
+                rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);
+        } else {
+            geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+            rtcSetGeometryUserPrimitiveCount(geometry, 1);
+            rtcSetGeometryBoundsFunction(geometry, shapeBounds, nullptr);
+            rtcSetGeometryIntersectFunction(geometry, shapeIntersect);
+            rtcSetGeometryOccludedFunction(geometry, shapeOccluded);
+        }
+        rtcSetGeometryUserData(geometry, data.get());
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(group.scene, geometry, unsigned(group.geometries.size()));
+        rtcReleaseGeometry(geometry);
+        group.geometries.push_back(std::move(data));
+    }
+}
+
+Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
+    impl_->device = rtcNewDevice(nullptr);
+    if (impl_->device == nullptr) throw Error("Embree could not be started");
+    impl_->objects.resize(scene.objects.size());
+    for (size_t i = 0; i < scene.objects.size(); ++i) {
+        impl_->fill(impl_->objects[i], scene.objects[i].primitives);
+        rtcCommitScene(impl_->objects[i].scene);
+    }
+    impl_->fill(impl_->world, scene.primitives);
+    impl_->instances.resize(scene.primitives.size(), nullptr);
+    for (const Instance& instance : scene.instances) {
+        RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(geometry, impl_->objects[size_t(instance.object)].scene);
+        float m[12];
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 3; ++row) m[3 * column + row] = instance.objectToWorld.at(row, column);
+        rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(impl_->world.scene, geometry, unsigned(impl_->instances.size()));
+        rtcReleaseGeometry(geometry);
+        impl_->instances.push_back(&instance);
+    }
+    rtcCommitScene(impl_->world.scene);
+    if (const RTCError e = rtcGetDeviceError(impl_->device); e != RTC_ERROR_NONE)
+        throw Error(fmt::format("Embree could not build the scene (error {})", int(e)));
+}
+
+Accel::~Accel() = default;
+
+bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit q;
+    q.ray.org_x = ray.o.x;
+    q.ray.org_y = ray.o.y;
+    q.ray.org_z = ray.o.z;
+    q.ray.tnear = 0;
+    q.ray.dir_x = ray.d.x;
+    q.ray.dir_y = ray.d.y;
+    q.ray.dir_z = ray.d.z;
+    q.ray.time = ray.time;
+    q.ray.tfar = ray.tMax;
+    q.ray.mask = ~0u;
+    q.ray.id = 0;
+    q.ray.flags = 0;
+    q.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    q.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(impl_->world.scene, &context, &q);
+    if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+
+    const Instance* instance =
+        q.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? nullptr : impl_->instances[q.hit.instID[0]];
+    const Group& group = instance ? impl_->objects[size_t(instance->object)] : impl_->world;
+    const Primitive& primitive = *group.geometries[q.hit.geomID]->primitive;
+    hit.primitive = &primitive;
+    if (primitive.mesh) {
+        fillTriangle(primitive, q.hit.primID, q.hit.u, q.hit.v, hit);
+    } else {
+        Ray local = ray;
+        if (instance) {
+            const Transform inverse = instance->objectToWorld.inverse();
+            local.o = inverse.point(ray.o);
+            local.d = inverse.vector(ray.d);   // not renormalised: t stays the same in both spaces
+        }
+        local.tMax = q.ray.tfar * 1.00001f;
+        if (!fillShape(primitive, local, q.ray.tfar * 0.99999f, hit)) return false;
+    }
+    if (instance) {
+        const Transform& t = instance->objectToWorld;
+        hit.p = t.point(hit.p);
+        hit.ng = normalize(t.normal(hit.ng));
+        hit.ns = normalize(t.normal(hit.ns));
+        hit.dpdu = t.vector(hit.dpdu);
+        hit.dpdv = t.vector(hit.dpdv);
+    }
+    hit.wo = -ray.d;
+    hit.t = q.ray.tfar;
+    hit.coneSpread = ray.coneSpread;
+    hit.footprint = ray.coneWidth + ray.coneSpread * hit.t;
+    return true;
+}
+
+bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay r;
+    r.org_x = o.x;
+    r.org_y = o.y;
+    r.org_z = o.z;
+    r.tnear = 0;
+    r.dir_x = d.x;
+    r.dir_y = d.y;
+    r.dir_z = d.z;
+    r.time = 0;
+    r.tfar = tMax;
+    r.mask = ~0u;
+    r.id = 0;
+    r.flags = 0;
+    rtcOccluded1(impl_->world.scene, &context, &r);
+    return r.tfar < 0;
+}
+
+}  // namespace drc

@@ -1,0 +1,63 @@
+#include "accel/interaction.h"
+
+#include <bit>
+
+#include "scene/bump.h"
+
+namespace drc {
+
+TextureContext SurfaceInteraction::textureContext() const {
+    TextureContext c;
+    c.p = p;
+    c.n = ns;
+    c.uv = uv;
+    c.dpdu = dpdu;
+    c.dpdv = dpdv;
+    c.footprint = footprint;
+    // Length of a unit of uv: square root of the area that it covers, so that a stretched mapping gets neither
+    // blur nor aliasing in full.
+    const float uvArea = length(cross(dpdu, dpdv));
+    c.uvFootprint = uvArea > 0 ? footprint / std::sqrt(uvArea) : 0;
+    return c;
+}
+
+Bsdf SurfaceInteraction::bsdf() const {
+    const Material* material = primitive->material.get();
+    if (material == nullptr) return {};
+    const TextureContext context = textureContext();
+    Frame shading = Frame::fromNormalAndTangent(ns, dpdu);
+    if (const FloatTexture* bump = material->bump()) shading = bumpFrame(context, shading, *bump);
+    Bsdf bsdf(shading, ng);
+    material->addLobes(context, Rgb(1.f), bsdf);
+    return bsdf;
+}
+
+Rgb SurfaceInteraction::emitted() const {
+    return primitive->areaLight ? primitive->areaLight->emitted(emitterHit(), wo) : Rgb(0.f);
+}
+
+Ray SurfaceInteraction::spawnRay(const Vec3& d, float spread) const {
+    Ray ray;
+    ray.o = offsetOrigin(p, ng, d);
+    ray.d = d;
+    ray.coneWidth = footprint;
+    ray.coneSpread = std::max(spread, coneSpread);
+    return ray;
+}
+
+Vec3 offsetOrigin(const Vec3& p, const Vec3& ng, const Vec3& d) {
+    constexpr float kOrigin = 1 / 32.f, kFloatScale = 1 / 65536.f, kIntScale = 256.f;
+    const Vec3 n = dot(ng, d) < 0 ? -ng : ng;
+    Vec3 r;
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(p[i]) < kOrigin) {
+            r[i] = p[i] + kFloatScale * n[i];
+        } else {
+            const int offset = int(kIntScale * n[i]);
+            r[i] = std::bit_cast<float>(std::bit_cast<int>(p[i]) + (p[i] < 0 ? -offset : offset));
+        }
+    }
+    return r;
+}
+
+}  // namespace drc

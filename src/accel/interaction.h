@@ -1,0 +1,38 @@
+// What is known of the point where a ray meets a surface. World space throughout.
+#pragma once
+#include "scene/bsdf.h"
+#include "scene/ray.h"
+#include "scene/scene.h"
+
+namespace drc {
+
+struct SurfaceInteraction {
+    Vec3 p;
+    Vec3 wo;               // unit, back along the ray
+    Vec3 ng;               // geometric normal, unit, oriented by the shape (emitters shine on this side)
+    Vec3 ns;               // shading normal, unit, on the side of ng; not bump-mapped
+    Vec2 uv;
+    Vec3 dpdu, dpdv;
+    float t = 0;           // distance along the ray
+    float footprint = 0;   // width of the ray's cone at p
+    float coneSpread = 0;
+    uint32_t triangle = 0;
+    const Primitive* primitive = nullptr;
+
+    TextureContext textureContext() const;
+    // The material's lobes at this point; without lobes if the material is null or black.
+    Bsdf bsdf() const;
+    // Radiance emitted from here towards wo.
+    Rgb emitted() const;
+    EmitterHit emitterHit() const { return {p, ng, triangle, uv}; }
+    // Ray that leaves this point in direction d, its origin moved off the surface on the side of d. The cone grows
+    // with the given spread: at least the arriving cone's own.
+    Ray spawnRay(const Vec3& d, float spread) const;
+    Ray spawnRay(const Vec3& d) const { return spawnRay(d, coneSpread); }
+};
+
+// p moved off the surface by a few units in the last place along n, to the side of d (Waechter and Binder, "A Fast and
+// Robust Method for Avoiding Self-Intersection", Ray Tracing Gems 2019).
+Vec3 offsetOrigin(const Vec3& p, const Vec3& ng, const Vec3& d);
+
+}  // namespace drc

@@ -1,0 +1,22 @@
+// What the subcommands share. Each subcommand is a pair of files that registers itself with CLI11; its callback does the
+// work and throws drc::Error for whatever the user can mend.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace drc {
+
+// The process's start and command line, set by main before anything else.
+struct ProcessInfo {
+    std::chrono::steady_clock::time_point start;
+    std::string commandLine;
+};
+ProcessInfo& processInfo();
+
+void addRenderCommand(CLI::App& app);
+void addInfoCommand(CLI::App& app);
+void addReferenceCommand(CLI::App& app);
+
+}  // namespace drc

@@ -1,0 +1,108 @@
+#include "app/compare_command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "image/image_io.h"
+
+namespace drc {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class CompareCommandTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "drc-compare-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        dir_ = name;
+        Image a(16, 12), b(16, 12);
+        for (float& v : a.data()) v = 0.25f;
+        for (float& v : b.data()) v = 0.5f;
+        writeExr(path("a.exr"), a);
+        writeExr(path("b.exr"), b);
+        writeExr(path("small.exr"), a.crop(0, 0, 8, 8));
+        b.at(3, 3, 1) = std::numeric_limits<float>::quiet_NaN();
+        writeExr(path("nan.exr"), b);
+    }
+    void TearDown() override { fs::remove_all(dir_); }
+    std::string path(const std::string& name) const { return (dir_ / name).string(); }
+
+    // What the command prints.
+    static std::string run(std::vector<std::string> arguments) {
+        CLI::App app;
+        addCompareCommand(app);
+        std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
+        testing::internal::CaptureStdout();
+        try {
+            app.parse(std::move(arguments));
+        } catch (...) {
+            testing::internal::GetCapturedStdout();
+            throw;
+        }
+        std::fflush(stdout);
+        return testing::internal::GetCapturedStdout();
+    }
+    fs::path dir_;
+};
+
+TEST_F(CompareCommandTest, Json) {
+    const auto json = nlohmann::ordered_json::parse(run({"compare", path("a.exr"), path("b.exr"), "--json"}));
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items()) keys.push_back(key);
+    EXPECT_THAT(keys, testing::ElementsAre("ssim", "flip", "relmse", "mse", "l1", "mean_ratio", "png_kb"));
+    EXPECT_NEAR(json["mse"].get<double>(), 0.0625, 1e-9);
+    EXPECT_NEAR(json["l1"].get<double>(), 0.25, 1e-9);
+    EXPECT_NEAR(json["relmse"].get<double>(), 0.0625 / 0.0725, 1e-9);
+    EXPECT_EQ(json["mean_ratio"], nlohmann::json({2.0, 2.0, 2.0}));
+    EXPECT_EQ(json["png_kb"].size(), 2u);
+    // Too small for SSIM's window.
+    const auto small = nlohmann::json::parse(run({"compare", path("small.exr"), path("small.exr"), "--json"}));
+    EXPECT_TRUE(small["ssim"].is_null());
+    EXPECT_EQ(small["flip"], 0.0);
+}
+
+TEST_F(CompareCommandTest, TableAndDifference) {
+    const std::string text = run({"compare", path("a.exr"), path("b.exr"), "--diff", path("d.png"), "--exposure", "-1"});
+    EXPECT_THAT(text, AllOf(HasSubstr("SSIM"), HasSubstr("mean ratio  2.0000 2.0000 2.0000")));
+    const TextureImage diff = readTextureImage(path("d.png"));
+    EXPECT_EQ(diff.width, 64);
+    EXPECT_EQ(diff.bytes[0], 99);                       // 0.125 in sRGB
+    EXPECT_EQ(diff.bytes[16 * 3], 137);                 // 0.25
+    EXPECT_NEAR(diff.bytes[32 * 3], 4 * (137 - 99), 3);
+    EXPECT_NEAR(diff.bytes[48 * 3], 4 * (137 - 99), 3);  // brighter: red
+    EXPECT_EQ(diff.bytes[48 * 3 + 2], 0);
+}
+
+TEST_F(CompareCommandTest, BadInput) {
+    const auto errorOf = [&](std::vector<std::string> arguments) -> std::string {
+        try {
+            run(std::move(arguments));
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(errorOf({"compare", path("a.exr"), path("small.exr")}), AllOf(HasSubstr("16x12"), HasSubstr("8x8")));
+    EXPECT_THAT(errorOf({"compare", path("a.exr"), path("none.exr")}), HasSubstr("none.exr: No such file"));
+    EXPECT_THAT(errorOf({"compare", path("a.exr"), path("b.exr"), "--diff", path("no/d.png")}), HasSubstr("no/d.png"));
+    EXPECT_THROW(run({"compare", path("a.exr")}), CLI::RequiredError);
+}
+
+TEST_F(CompareCommandTest, WarnsOfNan) {
+    testing::internal::CaptureStderr();
+    const std::string text = run({"compare", path("a.exr"), path("nan.exr"), "--json"});
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("1 pixel(s) are NaN or infinite"));
+    EXPECT_NEAR(nlohmann::json::parse(text)["l1"].get<double>(), 0.25, 1e-9);
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,107 @@
+#include "base/atomic_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class AtomicFileTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "drc-atomic-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        dir_ = name;
+    }
+    void TearDown() override { fs::remove_all(dir_); }
+    std::string path(const std::string& name) const { return (dir_ / name).string(); }
+    size_t fileCount() const { return size_t(std::distance(fs::directory_iterator(dir_), fs::directory_iterator())); }
+
+    template <typename F>
+    static std::string errorOf(F f) {
+        try {
+            f();
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "";
+    }
+    fs::path dir_;
+};
+
+TEST_F(AtomicFileTest, WritesAndReplaces) {
+    writeFileAtomically(path("a"), "first");
+    chmod(path("a").c_str(), 0600);
+    const std::string bytes("sec\0nd", 6);
+    writeFileAtomically(path("a"), bytes);
+    EXPECT_EQ(readFile(path("a")), bytes);
+    EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms(0600));
+    EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(AtomicFileTest, WithoutCommitNothingChanges) {
+    writeFileAtomically(path("a"), "old");
+    {
+        AtomicFile file(path("a"));
+        file.write("new");
+        EXPECT_EQ(fileCount(), 2u);
+    }
+    EXPECT_EQ(readFile(path("a")), "old");
+    EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(AtomicFileTest, ErrorsNameThePathAndTheReason) {
+    const std::string lost = path("no/such/a");
+    EXPECT_EQ(errorOf([&] { writeFileAtomically(lost, "x"); }), "cannot write " + lost + ": No such file or directory");
+    EXPECT_EQ(errorOf([&] { writeFileAtomically(dir_, "x"); }), "cannot write " + dir_.string() + ": Is a directory");
+    EXPECT_EQ(errorOf([&] { readFile(lost); }), "cannot read " + lost + ": No such file or directory");
+    EXPECT_THAT(errorOf([&] { readFile(dir_); }), HasSubstr("Is a directory"));
+    EXPECT_THAT(errorOf([&] { writeFileAtomically("", "x"); }), HasSubstr("No such file"));
+}
+
+TEST_F(AtomicFileTest, DevicesAreWrittenAndNotReplaced) {
+    writeFileAtomically("/dev/null", "x");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_EQ(errorOf([] { writeFileAtomically("/dev/full", "x"); }),
+              "cannot write /dev/full: No space left on device");
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(AtomicFileTest, SymbolicLinksStay) {
+    writeFileAtomically(path("real"), "old");
+    fs::create_symlink("real", path("link"));
+    writeFileAtomically(path("link"), "new");
+    EXPECT_TRUE(fs::is_symlink(path("link")));
+    EXPECT_EQ(readFile(path("real")), "new");
+}
+
+// A limit on the size of files stands for a full disk: both end a write in the middle.
+TEST_F(AtomicFileTest, AFullDiskLeavesTheOldFile) {
+    writeFileAtomically(path("a"), "old");
+    rlimit before;
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 4096;
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string message = errorOf([&] { writeFileAtomically(path("a"), std::string(100000, 'x')); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(message, "cannot write " + path("a") + ": File too large");
+    EXPECT_EQ(readFile(path("a")), "old");
+    EXPECT_EQ(fileCount(), 1u);
+}
+
+}  // namespace
+}  // namespace drc

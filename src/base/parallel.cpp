@@ -1,0 +1,65 @@
+#include "base/parallel.h"
+
+#include <fmt/core.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+// The default arena never exceeds the number of cores, so a thread count of the user's needs an arena of its own; the
+// global limit makes libraries that use oneTBB themselves (Embree, oneDNN) keep to the same count.
+struct Threads {
+    explicit Threads(int n)
+        : count(n), limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(n)), arena(n) {}
+    int count;
+    tbb::global_control limit;
+    tbb::task_arena arena;
+};
+
+std::unique_ptr<Threads>& threads() {
+    static auto instance = std::make_unique<Threads>(tbb::info::default_concurrency());
+    return instance;
+}
+
+}  // namespace
+
+void setThreadCount(int count) {
+    if (count < 0) throw Error(fmt::format("the number of threads is {}: it must be 0 (all) or more", count));
+    const int n = count == 0 ? tbb::info::default_concurrency() : count;
+    if (n == threads()->count) return;
+    threads().reset();  // the strictest of the limits alive rules, so the old one has to go first
+    threads() = std::make_unique<Threads>(n);
+}
+
+int threadCount() { return threads()->count; }
+
+void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body, const CancelToken* cancel) {
+    if (begin >= end) return;
+    const int64_t step = std::max(grain, 1);
+    const int64_t pieces = (int64_t(end) - begin + step - 1) / step;
+    const auto piece = [&](int64_t k) {
+        if (cancel && cancel->cancelled()) return;
+        const int64_t b = begin + k * step;
+        body(static_cast<int>(b), static_cast<int>(std::min<int64_t>(b + step, end)));
+    };
+    if (pieces == 1) return piece(0);
+    threads()->arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<int64_t>(0, pieces, 1),
+            [&](const tbb::blocked_range<int64_t>& r) {
+                for (int64_t k = r.begin(); k != r.end(); ++k) piece(k);
+            },
+            tbb::simple_partitioner());
+    });
+}
+
+}  // namespace drc

@@ -1,0 +1,85 @@
+#include "cache/enhancer.h"
+
+#include <cmath>
+
+namespace drc {
+namespace {
+
+class IdentityEnhancer final : public Enhancer {
+  public:
+    void enhance(std::span<CapturedMap>, const MapLayout&) const override {}
+    std::string name() const override { return "none"; }
+};
+
+class GaussianEnhancer final : public Enhancer {
+  public:
+    explicit GaussianEnhancer(float sigma) : radius_(int(std::ceil(3 * sigma))) {
+        for (int i = -radius_; i <= radius_; ++i) kernel_.push_back(std::exp(-0.5f * sqr(float(i) / sigma)));
+        float sum = 0;
+        for (const float k : kernel_) sum += k;
+        for (float& k : kernel_) k /= sum;
+    }
+
+    void enhance(std::span<CapturedMap> maps, const MapLayout& layout) const override {
+        const int n = layout.size();
+        const auto texels = size_t(layout.texels());
+        std::vector<float> captured, rows(texels);
+        for (CapturedMap& map : maps) {
+            captured = map.radiance;
+            for (size_t c = 0; c < 3; ++c) {
+                float* plane = map.radiance.data() + c * texels;
+                blur(plane, rows.data(), n, 1, n);
+                blur(rows.data(), plane, n, n, 1);
+            }
+            matchEnergy(captured, layout, map.radiance);
+        }
+    }
+    std::string name() const override { return "gaussian"; }
+
+  private:
+    // One direction: `step` between neighbours along it, `stride` between lines. The edge texel is repeated.
+    void blur(const float* in, float* out, int n, int step, int stride) const {
+        for (int line = 0; line < n; ++line)
+            for (int i = 0; i < n; ++i) {
+                float sum = 0;
+                for (int k = -radius_; k <= radius_; ++k)
+                    sum += kernel_[size_t(k + radius_)] * in[line * stride + std::clamp(i + k, 0, n - 1) * step];
+                out[line * stride + i * step] = sum;
+            }
+    }
+
+    int radius_;
+    std::vector<float> kernel_;
+};
+
+}  // namespace
+
+std::unique_ptr<Enhancer> makeIdentityEnhancer() { return std::make_unique<IdentityEnhancer>(); }
+std::unique_ptr<Enhancer> makeGaussianEnhancer(float sigma) { return std::make_unique<GaussianEnhancer>(sigma); }
+
+void matchEnergy(std::span<const float> captured, const MapLayout& layout, std::span<float> radiance) {
+    const int n = layout.size();
+    const auto texels = size_t(layout.texels());
+    for (size_t c = 0; c < 3; ++c) {
+        double want = 0, have = 0;
+        for (int row = 0; row < n; ++row) {
+            const double w = layout.solidAngle(row);
+            for (int column = 0; column < n; ++column) {
+                const size_t i = c * texels + size_t(row * n + column);
+                want += w * captured[i];
+                have += w * radiance[i];
+            }
+        }
+        if (have > 1e-20 * texels) {
+            const auto scale = float(want / have);
+            for (size_t i = c * texels; i < (c + 1) * texels; ++i) radiance[i] *= scale;
+        } else {
+            // Nothing to scale: the energy is spread evenly rather than lost.
+            double total = 0;
+            for (int row = 0; row < n; ++row) total += layout.solidAngle(row) * n;
+            for (size_t i = c * texels; i < (c + 1) * texels; ++i) radiance[i] = float(want / total);
+        }
+    }
+}
+
+}  // namespace drc

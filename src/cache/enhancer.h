@@ -1,0 +1,30 @@
+// What turns captured one-sample maps into clean ones. Enhancers are interchangeable; each keeps the energy of the
+// captured map, channel by channel, so that it moves light around but creates none.
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+
+#include "cache/map_capture.h"
+
+namespace drc {
+
+class Enhancer {
+  public:
+    virtual ~Enhancer() = default;
+    // Replaces the radiance of each map. Thread-safe; the result of a map does not depend on its neighbours in `maps`.
+    virtual void enhance(std::span<CapturedMap> maps, const MapLayout& layout) const = 0;
+    virtual std::string name() const = 0;
+    // How many maps make an efficient batch.
+    virtual int batchSize() const { return 8; }
+};
+
+// "none": the maps as captured. The oracle is this with many samples a texel.
+std::unique_ptr<Enhancer> makeIdentityEnhancer();
+// "gaussian": a blur of the radiance by sigma texels, as in the paper (sigma 1).
+std::unique_ptr<Enhancer> makeGaussianEnhancer(float sigma);
+
+// Scales each channel of `radiance` to the solid-angle-weighted mean of `captured` (planar [3][N*N] both).
+void matchEnergy(std::span<const float> captured, const MapLayout& layout, std::span<float> radiance);
+
+}  // namespace drc

@@ -1,0 +1,73 @@
+#include "cache/enhancer.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace drc {
+namespace {
+
+double energy(const std::vector<float>& radiance, const MapLayout& layout, size_t channel) {
+    double sum = 0;
+    for (int i = 0; i < layout.texels(); ++i)
+        sum += double(layout.solidAngle(i / layout.size())) * radiance[channel * size_t(layout.texels()) + size_t(i)];
+    return sum;
+}
+
+CapturedMap noisyMap(const MapLayout& layout, int seed) {
+    CapturedMap map;
+    const auto texels = size_t(layout.texels());
+    map.radiance.resize(3 * texels);
+    map.normal.resize(3 * texels, 0.5f);
+    map.distance.resize(texels, 1.f);
+    std::mt19937 rng{unsigned(seed)};
+    std::exponential_distribution<float> e(1);
+    for (float& r : map.radiance) r = e(rng);
+    return map;
+}
+
+TEST(Enhancer, GaussianKeepsTheEnergyOfEachChannel) {
+    for (const Projection p : {Projection::EqualArea, Projection::LatLong}) {
+        const MapLayout layout(p, 32);
+        std::vector<CapturedMap> maps{noisyMap(layout, 1), noisyMap(layout, 2)};
+        const std::vector<CapturedMap> before = maps;
+        makeGaussianEnhancer(1)->enhance(maps, layout);
+        for (size_t m = 0; m < 2; ++m)
+            for (size_t c = 0; c < 3; ++c)
+                EXPECT_NEAR(energy(maps[m].radiance, layout, c) / energy(before[m].radiance, layout, c), 1, 1e-5);
+    }
+}
+
+TEST(Enhancer, GaussianSpreadsASingleTexelAsANormalDistribution) {
+    const MapLayout layout(Projection::EqualArea, 32);
+    CapturedMap map = noisyMap(layout, 1);
+    std::fill(map.radiance.begin(), map.radiance.end(), 0.f);
+    map.radiance[16 * 32 + 16] = 1;
+    makeGaussianEnhancer(1)->enhance({&map, 1}, layout);
+    // Weights of a normal distribution at whole sigmas, normalised over +-3.
+    EXPECT_NEAR(map.radiance[16 * 32 + 16], 0.15924f, 1e-4f);
+    EXPECT_NEAR(map.radiance[16 * 32 + 17], 0.09659f, 1e-4f);
+    EXPECT_NEAR(map.radiance[17 * 32 + 17], 0.05858f, 1e-4f);
+    EXPECT_NEAR(map.radiance[16 * 32 + 18], 0.02155f, 1e-4f);
+}
+
+TEST(Enhancer, NoneChangesNothing) {
+    const MapLayout layout(Projection::EqualArea, 32);
+    CapturedMap map = noisyMap(layout, 1);
+    const std::vector<float> before = map.radiance;
+    makeIdentityEnhancer()->enhance({&map, 1}, layout);
+    EXPECT_EQ(map.radiance, before);
+}
+
+TEST(Enhancer, EnergyThatANetworkBlackenedIsSpreadEvenly) {
+    const MapLayout layout(Projection::EqualArea, 8);
+    std::vector<float> captured(3 * 64, 0.f), black(3 * 64, 0.f);
+    captured[5] = 64;
+    matchEnergy(captured, layout, black);
+    EXPECT_NEAR(black[0], 1, 1e-5f);
+    EXPECT_NEAR(black[63], 1, 1e-5f);
+    EXPECT_EQ(black[64], 0);
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,21 @@
+// Indirect light of a pixel from the maps around it: multiple importance sampling between a map and the BSDF.
+#pragma once
+#include <span>
+
+#include "cache/interpolation.h"
+#include "integrators/path_tracer.h"
+
+namespace drc {
+
+struct WeightedSite {
+    const MapSite* site = nullptr;
+    float weight = 0;      // > 0; need not be normalised
+};
+
+// Estimate of the integral over the sphere of f R cos, f the non-specular lobes, R the mean of the maps by weight.
+// samples: pairs of one direction from a map and one from the BSDF, balance heuristic. Sample s of pixel `stream` has
+// the index firstIndex + s, so that passes continue one sequence. `sites` must not be empty.
+Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int samples, uint64_t stream,
+           uint32_t firstIndex);
+
+}  // namespace drc

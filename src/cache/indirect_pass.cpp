@@ -1,0 +1,304 @@
+#include "cache/indirect_pass.h"
+
+#include <atomic>
+#include <chrono>
+
+#include "cache/gather.h"
+
+namespace drc {
+namespace {
+
+// Purposes of random numbers: streams that must not meet.
+constexpr uint64_t kPrimary = 0x1001, kGather = 0x1002, kCapture = 0x1003, kOffset = 0x1004, kFill = 0x1005,
+                   kFallback = 0x1006;
+// Path-traced samples of a pixel that no map serves.
+constexpr int kFallbackSamples = 2;
+constexpr int kRowsPerTask = 1;
+// Blocks in which fewer than this share of the pixels lack maps are left to the fallback: a map costs a thousand paths.
+constexpr float kFillShare = 0.04f;
+constexpr float kSmallestFill = 2.5f;   // pixels
+
+}  // namespace
+
+// What filling in needs to know of a pixel.
+struct IndirectPass::Pixel {
+    PixelSite site;
+    float coverage = -1;   // sum of weights; -1: no primary hit
+};
+
+struct IndirectPass::FillLevel {
+    std::vector<MapSite> sites;
+    FilmBuckets buckets;
+    float radius;
+};
+
+IndirectPass::IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings,
+                           Stats* stats)
+    : tracer_(tracer), enhancer_(enhancer), settings_(settings), stats_(stats) {}
+
+uint64_t IndirectPass::pixelStream(int x, int y, uint64_t purpose) const {
+    return hashCombine(settings_.seed, hashCombine(purpose, (uint64_t(uint32_t(y)) << 32) | uint32_t(x)));
+}
+
+bool IndirectPass::primaryHit(int x, int y, int pass, Vec2& film, float& weight, PrimaryHit& hit) const {
+    const Scene& scene = tracer_.scene();
+    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(pass));
+    const FilterSample f = scene.settings.filter->sample(sampler.get2D());
+    film = Vec2(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
+    weight = f.weight;
+    const Vec2 uLens = sampler.get2D();
+    const Ray ray = scene.camera->generateRay(film, uLens, sampler.get1D());
+    return tracer_.primaryHit(ray, sampler, hit);
+}
+
+// Captures and enhances the maps of sites whose film position is set, in batches.
+void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel) {
+    struct Request {
+        MapSite* site;
+        bool back;
+        Vec3 ng;
+        float footprint;
+        uint64_t stream;
+    };
+    const Scene& scene = tracer_.scene();
+    std::vector<std::array<Request, 2>> found(sites.size());
+    std::vector<uint8_t> counts(sites.size());
+    parallelFor(0, int(sites.size()), 8, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            MapSite& site = sites[size_t(i)];
+            const uint64_t stream =
+                hashCombine(hashCombine(settings_.seed, kCapture), hashCombine(hashCombine(pass, group), uint64_t(i)));
+            Sampler sampler(hashCombine(stream, 1), 0);
+            const Vec2 uLens = sampler.get2D();
+            PrimaryHit hit;
+            if (!tracer_.primaryHit(scene.camera->generateRay(site.film, uLens, sampler.get1D()), sampler, hit)) continue;
+            site.p = hit.surface.p;
+            site.n = faceForward(hit.surface.ng, hit.surface.wo);
+            uint8_t& n = counts[size_t(i)];
+            found[size_t(i)][n++] = {&site, false, hit.surface.ng, hit.surface.footprint, hashCombine(stream, 2)};
+            if (hit.bsdf.hasNonSpecularTransmission())
+                found[size_t(i)][n++] = {&site, true, hit.surface.ng, hit.surface.footprint, hashCombine(stream, 3)};
+        }
+    });
+    std::vector<Request> requests;
+    for (size_t i = 0; i < sites.size(); ++i)
+        for (size_t k = 0; k < counts[i]; ++k) requests.push_back(found[i][k]);
+
+    const MapLayout& layout = settings_.capture.layout;
+    const Vec3 up = scene.camera->up();
+    const int batch = enhancer_.batchSize();
+    parallelFor(0, int(requests.size()), batch, [&](int begin, int end) {
+        if (cancel && cancel->cancelled()) return;
+        std::vector<CapturedMap> maps(size_t(end - begin));
+        using Clock = std::chrono::steady_clock;
+        const auto start = Clock::now();
+        for (int i = begin; i < end; ++i) {
+            const Request& r = requests[size_t(i)];
+            const Frame frame = mapFrame(r.back ? -r.site->n : r.site->n, up);
+            captureMap(tracer_, settings_.capture, r.site->p, r.ng, frame, r.footprint, r.stream,
+                       maps[size_t(i - begin)]);
+        }
+        const auto captured = Clock::now();
+        enhancer_.enhance(maps, layout);
+        const auto enhanced = Clock::now();
+        for (int i = begin; i < end; ++i) {
+            const Request& r = requests[size_t(i)];
+            (r.back ? r.site->back : r.site->front) = RadianceMap(maps[size_t(i - begin)], layout);
+            (r.back ? r.site->hasBack : r.site->hasFront) = true;
+        }
+        if (stats_) {
+            stats_->add("maps captured", end - begin);
+            stats_->timer("map capture").add(captured - start);
+            stats_->timer("map enhancement").add(enhanced - captured);
+        }
+    }, cancel);
+    mapCount_ += int(requests.size());
+}
+
+bool IndirectPass::run(int pass, float spacing,
+                       const std::function<void(int, int, const Rgb&, float)>& add, const CancelToken* cancel) {
+    mapCount_ = 0;
+    if (spacing <= 1) return runPerPixel(pass, add, cancel);
+    const auto cancelled = [&] { return cancel && cancel->cancelled(); };
+    const PixelRegion region = tracer_.scene().settings.region();
+
+    Sampler offsets(hashCombine(settings_.seed, kOffset), uint32_t(pass));
+    const MapGrid grid(region, spacing, offsets.get2D());
+    std::vector<MapSite> sites(size_t(grid.count()));
+    for (int i = 0; i < grid.count(); ++i) {
+        sites[size_t(i)].film = grid.point(i);
+        sites[size_t(i)].radius = spacing;
+    }
+    captureSites(sites, uint64_t(pass), 0, cancel);
+    if (cancelled()) return false;
+
+    const auto forEachGridSite = [&](const PixelSite& pixel, auto&& f) {
+        const int corner = grid.cell(pixel.film);
+        for (const int i : {corner, corner + 1, corner + grid.columns(), corner + grid.columns() + 1}) {
+            const MapSite& site = sites[size_t(i)];
+            const float tent = tentWeight(pixel.film, site.film, spacing);
+            const float w = tent > 0 ? tent * geometryWeight(pixel, site) : 0;
+            if (w > 0) f(site, w);
+        }
+    };
+    const auto forEachFillSite = [](const FillLevel& level, const PixelSite& pixel, auto&& f) {
+        level.buckets.forEachNear(pixel.film, [&](int id) {
+            const MapSite& site = level.sites[size_t(id)];
+            const float radial = radialWeight(pixel.film, site.film, level.radius);
+            const float w = radial > 0 ? radial * geometryWeight(pixel, site) : 0;
+            if (w > 0) f(site, w);
+        });
+    };
+    const auto pixelSite = [](const PrimaryHit& hit, const Vec2& position) {
+        PixelSite site;
+        site.p = hit.surface.p;
+        site.n = faceForward(hit.surface.ng, hit.surface.wo);
+        site.film = position;
+        site.pixelSize = hit.surface.footprint;
+        site.transmits = hit.bsdf.hasNonSpecularTransmission();
+        return site;
+    };
+
+    // How well the grid serves each pixel.
+    std::vector<Pixel> pixels(region.count());
+    parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
+        for (int y = begin; y < end && !cancelled(); ++y)
+            for (int x = region.x0; x < region.x1; ++x) {
+                Pixel& pixel = pixels[region.index(x, y)];
+                Vec2 position;
+                float weight;
+                PrimaryHit hit;
+                if (!primaryHit(x, y, pass, position, weight, hit)) continue;
+                pixel.site = pixelSite(hit, position);
+                pixel.coverage = 0;
+                forEachGridSite(pixel.site, [&](const MapSite&, float w) { pixel.coverage += w; });
+            }
+    });
+    if (cancelled()) return false;
+
+    std::vector<FillLevel> fill;
+    for (int level = 1; level <= settings_.fillLevels; ++level) {
+        const float radius = spacing / float(1 << level);
+        if (radius < kSmallestFill) break;
+        // One map for each block of the level's size that lacks enough, at one of the pixels that lack it.
+        const int block = std::max(2, int(radius));
+        FillLevel next{{}, FilmBuckets(region, radius), radius};
+        for (int by = region.y0; by < region.y1; by += block)
+            for (int bx = region.x0; bx < region.x1; bx += block) {
+                int lacking = 0;
+                Vec2 chosen(0, 0);
+                uint64_t best = ~uint64_t(0);
+                for (int y = by; y < std::min(by + block, region.y1); ++y)
+                    for (int x = bx; x < std::min(bx + block, region.x1); ++x) {
+                        const Pixel& pixel = pixels[region.index(x, y)];
+                        if (pixel.coverage < 0 || pixel.coverage >= settings_.minCoverage) continue;
+                        ++lacking;
+                        const uint64_t order = hashCombine(pixelStream(x, y, kFill), uint64_t(pass) << 8 | uint64_t(level));
+                        if (order < best) {
+                            best = order;
+                            chosen = pixel.site.film;
+                        }
+                    }
+                if (lacking == 0 || float(lacking) < kFillShare * float(block * block)) continue;
+                MapSite site;
+                site.film = chosen;
+                site.radius = radius;
+                next.buckets.add(chosen, int(next.sites.size()));
+                next.sites.push_back(std::move(site));
+            }
+        captureSites(next.sites, uint64_t(pass), uint64_t(level), cancel);
+        if (cancelled()) return false;
+        parallelFor(0, int(pixels.size()), 4096, [&](int begin, int end) {
+            for (auto i = size_t(begin); i < size_t(end); ++i)
+                if (pixels[i].coverage >= 0)
+                    forEachFillSite(next, pixels[i].site, [&](const MapSite&, float w) { pixels[i].coverage += w; });
+        });
+        fill.push_back(std::move(next));
+    }
+
+    std::atomic<int64_t> fallbacks{0};
+    const auto start = std::chrono::steady_clock::now();
+    parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
+        std::vector<WeightedSite> around;
+        for (int y = begin; y < end && !cancelled(); ++y)
+            for (int x = region.x0; x < region.x1; ++x) {
+                Vec2 position;
+                float weight;
+                PrimaryHit hit;
+                if (!primaryHit(x, y, pass, position, weight, hit)) {
+                    add(x, y, Rgb(0.f), weight);
+                    continue;
+                }
+                const PixelSite pixel = pixelSite(hit, position);
+                around.clear();
+                float sum = 0;
+                const auto keep = [&](const MapSite& site, float w) {
+                    around.push_back({&site, w});
+                    sum += w;
+                };
+                forEachGridSite(pixel, keep);
+                for (const FillLevel& level : fill) forEachFillSite(level, pixel, keep);
+                Rgb value(0.f);
+                if (sum >= 0.25f * settings_.minCoverage) {
+                    const auto n = uint32_t(settings_.gatherSamples);
+                    value = gather(hit, around, settings_.gatherSamples, pixelStream(x, y, kGather), uint32_t(pass) * n);
+                } else {
+                    fallbacks.fetch_add(1, std::memory_order_relaxed);
+                    for (int s = 0; s < kFallbackSamples; ++s) {
+                        Sampler sampler(pixelStream(x, y, kFallback), uint32_t(pass * kFallbackSamples + s));
+                        value += tracer_.indirect(hit, sampler) * (1.f / kFallbackSamples);
+                    }
+                }
+                add(x, y, value * hit.throughput, weight);
+            }
+    });
+    if (stats_) {
+        stats_->add("pixels without a map", fallbacks.load());
+        stats_->timer("gather").add(std::chrono::steady_clock::now() - start);
+    }
+    return !cancelled();
+}
+
+bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add,
+                               const CancelToken* cancel) {
+    const PixelRegion region = tracer_.scene().settings.region();
+    const MapLayout& layout = settings_.capture.layout;
+    const Vec3 up = tracer_.scene().camera->up();
+    std::atomic<int> maps{0};
+    parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
+        std::vector<CapturedMap> captured(1);
+        for (int y = begin; y < end; ++y)
+            for (int x = region.x0; x < region.x1; ++x) {
+                if (cancel && cancel->cancelled()) return;
+                Vec2 position;
+                float weight;
+                PrimaryHit hit;
+                if (!primaryHit(x, y, pass, position, weight, hit)) {
+                    add(x, y, Rgb(0.f), weight);
+                    continue;
+                }
+                MapSite site;
+                site.p = hit.surface.p;
+                site.n = faceForward(hit.surface.ng, hit.surface.wo);
+                const uint64_t stream = hashCombine(pixelStream(x, y, kCapture), uint64_t(pass));
+                const auto capture = [&](const Vec3& n, uint64_t side) {
+                    captureMap(tracer_, settings_.capture, site.p, hit.surface.ng, mapFrame(n, up),
+                               hit.surface.footprint, hashCombine(stream, side), captured[0]);
+                    enhancer_.enhance(captured, layout);
+                    maps.fetch_add(1, std::memory_order_relaxed);
+                    return RadianceMap(captured[0], layout);
+                };
+                site.front = capture(site.n, 0);
+                if (hit.bsdf.hasNonSpecularTransmission()) site.back = capture(-site.n, 1);
+                const WeightedSite one{&site, 1};
+                const auto n = uint32_t(settings_.gatherSamples);
+                const Rgb value = gather(hit, {&one, 1}, settings_.gatherSamples, pixelStream(x, y, kGather),
+                                         uint32_t(pass) * n);
+                add(x, y, value * hit.throughput, weight);
+            }
+    }, cancel);
+    mapCount_ = maps.load();
+    return !(cancel && cancel->cancelled());
+}
+
+}  // namespace drc

@@ -1,0 +1,53 @@
+// One sweep of indirect light over the film: maps are placed on a grid, captured and enhanced; where the grid's maps do
+// not serve (edges, small objects, corners), further ones fill in; then every pixel gathers from the maps around it.
+// Maps are shared by all pixels around them across the whole image, and are gone when the pass ends.
+#pragma once
+#include <functional>
+
+#include "base/parallel.h"
+#include "base/stats.h"
+#include "cache/enhancer.h"
+#include "cache/interpolation.h"
+#include "cache/map_grid.h"
+
+namespace drc {
+
+struct IndirectSettings {
+    CaptureSettings capture;
+    int gatherSamples = 8;         // pairs of samples a pixel and pass, split over its maps
+    float minCoverage = 0.1f;      // of a pixel's weights, below which maps are filled in
+    int fillLevels = 3;            // halvings of the spacing that fill in
+    uint64_t seed = 0;
+};
+
+class IndirectPass {
+  public:
+    // All arguments must outlive the pass. stats may be null.
+    IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings, Stats* stats);
+
+    // Estimates the indirect radiance of every pixel of the film: add(x, y, value) is called once for each pixel, from
+    // any thread. `value` includes the pixel filter's weight. Grid spacing of one pixel or less: a map at each pixel,
+    // seen from there alone. False: cancelled, and some pixels have no value.
+    bool run(int pass, float spacing, const std::function<void(int x, int y, const Rgb& value, float weight)>& add,
+             const CancelToken* cancel = nullptr);
+
+    // Maps that the last run captured.
+    int mapCount() const { return mapCount_; }
+
+  private:
+    struct Pixel;
+    struct FillLevel;
+    void captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel);
+    bool runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add, const CancelToken* cancel);
+    // The pixel's primary point in this pass: the same each time it is asked for.
+    bool primaryHit(int x, int y, int pass, Vec2& film, float& weight, PrimaryHit& hit) const;
+    uint64_t pixelStream(int x, int y, uint64_t purpose) const;
+
+    const PathTracer& tracer_;
+    const Enhancer& enhancer_;
+    IndirectSettings settings_;
+    Stats* stats_;
+    int mapCount_ = 0;
+};
+
+}  // namespace drc

@@ -1,0 +1,36 @@
+// How much a radiance map counts for a pixel (design, section 4; the paper's weight, with its sign mended, and what the
+// paper lacks).
+#pragma once
+#include "cache/radiance_map.h"
+
+namespace drc {
+
+// A map as it was placed.
+struct MapSite {
+    Vec3 p, n;             // world space; n unit, geometric, on the viewer's side
+    Vec2 film;             // pixels
+    float radius = 0;      // reach on the film, pixels
+    RadianceMap front;     // about n
+    RadianceMap back;      // about -n
+    bool hasFront = false;
+    bool hasBack = false;  // only where the surface transmits diffusely
+};
+
+// The pixel's side.
+struct PixelSite {
+    Vec3 p, n;             // as above
+    Vec2 film;
+    float pixelSize = 0;   // world width of a pixel at p
+    bool transmits = false;
+};
+
+// Bilinear falloff: 1 at the map, 0 at distance `radius` along either axis of the film.
+float tentWeight(const Vec2& film, const Vec2& site, float radius);
+// Radial falloff, for maps that do not stand on a grid.
+float radialWeight(const Vec2& film, const Vec2& site, float radius);
+
+// Geometry's share of the weight, in [0, 1]; zero for a normal at right angles or more, for a map off the pixel's
+// tangent plane by more than half its reach, and for a map that lacks a side that the pixel needs.
+float geometryWeight(const PixelSite& pixel, const MapSite& site);
+
+}  // namespace drc

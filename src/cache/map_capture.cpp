@@ -1,0 +1,64 @@
+#include "cache/map_capture.h"
+
+namespace drc {
+namespace {
+
+// Interleaves the bits of two numbers below 2^16: neighbours on the square get neighbouring sample indices, so that
+// every dimension of the paths is well distributed over each part of the map.
+uint32_t morton(uint32_t x, uint32_t y) {
+    const auto spread = [](uint32_t v) {
+        v = (v | (v << 8)) & 0x00ff00ffu;
+        v = (v | (v << 4)) & 0x0f0f0f0fu;
+        v = (v | (v << 2)) & 0x33333333u;
+        return (v | (v << 1)) & 0x55555555u;
+    };
+    return spread(x) | (spread(y) << 1);
+}
+
+}  // namespace
+
+Frame mapFrame(const Vec3& n, const Vec3& up) {
+    if (std::abs(dot(n, up)) > 0.999f) return Frame::fromNormal(n);
+    const Vec3 s = normalize(cross(up, n));
+    return Frame(s, cross(n, s), n);
+}
+
+void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const Vec3& origin, const Vec3& ng,
+                const Frame& frame, float footprint, uint64_t stream, CapturedMap& result) {
+    const MapLayout& layout = settings.layout;
+    const int n = layout.size();
+    const auto texels = size_t(layout.texels());
+    result.origin = origin;
+    result.frame = frame;
+    result.radiance.resize(3 * texels);
+    result.normal.resize(3 * texels);
+    result.distance.resize(texels);
+
+    const float spread = std::sqrt(layout.solidAngle(n / 2));   // a texel's own cone
+    const float weight = 1.f / float(settings.samplesPerTexel);
+    Sampler sampler(stream, 0);
+    for (int row = 0; row < n; ++row) {
+        for (int column = 0; column < n; ++column) {
+            const auto texel = size_t(row * n + column);
+            const uint32_t index = morton(uint32_t(column), uint32_t(row)) * uint32_t(settings.samplesPerTexel);
+            Rgb sum(0.f);
+            for (int s = 0; s < settings.samplesPerTexel; ++s) {
+                sampler.start(stream, index + uint32_t(s));
+                Ray ray;
+                ray.d = frame.toWorld(layout.direction(column, row, sampler.get2D()));
+                ray.o = offsetOrigin(origin, ng, ray.d);
+                ray.coneWidth = footprint;
+                ray.coneSpread = spread;
+                FirstHit first;
+                sum += tracer.incident(ray, sampler, s == 0 ? &first : nullptr);
+                if (s > 0) continue;
+                result.distance[texel] = first.distance;
+                const Vec3 normal = frame.toLocal(first.normal);
+                for (size_t c = 0; c < 3; ++c) result.normal[c * texels + texel] = normal[int(c)];
+            }
+            for (size_t c = 0; c < 3; ++c) result.radiance[c * texels + texel] = sum[int(c)] * weight;
+        }
+    }
+}
+
+}  // namespace drc

@@ -1,0 +1,35 @@
+// Tracing of a radiance map: the indirect light that arrives at a point from each direction of a hemisphere, with the
+// distance to and the normal of what is seen there (design, section 4; Jiang and Kainz, section 3).
+#pragma once
+#include <vector>
+
+#include "cache/projection.h"
+#include "integrators/path_tracer.h"
+#include "math/frame.h"
+
+namespace drc {
+
+// Planar arrays of N x N texels, row-major, index row * N + column.
+struct CapturedMap {
+    Vec3 origin;                    // world space, on the surface
+    Frame frame;                    // n: normal of the surface on the side that the map looks at
+    std::vector<float> radiance;    // [3][N*N], W / (sr m^2)
+    std::vector<float> normal;      // [3][N*N], in the map's frame, towards the origin; zero where a ray escaped
+    std::vector<float> distance;    // [N*N], world units; -1 where a ray escaped
+};
+
+struct CaptureSettings {
+    MapLayout layout{Projection::EqualArea, 32};
+    int samplesPerTexel = 1;
+};
+
+// The frame of a map about the unit normal n: the s axis is horizontal for the scene's up, so that the frame turns
+// smoothly over a wall; where n is within 2.5 degrees of up or down, any frame serves.
+Frame mapFrame(const Vec3& n, const Vec3& up);
+
+// stream: seed of this map's random numbers. `result`'s buffers are reused. Each texel is the mean of its samples;
+// distance and normal are those of the first.
+void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const Vec3& origin, const Vec3& ng,
+                const Frame& frame, float footprint, uint64_t stream, CapturedMap& result);
+
+}  // namespace drc

@@ -1,0 +1,68 @@
+// Where the maps of a pass stand on the film: a grid whose spacing shrinks from pass to pass, and maps that fill in
+// where the grid's do not serve.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace drc {
+
+// The paper's spacing: 100 pixels for a frame of 720 lines, scaled to other sizes, shrinking so that each pass has 1.257
+// times the maps of the one before.
+inline constexpr float kFirstSpacing = 100.f / 720.f;         // of the frame's height
+inline constexpr float kSpacingFactor = 0.891859f;
+
+// Spacing in pixels of pass 0, 1, 2, ...; at least 1.
+float passSpacing(int pass, int filmHeight, float firstSpacing = kFirstSpacing);
+
+// The number of whole passes that the paper's unit of quality amounts to: a task is a square of ten by ten cells, and
+// passes are done until `tasks` tasks are.
+int passesForTasks(int tasks, int width, int height);
+
+// A grid of points that covers a region of the film with one cell to spare, so that every pixel lies in a cell.
+class MapGrid {
+  public:
+    // offset in [0,1)^2, in cells.
+    MapGrid(const PixelRegion& region, float spacing, const Vec2& offset);
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+    int count() const { return columns_ * rows_; }
+    float spacing() const { return spacing_; }
+    Vec2 point(int index) const {
+        return Vec2(origin_.x + spacing_ * float(index % columns_), origin_.y + spacing_ * float(index / columns_));
+    }
+    // Index of the upper left corner of the cell that a film position lies in; its other corners are index + 1,
+    // index + columns(), index + columns() + 1.
+    int cell(const Vec2& film) const;
+
+  private:
+    float spacing_;
+    Vec2 origin_;
+    int columns_, rows_;
+};
+
+// Buckets over a region of the film for points of one reach: finds all points within `reach` of a position, and some beyond.
+class FilmBuckets {
+  public:
+    FilmBuckets(const PixelRegion& region, float reach);
+    void add(const Vec2& film, int id);
+    template <typename F>
+    void forEachNear(const Vec2& film, F&& f) const {
+        const int cx = cellX(film.x), cy = cellY(film.y);
+        for (int y = std::max(0, cy - 1); y <= std::min(rows_ - 1, cy + 1); ++y)
+            for (int x = std::max(0, cx - 1); x <= std::min(columns_ - 1, cx + 1); ++x)
+                for (const int id : cells_[size_t(y * columns_ + x)]) f(id);
+    }
+    float reach() const { return reach_; }
+
+  private:
+    int cellX(float x) const { return std::clamp(int((x - origin_.x) / reach_), 0, columns_ - 1); }
+    int cellY(float y) const { return std::clamp(int((y - origin_.y) / reach_), 0, rows_ - 1); }
+    Vec2 origin_;
+    float reach_;
+    int columns_, rows_;
+    std::vector<std::vector<int>> cells_;
+};
+
+}  // namespace drc

@@ -1,0 +1,67 @@
+#include "cache/network_enhancer.h"
+
+#include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include "base/error.h"
+#include "neural/transforms.h"
+
+namespace drc {
+namespace {
+
+constexpr int kBatch = 8;   // enough for all the speed there is (measured: 1 is 15 % slower, 32 no faster)
+
+class NetworkEnhancer final : public Enhancer {
+  public:
+    NetworkEnhancer(std::shared_ptr<const UNetWeights> weights, size_t texels, Precision precision)
+        : texels_(texels), workers_([weights, texels, precision] { return Worker(weights, texels, precision); }) {}
+
+    void enhance(std::span<CapturedMap> maps, const MapLayout& layout) const override {
+        Worker& worker = workers_.local();
+        for (size_t begin = 0; begin < maps.size(); begin += kBatch)
+            enhanceBatch(maps.subspan(begin, std::min<size_t>(kBatch, maps.size() - begin)), layout, worker);
+    }
+    std::string name() const override { return "network"; }
+    int batchSize() const override { return kBatch; }
+
+  private:
+    struct Worker {
+        Worker(const std::shared_ptr<const UNetWeights>& weights, size_t texels, Precision precision)
+            : net(weights, kBatch, precision), input(kBatch * kInputPlanes * texels), output(kBatch * kOutputPlanes * texels),
+              decoded(kOutputPlanes * texels) {}
+        UNet net;
+        std::vector<float> input, output, decoded;
+        float mean[kBatch] = {};
+    };
+
+    void enhanceBatch(std::span<CapturedMap> maps, const MapLayout& layout, Worker& worker) const {
+        for (size_t i = 0; i < maps.size(); ++i)
+            worker.mean[i] = encodeInput(maps[i].radiance.data(), maps[i].normal.data(), maps[i].distance.data(), texels_,
+                                         worker.input.data() + i * kInputPlanes * texels_);
+        worker.net.run(worker.input.data(), worker.output.data(), int(maps.size()));
+        for (size_t i = 0; i < maps.size(); ++i) {
+            decodeOutput(worker.output.data() + i * kOutputPlanes * texels_, kOutputPlanes * texels_, worker.mean[i],
+                         worker.decoded.data());
+            matchEnergy(maps[i].radiance, layout, worker.decoded);
+            maps[i].radiance = worker.decoded;
+        }
+    }
+
+    size_t texels_;
+    mutable tbb::enumerable_thread_specific<Worker> workers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
+                                              Precision precision) {
+    if (const std::string trained = weights->projection(); !trained.empty() && trained != projectionName(layout.projection()))
+        throw Error(fmt::format("the network was trained on {} maps, but the maps are {}", trained,
+                                projectionName(layout.projection())));
+    if (weights->shape().size != layout.size())
+        throw Error(fmt::format("the network was trained on maps of {0}x{0} texels, but the maps have {1}x{1}",
+                                weights->shape().size, layout.size()));
+    return std::make_unique<NetworkEnhancer>(std::move(weights), size_t(layout.texels()), precision);
+}
+
+}  // namespace drc

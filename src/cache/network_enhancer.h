@@ -1,0 +1,14 @@
+// "network": the U-Net that this project trains (Jiang and Kainz, section 4).
+#pragma once
+#include <memory>
+
+#include "cache/enhancer.h"
+#include "neural/unet.h"
+
+namespace drc {
+
+// Throws Error if the network was trained for another projection or size of map than `layout`.
+std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
+                                              Precision precision = defaultPrecision());
+
+}  // namespace drc

@@ -1,0 +1,139 @@
+#include "cache/radiance_map.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace drc {
+namespace {
+
+class EveryProjection : public testing::TestWithParam<Projection> {};
+INSTANTIATE_TEST_SUITE_P(RadianceMap, EveryProjection, testing::Values(Projection::EqualArea, Projection::LatLong),
+                         [](const auto& i) { return i.param == Projection::EqualArea ? "EqualArea" : "LatLong"; });
+
+// A map whose texels are functions of the direction from its origin (world space).
+RadianceMap makeMap(const MapLayout& layout, const Vec3& origin, const Vec3& n, const std::function<Rgb(Vec3)>& radiance,
+                    const std::function<float(Vec3)>& distance) {
+    CapturedMap m;
+    m.origin = origin;
+    m.frame = Frame::fromNormal(n);
+    const auto texels = size_t(layout.texels());
+    m.radiance.resize(3 * texels);
+    m.normal.resize(3 * texels);
+    m.distance.resize(texels);
+    for (int row = 0; row < layout.size(); ++row)
+        for (int column = 0; column < layout.size(); ++column) {
+            const auto i = size_t(row * layout.size() + column);
+            const Vec3 d = m.frame.toWorld(layout.direction(column, row, Vec2(0.5f, 0.5f)));
+            const Rgb value = radiance(d);
+            for (size_t c = 0; c < 3; ++c) m.radiance[c * texels + i] = value[int(c)];
+            m.distance[i] = distance(d);
+        }
+    return RadianceMap(m, layout);
+}
+
+float far(const Vec3&) { return -1; }
+
+TEST_P(EveryProjection, ConstantRadianceIsExactEverywhere) {
+    const MapLayout layout(GetParam(), 32);
+    const Vec3 n = normalize(Vec3(0.3f, -0.5f, 0.8f));
+    const RadianceMap map = makeMap(layout, Vec3(1, 2, 3), n, [](Vec3) { return Rgb(0.7f, 1.3f, 4); },
+                                    [](Vec3) { return 2.f; });
+    std::mt19937 rng(3);
+    std::normal_distribution<float> g;
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 d = normalize(Vec3(g(rng), g(rng), g(rng)));   // below the horizon too
+        const Vec3 x = Vec3(1, 2, 3) + Vec3(g(rng), g(rng), g(rng)) * 0.5f;
+        for (const Rgb& r : {map.radiance(d), map.radianceAt(x, d)}) {
+            EXPECT_NEAR(r.x, 0.7f, 0.7f * 1e-3f);
+            EXPECT_NEAR(r.y, 1.3f, 1.3f * 1e-3f);
+            EXPECT_NEAR(r.z, 4, 4 * 1e-3f);
+        }
+    }
+}
+
+TEST_P(EveryProjection, SamplesFollowThePdf) {
+    const MapLayout layout(GetParam(), 32);
+    const RadianceMap map = makeMap(
+        layout, Vec3(0, 0, 0), Vec3(0, 0, 1), [](Vec3 d) { return Rgb(d.x > 0.5f ? 10.f : 0.1f + d.z); }, far);
+    // E[g / pdf] is the integral of g, for any g: here 1 (the hemisphere's solid angle) and x^2.
+    std::mt19937 rng(4);
+    std::uniform_real_distribution<float> u(0, 1);
+    double solidAngle = 0, xx = 0, solidAngle2 = 0, xx2 = 0;
+    const int n = 200000;
+    for (int i = 0; i < n; ++i) {
+        const auto s = map.sample(Vec2(u(rng), u(rng)));
+        ASSERT_GT(s.pdf, 0);
+        EXPECT_NEAR(map.pdf(s.d), s.pdf, 1e-3f * s.pdf + 1e-6f);
+        const double a = 1 / double(s.pdf), b = sqr(s.d.x) / double(s.pdf);
+        solidAngle += a, xx += b, solidAngle2 += a * a, xx2 += b * b;
+    }
+    const auto check = [n](double sum, double sum2, double expected) {
+        const double mean = sum / n, sigma = std::sqrt((sum2 / n - mean * mean) / n);
+        EXPECT_NEAR(mean, expected, 4 * sigma);
+    };
+    check(solidAngle, solidAngle2, 2 * std::numbers::pi);
+    check(xx, xx2, 2 * std::numbers::pi / 3);
+}
+
+TEST_P(EveryProjection, BrightTexelsAreSampledMore) {
+    const RadianceMap map = makeMap(MapLayout(GetParam(), 32), Vec3(0, 0, 0), Vec3(0, 0, 1),
+                                    [](Vec3 d) { return Rgb(d.x > 0.7f ? 50.f : 1.f); }, far);
+    EXPECT_GT(map.pdf(normalize(Vec3(1, 0, 0.5f))), 10 * map.pdf(normalize(Vec3(-1, 0, 0.5f))));
+}
+
+// The map stands on the floor of a room whose far wall (x = 2) is striped; from a point half a unit away, the same
+// stripe lies in another direction.
+TEST_P(EveryProjection, ParallaxFindsTheSurfaceThatTheOtherPointSees) {
+    const MapLayout layout(GetParam(), 64);
+    // A box [-2,2]^2 x [0,3].
+    const auto distanceIn = [](const Vec3& o, const Vec3& d) {
+        float t = kInfinity;
+        const float low[3] = {-2, -2, -1e-4f}, high[3] = {2, 2, 3};
+        for (int i = 0; i < 3; ++i)
+            if (std::abs(d[i]) > 1e-6f) t = std::min(t, ((d[i] > 0 ? high[i] : low[i]) - o[i]) / d[i]);
+        return t;
+    };
+    const auto colour = [](const Vec3& p) { return Rgb(1 + 0.5f * std::sin(3 * p.x), 1 + 0.5f * std::sin(3 * p.y), p.z); };
+    const Vec3 origin(0, 0, 0), x(0.5f, -0.3f, 0);
+    const RadianceMap map = makeMap(
+        layout, origin, Vec3(0, 0, 1), [&](Vec3 d) { return colour(origin + d * distanceIn(origin, d)); },
+        [&](Vec3 d) { return distanceIn(origin, d); });
+    std::mt19937 rng(5);
+    std::normal_distribution<float> g;
+    double corrected = 0, uncorrected = 0;
+    for (int i = 0; i < 2000; ++i) {
+        Vec3 d = normalize(Vec3(g(rng), g(rng), g(rng)));
+        d.z = std::abs(d.z);
+        if (d.z < 0.1f) continue;
+        const Rgb truth = colour(x + d * distanceIn(x, d));
+        const Rgb a = map.radianceAt(x, d) - truth, b = map.radiance(d) - truth;
+        corrected += std::abs(a.x) + std::abs(a.y) + std::abs(a.z);
+        uncorrected += std::abs(b.x) + std::abs(b.y) + std::abs(b.z);
+    }
+    EXPECT_LT(corrected, 0.25 * uncorrected);
+}
+
+TEST(RadianceMap, HarmonicMeanDistanceOfASphereIsItsRadius) {
+    const RadianceMap map = makeMap(MapLayout(Projection::EqualArea, 32), Vec3(0, 0, 0), Vec3(0, 1, 0),
+                                    [](Vec3) { return Rgb(1.f); }, [](Vec3) { return 3.5f; });
+    EXPECT_NEAR(map.harmonicMeanDistance(), 3.5f, 0.01f);
+}
+
+TEST(RadianceMap, CosineMeanOfConstantRadianceIsThatRadiance) {
+    const RadianceMap map = makeMap(MapLayout(Projection::EqualArea, 32), Vec3(0, 0, 0), Vec3(0, 1, 0),
+                                    [](Vec3) { return Rgb(2, 3, 4); }, far);
+    EXPECT_NEAR(map.cosineMean().x, 2, 2e-3f);
+    EXPECT_NEAR(map.cosineMean().z, 4, 4e-3f);
+}
+
+TEST(RadianceMap, ABlackMapGivesBlackAndCanBeSampled) {
+    const RadianceMap map = makeMap(MapLayout(Projection::EqualArea, 32), Vec3(0, 0, 0), Vec3(0, 0, 1),
+                                    [](Vec3) { return Rgb(0.f); }, far);
+    EXPECT_TRUE(isBlack(map.radiance(Vec3(0, 0, 1))));
+    EXPECT_NEAR(map.sample(Vec2(0.3f, 0.6f)).pdf, 0.5f * kInvPi, 1e-4f);
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,142 @@
+#include "image/image_io.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "image/color.h"
+#include "image/pfm.h"
+
+namespace drc {
+namespace {
+
+[[noreturn]] void failReading(const std::string& path, std::string reason) {
+    while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
+    throw Error(fmt::format("cannot read {}: {}", path, reason.empty() ? "the file is damaged" : reason));
+}
+
+bool beginsAsPfm(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    char magic[4] = {};
+    in.read(magic, sizeof(magic));
+    return in.gcount() == sizeof(magic) && isPfm(std::string_view(magic, sizeof(magic)));
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
+    // OpenImageIO's own words for a missing file depend on the format that it guesses from the name.
+    std::error_code ec;
+    const auto status = std::filesystem::status(path, ec);
+    if (!std::filesystem::exists(status)) failReading(path, "No such file or directory");
+    if (std::filesystem::is_directory(status)) failReading(path, "Is a directory");
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);  // the stored colours, not those multiplied by alpha
+    auto input = OIIO::ImageInput::open(path, &config);
+    if (!input) failReading(path, OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1)
+        failReading(path, fmt::format("its size is {}x{}x{} with {} channels", spec.width, spec.height, spec.depth,
+                                      spec.nchannels));
+    return input;
+}
+
+Encoding encodingOf(const OIIO::ImageSpec& spec) {
+    if (spec.format.is_floating_point()) return Encoding::Float;
+    return spec.format.size() == 1 ? Encoding::UInt8 : Encoding::UInt16;
+}
+
+std::string encodePngBytes(const std::vector<uint8_t>& bytes, int width, int height, const std::string& path) {
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("png:compressionLevel", 6);
+    std::vector<unsigned char> encoded;
+    OIIO::Filesystem::IOVecOutput memory(encoded);
+    auto output = OIIO::ImageOutput::create("png");
+    if (!output || !output->set_ioproxy(&memory) || !output->open("image.png", spec) ||
+        !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close())
+        throw Error(fmt::format("cannot write {}: {}", path, output ? output->geterror() : OIIO::geterror()));
+    return std::string(encoded.begin(), encoded.end());
+}
+
+std::string encodePngFor(const Image& linear, const std::string& path) {
+    if (linear.empty()) throw Error(fmt::format("cannot write {}: the image is empty", path));
+    std::vector<uint8_t> bytes;
+    bytes.reserve(linear.pixelCount() * 3);
+    for (int y = 0; y < linear.height(); ++y) {
+        for (int x = 0; x < linear.width(); ++x) {
+            const Rgb c = linear.rgb(x, y);
+            for (int i = 0; i < 3; ++i) bytes.push_back(toByte(srgbEncode(c[i])));
+        }
+    }
+    return encodePngBytes(bytes, linear.width(), linear.height(), path);
+}
+
+}  // namespace
+
+ImageFile readImageFile(const std::string& path) {
+    if (beginsAsPfm(path)) return {decodePfm(readFile(path), path), Encoding::Float};
+    const auto input = open(path);
+    const OIIO::ImageSpec spec = input->spec();
+    ImageFile file{Image(spec.width, spec.height, spec.channelnames), encodingOf(spec)};
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, file.image.data().data()))
+        failReading(path, input->geterror());
+    return file;
+}
+
+Image readImage(const std::string& path, Encoding* encoding) {
+    ImageFile file = readImageFile(path);
+    if (encoding) *encoding = file.encoding;
+    return std::move(file.image);
+}
+
+Image readLinearRgb(const std::string& path) {
+    const ImageFile file = readImageFile(path);
+    // A render's file may list its layers in any order; the beauty is what has no layer name.
+    const int r = file.image.channelIndex("R"), g = file.image.channelIndex("G"), b = file.image.channelIndex("B");
+    Image rgb = file.image.toRgb();
+    if (r >= 0 && g >= 0 && b >= 0) {
+        for (int y = 0; y < rgb.height(); ++y)
+            for (int x = 0; x < rgb.width(); ++x)
+                rgb.setRgb(x, y, Rgb(file.image.at(x, y, r), file.image.at(x, y, g), file.image.at(x, y, b)));
+    }
+    if (file.isSrgbEncoded())
+        for (float& v : rgb.data()) v = srgbDecode(v);
+    return rgb;
+}
+
+TextureImage readTextureImage(const std::string& path) {
+    TextureImage texture;
+    if (beginsAsPfm(path)) {
+        Image image = decodePfm(readFile(path), path);
+        texture.width = image.width(), texture.height = image.height(), texture.channels = image.channels();
+        texture.floats = std::move(image.data());
+        return texture;
+    }
+    const auto input = open(path);
+    const OIIO::ImageSpec spec = input->spec();
+    texture.width = spec.width, texture.height = spec.height, texture.channels = spec.nchannels;
+    const Encoding encoding = encodingOf(spec);
+    texture.isSrgbEncoded = encoding != Encoding::Float;
+    const size_t values = size_t(spec.width) * size_t(spec.height) * size_t(spec.nchannels);
+    bool ok;
+    if (encoding == Encoding::UInt8) {
+        texture.bytes.resize(values);
+        ok = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, texture.bytes.data());
+    } else {
+        texture.floats.resize(values);
+        ok = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, texture.floats.data());
+    }
+    if (!ok) failReading(path, input->geterror());
+    return texture;
+}
+
+std::string encodePng(const Image& linear) { return encodePngFor(linear, "a PNG"); }
+
+void writePng(const std::string& path, const Image& linear) { writeFileAtomically(path, encodePngFor(linear, path)); }
+
+}  // namespace drc

@@ -1,0 +1,192 @@
+#include "image/image_io.h"
+
+#include <Imath/ImathBox.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <bit>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "image/color.h"
+
+namespace drc {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class ImageIoTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "drc-image-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        dir_ = name;
+    }
+    void TearDown() override { fs::remove_all(dir_); }
+    std::string path(const std::string& name) const { return (dir_ / name).string(); }
+    template <typename F>
+    static std::string errorOf(F f) {
+        try {
+            f();
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "";
+    }
+    fs::path dir_;
+};
+
+Image makeImage(int width, int height, float first) {
+    Image image(width, height);
+    for (size_t i = 0; i < image.data().size(); ++i) image.data()[i] = first + float(i) * 0.37f;
+    return image;
+}
+
+std::string pfm(const std::string& header, const std::vector<float>& values, bool bigEndian) {
+    std::string bytes = header;
+    for (const float v : values) {
+        const auto word = std::bit_cast<uint32_t>(v);
+        for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> 8 * (bigEndian ? 3 - i : i));
+    }
+    return bytes;
+}
+
+TEST_F(ImageIoTest, ExrKeepsLayersAndMetadata) {
+    const Image beauty = makeImage(5, 3, -2), direct = makeImage(5, 3, 100);
+    Image depth(5, 3, {"Z"});
+    depth.at(4, 2, 0) = 1e30f;
+    const ExrMetadata metadata = {{"drc:seed", "7"}, {"png:odd name", "a\nb \"c\""}, {"Software", "DRC"}};
+    writeExr(path("a.exr"), {{"", &beauty}, {"direct", &direct, true}, {"depth", &depth}}, metadata);
+
+    const ImageFile file = readImageFile(path("a.exr"));
+    EXPECT_FALSE(file.isSrgbEncoded());
+    EXPECT_THAT(file.image.channelNames(),
+                testing::UnorderedElementsAre("R", "G", "B", "direct.R", "direct.G", "direct.B", "depth.Z"));
+    EXPECT_EQ(file.image.at(4, 2, file.image.channelIndex("B")), beauty.at(4, 2, 2));
+    EXPECT_EQ(file.image.at(4, 2, file.image.channelIndex("depth.Z")), 1e30f);
+    EXPECT_NEAR(file.image.at(1, 2, file.image.channelIndex("direct.G")), direct.at(1, 2, 1), 0.04);
+    EXPECT_EQ(readLinearRgb(path("a.exr")).data(), beauty.data());
+    EXPECT_EQ(readExrMetadata(path("a.exr")), metadata);
+
+    const Imf::InputFile exr(path("a.exr").c_str());
+    EXPECT_EQ(exr.header().channels().findChannel("direct.R")->type, Imf::HALF);
+    EXPECT_EQ(exr.header().channels().findChannel("R")->type, Imf::FLOAT);
+}
+
+TEST_F(ImageIoTest, ExrHalfClampsAndKeepsNan) {
+    Image image(3, 1, {"Y"});
+    image.data() = {1e9f, -kInfinity, std::numeric_limits<float>::quiet_NaN()};
+    writeExr(path("a.exr"), {{"", &image, true}});
+    const Image back = readImage(path("a.exr"));
+    EXPECT_EQ(back.data()[0], 65504);
+    EXPECT_EQ(back.data()[1], -65504);
+    EXPECT_TRUE(std::isnan(back.data()[2]));
+}
+
+TEST_F(ImageIoTest, ExrPartOfAPicture) {
+    const Image image = makeImage(4, 3, 1);
+    writeExr(path("a.exr"), {{"", &image}}, {}, {10, 20, 640, 480});
+    const Imf::InputFile exr(path("a.exr").c_str());
+    EXPECT_EQ(exr.header().dataWindow(), Imath::Box2i(Imath::V2i(10, 20), Imath::V2i(13, 22)));
+    EXPECT_EQ(exr.header().displayWindow(), Imath::Box2i(Imath::V2i(0, 0), Imath::V2i(639, 479)));
+    EXPECT_EQ(readLinearRgb(path("a.exr")).data(), image.data());
+}
+
+TEST_F(ImageIoTest, ExrRefusesLayersThatDoNotFit) {
+    const Image a = makeImage(4, 3, 0), b = makeImage(3, 4, 0), empty;
+    EXPECT_THAT(errorOf([&] { writeExr(path("a.exr"), {{"", &a}, {"x", &b}}); }), HasSubstr("\"x\" is 3x4, the first is 4x3"));
+    EXPECT_THAT(errorOf([&] { writeExr(path("a.exr"), {{"", &a}, {"", &a}}); }), HasSubstr("two channels are called R"));
+    EXPECT_THAT(errorOf([&] { writeExr(path("a.exr"), empty); }), HasSubstr("is empty"));
+    EXPECT_THAT(errorOf([&] { writeExr(path("a.exr"), a, {{"dataWindow", "x"}}); }), StartsWith("cannot write"));
+    EXPECT_TRUE(fs::is_empty(dir_));
+}
+
+// A limit on the size of files stands for a full disk.
+TEST_F(ImageIoTest, AFullDiskGivesOneErrorAndKeepsTheOldFile) {
+    const Image small = makeImage(2, 2, 0);
+    Image large(200, 200);
+    for (size_t i = 0; i < large.data().size(); ++i) large.data()[i] = std::sin(float(i * i));
+    writeExr(path("a.exr"), small);
+    rlimit before;
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit limit = before;
+    limit.rlim_cur = 8192;
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const std::string exr = errorOf([&] { writeExr(path("a.exr"), large); });
+    const std::string png = errorOf([&] { writePng(path("a.png"), large); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(exr, "cannot write " + path("a.exr") + ": File too large");
+    EXPECT_EQ(png, "cannot write " + path("a.png") + ": File too large");
+    EXPECT_EQ(readImage(path("a.exr")).width(), 2);
+    EXPECT_EQ(std::distance(fs::directory_iterator(dir_), fs::directory_iterator()), 1);
+}
+
+TEST_F(ImageIoTest, PngIsSrgbEncoded) {
+    Image image(4, 1);
+    image.setRgb(0, 0, Rgb(0, 0.18f, 1));
+    image.setRgb(1, 0, Rgb(-1, 5, 0.5f));
+    image.setRgb(2, 0, Rgb(0.001f, 0.0031308f, 0.04f));
+    writePng(path("a.png"), image);
+    const TextureImage stored = readTextureImage(path("a.png"));
+    EXPECT_TRUE(stored.isSrgbEncoded);
+    EXPECT_TRUE(stored.floats.empty());
+    // 255 * srgb(x), rounded: 0.18 -> 117.6, 0.5 -> 187.5, 0.001 -> 3.3, 0.0031308 -> 10.3, 0.04 -> 56.4
+    EXPECT_THAT(stored.bytes, testing::ElementsAre(0, 118, 255, 0, 255, 188, 3, 10, 56, 0, 0, 0));
+    EXPECT_FLOAT_EQ(stored.at(0, 0, 1), 118 / 255.f);
+
+    Encoding encoding = Encoding::Float;
+    const Image read = readImage(path("a.png"), &encoding);
+    EXPECT_EQ(encoding, Encoding::UInt8);
+    EXPECT_FLOAT_EQ(read.at(0, 0, 1), 118 / 255.f);
+    EXPECT_FLOAT_EQ(readLinearRgb(path("a.png")).at(0, 0, 1), srgbDecode(118 / 255.f));
+}
+
+TEST_F(ImageIoTest, PfmRowsAndByteOrder) {
+    const std::vector<float> values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};  // bottom row first
+    writeFileAtomically(path("little.pfm"), pfm("PF\n2 2\n-1.0\n", values, false));
+    writeFileAtomically(path("big.pfm"), pfm("PF 2 2 2\n", values, true));
+    writeFileAtomically(path("grey.pfm"), pfm("Pf\n2 1\n-1\n", {.25f, -4}, false));
+    const Image little = readImage(path("little.pfm")), big = readImage(path("big.pfm"));
+    EXPECT_EQ(little.rgb(0, 0), Rgb(7, 8, 9));
+    EXPECT_EQ(little.rgb(1, 1), Rgb(4, 5, 6));
+    EXPECT_EQ(big.rgb(0, 0), Rgb(14, 16, 18));  // scale 2
+    EXPECT_EQ(readImage(path("grey.pfm")).rgb(1, 0), Rgb(-4, -4, -4));
+    EXPECT_FALSE(readTextureImage(path("little.pfm")).isSrgbEncoded);
+    EXPECT_EQ(readTextureImage(path("little.pfm")).at(0, 0, 2), 9);
+}
+
+TEST_F(ImageIoTest, DamagedFilesGiveAnError) {
+    const Image image = makeImage(64, 64, 0);
+    writeExr(path("a.exr"), image);
+    writePng(path("a.png"), image);
+    for (const char* name : {"a.exr", "a.png"}) {
+        const std::string bytes = readFile(path(name));
+        writeFileAtomically(path(name), bytes.substr(0, bytes.size() / 2));
+        EXPECT_THAT(errorOf([&] { readImage(path(name)); }), StartsWith("cannot read " + path(name) + ": ")) << name;
+    }
+    writeFileAtomically(path("text.exr"), "hello");
+    writeFileAtomically(path("short.pfm"), "PF\n100 100\n-1\nxxxx");
+    writeFileAtomically(path("huge.pfm"), "PF\n99999999 99999999\n-1\nxxxx");
+    writeFileAtomically(path("word.pfm"), "PF\nwide 2\n-1\nxxxx");
+    for (const char* name : {"text.exr", "short.pfm", "huge.pfm", "word.pfm", "missing.exr", "missing.png", "."}) {
+        EXPECT_THAT(errorOf([&] { readImage(path(name)); }), StartsWith("cannot read " + path(name) + ": ")) << name;
+        EXPECT_THAT(errorOf([&] { readTextureImage(path(name)); }), StartsWith("cannot read ")) << name;
+    }
+    EXPECT_EQ(errorOf([&] { readImage(path("missing.exr")); }),
+              "cannot read " + path("missing.exr") + ": No such file or directory");
+    EXPECT_THAT(errorOf([&] { readExrMetadata(path("a.png")); }), StartsWith("cannot read " + path("a.png")));
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,42 @@
+#include "image/metrics.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "image/flip.h"
+#include "image/image_io.h"
+#include "image/relmse.h"
+#include "image/ssim.h"
+
+namespace drc {
+
+void requireSameSize(const Image& reference, const Image& test) {
+    if (reference.width() != test.width() || reference.height() != test.height())
+        throw Error(fmt::format("the images differ in size: the reference is {}, the test image is {}",
+                                sizeString(reference), sizeString(test)));
+    if (reference.empty()) throw Error("the images to compare are empty");
+}
+
+Image exposed(const Image& image, float stops) {
+    Image result = image.toRgb();
+    const float factor = std::exp2(stops);
+    for (float& v : result.data()) v *= factor;
+    return result;
+}
+
+Metrics compare(const Image& reference, const Image& test, float exposure) {
+    Metrics m;
+    const RadianceErrors errors = radianceErrors(reference, test);
+    m.relmse = errors.relmse, m.mse = errors.mse, m.l1 = errors.l1;
+    m.meanRatio = errors.meanRatio;
+    m.nonFiniteReference = errors.nonFiniteReference, m.nonFiniteTest = errors.nonFiniteTest;
+    const Image r = exposed(reference, exposure), t = exposed(test, exposure);
+    m.ssim = ssim(r, t);
+    m.flip = flip(r, t);
+    m.pngKb = {double(encodePng(r).size()) / 1000, double(encodePng(t).size()) / 1000};
+    return m;
+}
+
+}  // namespace drc

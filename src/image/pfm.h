@@ -1,0 +1,15 @@
+// Portable float map: "PF" (RGB) or "Pf" (grey), width, height, a scale whose sign tells the byte order, then 32-bit floats
+// from the bottom row up.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "image/image.h"
+
+namespace drc {
+
+bool isPfm(std::string_view bytes);
+// Values times |scale|, first row on top. `path` is for messages. Throws Error on a damaged file.
+Image decodePfm(std::string_view bytes, const std::string& path);
+
+}  // namespace drc

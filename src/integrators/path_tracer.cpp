@@ -1,0 +1,231 @@
+#include "integrators/path_tracer.h"
+
+namespace drc {
+namespace {
+
+// Chains of mirrors and glass, and rows of surfaces without material, end here.
+constexpr int kMaxSpecularChain = 64;
+constexpr int kMaxPassThrough = 256;
+// Density that stands for a direction no light sample could have produced: after a specular lobe, or from the camera.
+constexpr float kSpecular = 0;
+// Cone of a path after a non-specular bounce: wide enough to spare the finest texture levels, far narrower than what
+// the bounce itself blurs.
+constexpr float kDiffuseSpread = 0.05f;
+
+constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
+
+float powerHeuristic(float a, float b) {
+    const float a2 = a * a, b2 = b * b;
+    return a2 > 0 ? a2 / (a2 + b2) : 0;
+}
+
+float spreadAfter(const BsdfSample& s, float spread) {
+    return s.isSpecular() ? spread : std::max(spread, kDiffuseSpread);
+}
+
+}  // namespace
+
+bool PathTracer::nextSurface(Ray& ray, SurfaceInteraction& hit) const {
+    for (int i = 0; i < kMaxPassThrough; ++i) {
+        if (!accel_.intersect(ray, hit)) return false;
+        if (hit.primitive->material || hit.primitive->areaLight) return true;
+        ray = hit.spawnRay(ray.d);
+    }
+    return false;
+}
+
+Rgb PathTracer::emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const {
+    const AreaLight* light = hit.primitive->areaLight.get();
+    if (light == nullptr) return Rgb(0.f);
+    const Rgb emitted = hit.emitted();
+    if (isBlack(emitted) || pdf == kSpecular) return emitted;
+    const float lightPdf = lights_.probability(from, light) * light->pdf(from, -hit.wo, hit.emitterHit());
+    return emitted * powerHeuristic(pdf, lightPdf);
+}
+
+Rgb PathTracer::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf) const {
+    Rgb sum(0.f);
+    for (const Light* light : lights_.infiniteLights()) {
+        const Rgb radiance = light->escaped(d);
+        if (isBlack(radiance)) continue;
+        const float weight =
+            pdf == kSpecular ? 1 : powerHeuristic(pdf, lights_.probability(from, light) * light->pdfEscaped(d));
+        sum += radiance * weight;
+    }
+    return sum;
+}
+
+Rgb PathTracer::lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, LobeFlags mask, Sampler& sampler) const {
+    const float uLight = sampler.get1D();
+    const Vec2 u = sampler.get2D();
+    const auto choice = lights_.sample(at.p, uLight);
+    if (choice.light == nullptr) return Rgb(0.f);
+    const auto s = choice.light->sample(at.p, u);
+    if (!s || !(s->pdf > 0) || isBlack(s->radiance)) return Rgb(0.f);
+    const Rgb f = bsdf.f(at.wo, s->wi, mask);
+    if (isBlack(f)) return Rgb(0.f);
+    const Vec3 o = offsetOrigin(at.p, at.ng, s->wi);
+    // Stops short of the light, whose own surface must not hide it.
+    const float tMax = std::isinf(s->distance) ? kInfinity : s->distance * 0.9999f;
+    if (accel_.occluded(o, s->wi, tMax)) return Rgb(0.f);
+    const float pdf = s->pdf * choice.probability;
+    const float weight = s->delta ? 1 : powerHeuristic(pdf, bsdf.pdf(at.wo, s->wi, mask));
+    return f * s->radiance * (absDot(s->wi, bsdf.frame().n) * weight / pdf);
+}
+
+Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first) const {
+    Rgb sum(0.f), throughput(1.f);
+    Vec3 from = ray.o;
+    float pdf = kSpecular;
+    float etaScale = 1;   // undoes the scaling of radiance inside glass, which is no loss, for roulette
+    bool counted = emission == Emission::Counted;
+    SurfaceInteraction hit;
+    for (int depth = 0, chain = 0;;) {
+        if (!nextSurface(ray, hit)) {
+            if (counted) sum += throughput * emissionAtInfinity(ray.d, from, pdf);
+            break;
+        }
+        if (first) {
+            first->distance = length(hit.p - from);
+            first->normal = faceForward(hit.ng, hit.wo);
+            first = nullptr;
+        }
+        if (counted) sum += throughput * emissionAtHit(hit, from, pdf);
+        if (!hit.primitive->material) {   // an emitter without a body
+            ray = hit.spawnRay(ray.d);
+            if (++chain > kMaxPassThrough) break;
+            continue;
+        }
+        counted = true;
+        if (depth >= settings_.maxDepth) break;
+
+        const Bsdf bsdf = hit.bsdf();
+        if (bsdf.size() == 0) break;
+        if (bsdf.hasNonSpecular()) sum += throughput * lightSample(hit, bsdf, LobeFlags::All, sampler);
+
+        const float uLobe = sampler.get1D();
+        const auto s = bsdf.sample(hit.wo, uLobe, sampler.get2D());
+        if (!s || !(s->pdf > 0)) break;
+        throughput *= s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
+        if (isBlack(throughput)) break;
+        etaScale *= sqr(s->eta);
+        if (s->isSpecular()) {
+            pdf = kSpecular;
+            if (++chain > kMaxSpecularChain) break;
+        } else {
+            pdf = s->pdf;
+            ++depth;
+        }
+        from = hit.p;
+        ray = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
+
+        if (depth + chain >= settings_.rouletteDepth) {
+            const float survival = std::min(0.95f, maxComponent(throughput) * etaScale);
+            if (sampler.get1D() >= survival) break;
+            throughput *= 1 / survival;
+        }
+    }
+    if (!isFinite(sum)) return Rgb(0.f);
+    const float l = luminance(sum);
+    return l > settings_.clamp ? sum * (settings_.clamp / l) : sum;
+}
+
+Rgb PathTracer::radiance(const Ray& ray, Sampler& sampler) const {
+    return trace(ray, sampler, Emission::Counted, nullptr);
+}
+
+Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) const {
+    return trace(ray, sampler, Emission::SkippedAtFirst, first);
+}
+
+Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler) const {
+    Ray ray = cameraRay;
+    Rgb sum(0.f), throughput(1.f);
+    SurfaceInteraction hit;
+    for (int chain = 0; chain <= kMaxSpecularChain; ++chain) {
+        if (!nextSurface(ray, hit)) {
+            sum += throughput * emissionAtInfinity(ray.d, ray.o, kSpecular);
+            break;
+        }
+        sum += throughput * emissionAtHit(hit, ray.o, kSpecular);
+        if (!hit.primitive->material) {
+            ray = hit.spawnRay(ray.d);
+            continue;
+        }
+        const Bsdf bsdf = hit.bsdf();
+        if (bsdf.hasNonSpecular()) {
+            sum += throughput * lightSample(hit, bsdf, LobeFlags::NonSpecular, sampler);
+            const float uLobe = sampler.get1D();
+            const auto s = bsdf.sample(hit.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
+            if (s && s->pdf > 0 && !isBlack(s->f)) {
+                const Rgb weight = throughput * s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
+                Ray next = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
+                SurfaceInteraction emitter;
+                // Emitters without a body do not end the search for the environment or for others behind them.
+                for (int i = 0;; ++i) {
+                    if (!nextSurface(next, emitter)) {
+                        sum += weight * emissionAtInfinity(s->wi, hit.p, s->pdf);
+                        break;
+                    }
+                    sum += weight * emissionAtHit(emitter, hit.p, s->pdf);
+                    if (emitter.primitive->material || i > kMaxPassThrough) break;
+                    next = emitter.spawnRay(s->wi);
+                }
+            }
+        }
+        if (!bsdf.hasSpecular()) break;
+        const float uLobe = sampler.get1D();
+        const auto s = bsdf.sample(hit.wo, uLobe, sampler.get2D(), kSpecularLobes);
+        if (!s || !(s->pdf > 0)) break;
+        throughput *= s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
+        if (isBlack(throughput)) break;
+        ray = hit.spawnRay(s->wi);
+    }
+    return isFinite(sum) ? sum : Rgb(0.f);
+}
+
+bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& result) const {
+    Ray ray = cameraRay;
+    result.throughput = Rgb(1.f);
+    result.distance = 0;
+    for (int chain = 0; chain <= kMaxSpecularChain; ++chain) {
+        if (!nextSurface(ray, result.surface)) return false;
+        result.distance += result.surface.t;
+        if (!result.surface.primitive->material) {
+            ray = result.surface.spawnRay(ray.d);
+            continue;
+        }
+        const SurfaceInteraction& at = result.surface;
+        result.bsdf = at.bsdf();
+        const bool specular = result.bsdf.hasSpecular(), other = result.bsdf.hasNonSpecular();
+        if (!specular && !other) return false;
+        float probability = other ? 1.f : 0.f;   // of stopping here
+        if (specular && other) {
+            const float a = luminance(result.bsdf.albedo(at.wo, LobeFlags::NonSpecular));
+            const float b = luminance(result.bsdf.albedo(at.wo, kSpecularLobes));
+            probability = std::clamp(a / std::max(a + b, 1e-8f), 0.1f, 0.9f);
+        }
+        const float uLobe = sampler.get1D(), uStop = sampler.get1D();
+        const Vec2 u = sampler.get2D();
+        if (uStop < probability) {
+            result.throughput *= 1 / probability;
+            return true;
+        }
+        const auto s = result.bsdf.sample(at.wo, uLobe, u, kSpecularLobes);
+        if (!s || !(s->pdf > 0)) return false;
+        result.throughput *= s->f * (absDot(s->wi, result.bsdf.frame().n) / (s->pdf * (1 - probability)));
+        if (isBlack(result.throughput)) return false;
+        ray = at.spawnRay(s->wi);
+    }
+    return false;
+}
+
+Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler) const {
+    const float uLobe = sampler.get1D();
+    const auto s = hit.bsdf.sample(hit.surface.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
+    if (!s || !(s->pdf > 0) || isBlack(s->f)) return Rgb(0.f);
+    const Ray ray = hit.surface.spawnRay(s->wi, spreadAfter(*s, hit.surface.coneSpread));
+    return s->f * incident(ray, sampler) * (absDot(s->wi, hit.bsdf.frame().n) / s->pdf);
+}
+
+}  // namespace drc

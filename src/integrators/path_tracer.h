@@ -1,0 +1,78 @@
+// The light transport that every integrator is made of: paths from the camera or from a radiance map's origin, and the
+// exact split of what arrives at a primary point into direct and indirect light (PBR 3e, chapter 14).
+//
+//     radiance(ray) = direct(ray) + [primary point's non-specular lobes] * incident(...)
+//
+// Primary point: a non-specular hit that the camera sees through a chain of perfect mirrors and smooth glass. The
+// chain counts for nothing in path depth. Radiance is linear RGB.
+#pragma once
+#include "accel/accel.h"
+#include "integrators/light_sampler.h"
+#include "math/sampler.h"
+
+namespace drc {
+
+struct PathSettings {
+    int maxDepth = 64;            // non-specular vertices; Russian roulette ends nearly all paths long before
+    int rouletteDepth = 3;        // vertices before roulette starts
+    float clamp = kInfinity;      // upper bound on a sample's luminance; infinity: none, the unbiased default
+};
+
+// Where a path first met a surface, as a radiance map records it.
+struct FirstHit {
+    float distance = -1;          // world units; -1: the path escaped
+    Vec3 normal{0, 0, 0};         // geometric, turned towards the origin; zero if it escaped
+};
+
+// A non-specular hit seen by the camera, with the share of its radiance that reaches the pixel.
+struct PrimaryHit {
+    SurfaceInteraction surface;
+    Bsdf bsdf;
+    Rgb throughput{1.f};          // specular chain, divided by the probability of the branches chosen
+    float distance = 0;           // length of the whole chain
+};
+
+class PathTracer {
+  public:
+    // All arguments must outlive the tracer.
+    PathTracer(const Scene& scene, const Accel& accel, const LightSampler& lights, const PathSettings& settings = {})
+        : scene_(scene), accel_(accel), lights_(lights), settings_(settings) {}
+
+    // All light that arrives at the ray's origin along it.
+    Rgb radiance(const Ray& ray, Sampler& sampler) const;
+
+    // The same without what is emitted by the first surface itself (or by the environment, if there is none): the R of
+    // the split. Emitters seen by way of a mirror or glass are kept.
+    Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const;
+
+    // Emission seen through the specular chain, and one bounce of light at each non-specular hit along it: D.
+    Rgb direct(const Ray& ray, Sampler& sampler) const;
+
+    // The primary point of a camera ray. Where a surface has both kinds of lobes, one is chosen at random. False: none
+    // (the ray escaped, or was absorbed).
+    bool primaryHit(const Ray& ray, Sampler& sampler, PrimaryHit& hit) const;
+
+    // One sample of the non-specular lobes' share of indirect light at a primary point: f R cos / pdf.
+    Rgb indirect(const PrimaryHit& hit, Sampler& sampler) const;
+
+    const Scene& scene() const { return scene_; }
+    const PathSettings& settings() const { return settings_; }
+
+  private:
+    enum class Emission { Counted, SkippedAtFirst };
+    Rgb trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first) const;
+    // Nearest surface that has a material or emits; passes through the others.
+    bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;
+    // Light sample at a non-specular vertex, weighted against the BSDF's density for `mask`.
+    Rgb lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, LobeFlags mask, Sampler& sampler) const;
+    // Emission met by a ray that the BSDF sampled with the given density, weighted against light sampling.
+    Rgb emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const;
+    Rgb emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf) const;
+
+    const Scene& scene_;
+    const Accel& accel_;
+    const LightSampler& lights_;
+    PathSettings settings_;
+};
+
+}  // namespace drc

@@ -1,0 +1,97 @@
+// Tabulated distributions to sample from: piecewise constant over [0,1) and [0,1)^2, and discrete (PBR 3e, section
+// 13.3.1 and 13.6.7).
+//
+// Each function below that samples returns the density or probability with which it did so, and pdf() agrees with it
+// exactly: both are read off the same cumulative table. A table of zeros is sampled uniformly. Negative and non-finite
+// values count as zero.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace drc {
+
+struct Sample1D {
+    float x = 0;  // in [0,1)
+    float pdf = 0;
+    int index = 0;    // of the table's cell that x lies in
+    float local = 0;  // x within that cell, in [0,1), with all the precision that u left
+};
+
+struct DiscreteSample {
+    int index = 0;
+    float probability = 0;
+    float uRemapped = 0;  // uniform in [0,1) given index: what is left of the random number
+};
+
+struct Sample2D {
+    Vec2 p;  // in [0,1)^2
+    float pdf = 0;
+    int x = 0, y = 0;  // the table's cell that p lies in
+    Vec2 local;        // p within that cell, in [0,1)^2
+};
+
+class Distribution1D {
+  public:
+    Distribution1D() : Distribution1D(std::span<const float>()) {}
+    // An empty table is one cell.
+    explicit Distribution1D(std::span<const float> f);
+
+    int size() const { return static_cast<int>(cdf_.size()) - 1; }
+    // Integral over [0,1) of the tabulated function: the mean of its values.
+    double integral() const { return integral_; }
+    Sample1D sampleContinuous(float u) const;
+    DiscreteSample sampleDiscrete(float u) const;
+    float pdf(float x) const { return static_cast<float>(mass(cell(x)) * size()); }
+    float probability(int index) const { return static_cast<float>(mass(index)); }
+
+  private:
+    double mass(int i) const { return cdf_[i + 1] - cdf_[i]; }
+    int cell(float x) const { return std::clamp(static_cast<int>(x * size()), 0, size() - 1); }
+    int find(float u) const;
+
+    std::vector<double> cdf_;  // size() + 1 values, from 0 to 1
+    double integral_ = 0;
+};
+
+class Distribution2D {
+  public:
+    Distribution2D() : Distribution2D({}, 0, 0) {}
+    // f: row-major, width x height; p.x runs along a row.
+    Distribution2D(std::span<const float> f, int width, int height);
+
+    int width() const { return rows_.front().size(); }
+    int height() const { return marginal_.size(); }
+    double integral() const { return marginal_.integral(); }
+    Sample2D sample(const Vec2& u) const;
+    float pdf(const Vec2& p) const;
+
+  private:
+    std::vector<Distribution1D> rows_;
+    Distribution1D marginal_;
+};
+
+// Discrete sampling in constant time (Vose, "A Linear Algorithm for Generating Random Numbers with a Given
+// Distribution", 1991). Unlike Distribution1D it does not keep the order of u, and so loses stratification.
+class AliasTable {
+  public:
+    AliasTable() : AliasTable(std::span<const float>()) {}
+    // An empty table is one entry.
+    explicit AliasTable(std::span<const float> weights);
+
+    int size() const { return static_cast<int>(bins_.size()); }
+    DiscreteSample sample(float u) const;
+    float probability(int index) const { return bins_[index].probability; }
+
+  private:
+    struct Bin {
+        float threshold = 1;    // part of the bin that belongs to its own entry
+        float probability = 1;  // of the entry
+        int alias = 0;          // whose the rest is
+    };
+    std::vector<Bin> bins_;
+};
+
+}  // namespace drc

@@ -1,0 +1,102 @@
+// Maps of the unit square to disks, hemispheres, spheres, cones and triangles, with their densities (PBR 3e, sections
+// 13.5 and 13.6), and the equal-area map between square and hemisphere that radiance maps are laid out in.
+//
+// Directions are unit vectors about +z. Square coordinates lie in [0,1]^2. Densities are per solid angle.
+#pragma once
+#include <cmath>
+
+#include "math/vec.h"
+
+namespace drc {
+
+// Area-preserving up to a constant: concentric squares become concentric circles (Shirley and Chiu 1997; PBR 13.6.2).
+// Both wedges are written alike, so that the symmetries of the square hold for the disk bit by bit.
+inline Vec2 squareToDisk(const Vec2& u) {
+    const float a = 2 * u.x - 1, b = 2 * u.y - 1;
+    if (a == 0 && b == 0) return Vec2(0, 0);
+    if (std::abs(a) > std::abs(b)) {
+        const float phi = kPi / 4 * (b / a);
+        return Vec2(a * std::cos(phi), a * std::sin(phi));
+    }
+    const float phi = kPi / 4 * (a / b);
+    return Vec2(b * std::sin(phi), b * std::cos(phi));
+}
+
+// The square's point whose direction from the centre is that of (x, y) and whose distance (in the maximum norm, edge
+// at 1) is r: what the inverses below have in common.
+inline Vec2 radiusAndDirectionToSquare(float r, float x, float y) {
+    if (r == 0 || (x == 0 && y == 0)) return Vec2(0.5f, 0.5f);
+    float a, b;
+    if (std::abs(x) > std::abs(y)) {
+        a = std::copysign(r, x);
+        b = a * (4 * kInvPi) * std::atan(y / x);
+    } else {
+        b = std::copysign(r, y);
+        a = b * (4 * kInvPi) * std::atan(x / y);
+    }
+    return Vec2(std::clamp(0.5f * (a + 1), 0.f, 1.f), std::clamp(0.5f * (b + 1), 0.f, 1.f));
+}
+
+// Inverse of squareToDisk; points outside the disk go to the square's edge.
+inline Vec2 diskToSquare(const Vec2& p) {
+    return radiusAndDirectionToSquare(std::min(1.f, std::sqrt(p.x * p.x + p.y * p.y)), p.x, p.y);
+}
+
+// Equal-area map to the hemisphere z >= 0: the concentric disk, lifted by z = 1 - r^2. A region of area A of the square
+// covers the solid angle 2 pi A. u grows with x and v with y, and each of the square's eight symmetries is the
+// corresponding symmetry of the hemisphere.
+inline Vec3 squareToHemisphere(const Vec2& uv) {
+    const Vec2 d = squareToDisk(uv);
+    // r is known exactly in the square, which keeps z accurate near the horizon.
+    const float r = std::max(std::abs(2 * uv.x - 1), std::abs(2 * uv.y - 1));
+    const float lift = safeSqrt(2 - r * r);
+    return Vec3(d.x * lift, d.y * lift, (1 - r) * (1 + r));
+}
+
+// Inverse of squareToHemisphere; w is unit. Directions below the horizon go to the square's edge.
+inline Vec2 hemisphereToSquare(const Vec3& w) {
+    // sqrt(1 - z) without its cancellation near the pole.
+    const float r = std::sqrt((w.x * w.x + w.y * w.y) / (1 + std::max(0.f, w.z)));
+    return radiusAndDirectionToSquare(w.z <= 0 ? 1.f : std::min(1.f, r), w.x, w.y);
+}
+
+// Uniform in the unit disk.
+inline Vec2 sampleConcentricDisk(const Vec2& u) { return squareToDisk(u); }
+
+// Density proportional to cos theta (Malley's method, PBR 13.6.3).
+inline Vec3 sampleCosineHemisphere(const Vec2& u) {
+    const Vec2 d = squareToDisk(u);
+    // As in squareToHemisphere: 1 - |d|^2 without rounding away the horizon.
+    const float r = std::max(std::abs(2 * u.x - 1), std::abs(2 * u.y - 1));
+    return Vec3(d.x, d.y, safeSqrt((1 - r) * (1 + r)));
+}
+inline float cosineHemispherePdf(float cosTheta) { return std::max(0.f, cosTheta) * kInvPi; }
+
+inline Vec3 sampleUniformHemisphere(const Vec2& u) {
+    const float z = u.x, r = safeSqrt(1 - z * z), phi = 2 * kPi * u.y;
+    return Vec3(r * std::cos(phi), r * std::sin(phi), z);
+}
+inline constexpr float uniformHemispherePdf() { return 0.5f * kInvPi; }
+
+inline Vec3 sampleUniformSphere(const Vec2& u) {
+    // sin theta = sqrt(1 - z^2) = 2 sqrt(u (1 - u)), without cancellation at the poles.
+    const float z = 1 - 2 * u.x, r = 2 * safeSqrt(u.x * (1 - u.x)), phi = 2 * kPi * u.y;
+    return Vec3(r * std::cos(phi), r * std::sin(phi), z);
+}
+inline constexpr float uniformSpherePdf() { return 0.25f * kInvPi; }
+
+// Uniform over the cone of directions with z >= cosThetaMax.
+inline Vec3 sampleUniformCone(const Vec2& u, float cosThetaMax) {
+    const float h = u.x * (1 - cosThetaMax);  // 1 - cos theta
+    const float r = safeSqrt(h * (2 - h)), phi = 2 * kPi * u.y;
+    return Vec3(r * std::cos(phi), r * std::sin(phi), 1 - h);
+}
+inline float uniformConePdf(float cosThetaMax) { return 1 / (2 * kPi * (1 - cosThetaMax)); }
+
+// Barycentric coordinates (b0, b1) of a point uniform in a triangle; b2 = 1 - b0 - b1 (PBR 13.6.5).
+inline Vec2 sampleUniformTriangle(const Vec2& u) {
+    const float s = std::sqrt(u.x);
+    return Vec2(1 - s, u.y * s);
+}
+
+}  // namespace drc

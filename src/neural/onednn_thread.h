@@ -1,0 +1,24 @@
+// What every use of oneDNN here needs: the engine, and the promise that a call stays on the calling thread.
+#pragma once
+#include <dnnl.hpp>
+
+namespace drc {
+
+// The one CPU engine; memory and primitives of different engines do not mix.
+const dnnl::engine& cpuEngine();
+
+// While it lives, OpenMP regions of the calling thread (oneDNN's, under Debian's build) run on this thread alone. The
+// renderer runs one network a thread: a team of OpenMP threads in each would wait for each other in spin barriers.
+// oneDNN plans for the number of threads it sees when a primitive is made, so that making one needs this as well.
+class SingleThreadScope {
+  public:
+    SingleThreadScope();
+    ~SingleThreadScope();
+    SingleThreadScope(const SingleThreadScope&) = delete;
+    SingleThreadScope& operator=(const SingleThreadScope&) = delete;
+
+  private:
+    int previous_ = 0;
+};
+
+}  // namespace drc

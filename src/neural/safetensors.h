@@ -1,0 +1,76 @@
+// Safetensors files: named arrays of numbers and a map of strings. The weights of the network and the examples it
+// learns from are stored so. Layout: 8 bytes header length (little endian), a JSON header, the raw data.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace drc {
+
+enum class DType { F32, F16, BF16 };
+size_t bytesPerElement(DType type);
+
+using StringMap = std::map<std::string, std::string>;
+
+// One tensor of an open file, row-major. Valid as long as the SafetensorsFile it came from.
+struct TensorView {
+    DType type = DType::F32;
+    std::vector<int64_t> shape;
+    const std::byte* data = nullptr;
+    size_t elements = 0;
+
+    // Converts elements [first, first + count) to float.
+    void toFloat(size_t first, size_t count, float* out) const;
+    std::vector<float> toFloat() const;
+};
+
+// A file mapped into memory. The constructor checks everything that a tensor's reader relies on and throws drc::Error,
+// one line that begins with the file's name, if the file is truncated, overlapping or otherwise not what it claims.
+class SafetensorsFile {
+  public:
+    explicit SafetensorsFile(const std::string& path);
+    ~SafetensorsFile();
+    SafetensorsFile(SafetensorsFile&& other) noexcept;
+    SafetensorsFile(const SafetensorsFile&) = delete;
+    SafetensorsFile& operator=(const SafetensorsFile&) = delete;
+    SafetensorsFile& operator=(SafetensorsFile&&) = delete;
+
+    const std::string& path() const { return path_; }
+    const StringMap& metadata() const { return metadata_; }
+    // The value of a metadata key; fallback if it is absent.
+    std::string metadata(const std::string& key, const std::string& fallback) const;
+    const std::map<std::string, TensorView>& tensors() const { return tensors_; }
+    bool has(const std::string& name) const { return tensors_.count(name) != 0; }
+    // Throws drc::Error if there is no such tensor.
+    const TensorView& tensor(const std::string& name) const;
+    // 16 hexadecimal digits that tell one content from another. Not cryptographic.
+    std::string contentHash() const;
+
+  private:
+    void parse();
+    [[noreturn]] void fail(const std::string& message) const;
+
+    std::string path_;
+    const std::byte* bytes_ = nullptr;
+    size_t size_ = 0;
+    StringMap metadata_;
+    std::map<std::string, TensorView> tensors_;
+};
+
+// A tensor to write: `data` are floats, converted to `type` (rounded to nearest even).
+struct TensorToWrite {
+    std::string name;
+    std::vector<int64_t> shape;
+    const float* data = nullptr;
+    DType type = DType::F32;
+};
+
+// The file is written whole or not at all. Throws drc::Error if it cannot be written.
+void writeSafetensors(const std::string& path, const std::vector<TensorToWrite>& tensors, const StringMap& metadata);
+
+// The hash behind contentHash, for any bytes.
+uint64_t hashBytes(const void* data, size_t size);
+
+}  // namespace drc

@@ -1,0 +1,213 @@
+#include "neural/unet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <thread>
+
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+// The same network, written for reading: planes of doubles, one map at a time.
+struct Planes {
+    int channels = 0, size = 0;
+    std::vector<double> v;
+    Planes(int c, int s) : channels(c), size(s), v(size_t(c) * s * s) {}
+    double& at(int c, int y, int x) { return v[(size_t(c) * size + y) * size + x]; }
+    double at(int c, int y, int x) const { return v[(size_t(c) * size + y) * size + x]; }
+    double padded(int c, int y, int x) const { return y < 0 || x < 0 || y >= size || x >= size ? 0 : at(c, y, x); }
+};
+
+Planes conv(const Planes& in, const UNetWeights::Conv& c, double slope) {
+    EXPECT_EQ(in.channels, c.shape.in);
+    const int k = c.shape.kernel;
+    Planes out(c.shape.out, in.size);
+    for (int o = 0; o < out.channels; ++o)
+        for (int y = 0; y < in.size; ++y)
+            for (int x = 0; x < in.size; ++x) {
+                double sum = c.bias[size_t(o)];
+                for (int i = 0; i < in.channels; ++i)
+                    for (int dy = 0; dy < k; ++dy)
+                        for (int dx = 0; dx < k; ++dx)
+                            sum += c.weight[((size_t(o) * in.channels + i) * k + dy) * k + dx] *
+                                   in.padded(i, y + dy - k / 2, x + dx - k / 2);
+                out.at(o, y, x) = sum > 0 ? sum : slope * sum;
+            }
+    return out;
+}
+
+Planes pool(const Planes& in) {
+    Planes out(in.channels, in.size / 2);
+    for (int c = 0; c < in.channels; ++c)
+        for (int y = 0; y < out.size; ++y)
+            for (int x = 0; x < out.size; ++x)
+                out.at(c, y, x) = std::max(std::max(in.at(c, 2 * y, 2 * x), in.at(c, 2 * y, 2 * x + 1)),
+                                           std::max(in.at(c, 2 * y + 1, 2 * x), in.at(c, 2 * y + 1, 2 * x + 1)));
+    return out;
+}
+
+Planes upsample(const Planes& in) {
+    Planes out(in.channels, in.size * 2);
+    for (int c = 0; c < in.channels; ++c)
+        for (int y = 0; y < out.size; ++y)
+            for (int x = 0; x < out.size; ++x) {
+                const double sy = std::clamp((y + 0.5) / 2 - 0.5, 0.0, in.size - 1.0);
+                const double sx = std::clamp((x + 0.5) / 2 - 0.5, 0.0, in.size - 1.0);
+                const int y0 = int(sy), x0 = int(sx), y1 = std::min(y0 + 1, in.size - 1),
+                          x1 = std::min(x0 + 1, in.size - 1);
+                const double fy = sy - y0, fx = sx - x0;
+                out.at(c, y, x) = (1 - fy) * ((1 - fx) * in.at(c, y0, x0) + fx * in.at(c, y0, x1)) +
+                                  fy * ((1 - fx) * in.at(c, y1, x0) + fx * in.at(c, y1, x1));
+            }
+    return out;
+}
+
+Planes stack(const Planes& a, const Planes& b) {
+    Planes out(a.channels + b.channels, a.size);
+    std::copy(a.v.begin(), a.v.end(), out.v.begin());
+    std::copy(b.v.begin(), b.v.end(), out.v.begin() + std::ptrdiff_t(a.v.size()));
+    return out;
+}
+
+std::vector<double> reference(const UNetWeights& weights, const float* input) {
+    const UNetShape& shape = weights.shape();
+    const auto named = [&](const std::string& name) -> const UNetWeights::Conv& {
+        for (const auto& c : weights.convs())
+            if (c.shape.name == name) return c;
+        throw Error("no " + name);
+    };
+    Planes x(shape.inputs, shape.size);
+    std::copy_n(input, x.v.size(), x.v.begin());
+    std::vector<Planes> skips;
+    for (int l = 0; l < shape.levels; ++l) {
+        const std::string level = "enc" + std::to_string(l);
+        if (l) x = pool(x);
+        x = conv(conv(x, named(level + ".0"), 0.2), named(level + ".1"), 0.2);
+        skips.push_back(x);
+    }
+    for (int l = shape.levels - 2; l >= 0; --l) {
+        const std::string level = "dec" + std::to_string(l);
+        x = stack(skips[size_t(l)], upsample(x));
+        x = conv(conv(x, named(level + ".0"), 0.2), named(level + ".1"), 0.2);
+    }
+    return conv(x, named("out"), 0).v;
+}
+
+std::vector<float> randomInput(const UNetShape& shape, int count, unsigned seed = 5) {
+    std::mt19937 generator(seed);
+    std::normal_distribution<float> normal(0, 0.5f);
+    std::vector<float> values(size_t(count) * shape.inputs * shape.size * shape.size);
+    for (float& v : values) v = normal(generator);
+    return values;
+}
+
+// Root of the mean squared difference over that of the reference.
+double relativeError(const float* values, const std::vector<double>& expected) {
+    double difference = 0, total = 0;
+    for (size_t i = 0; i < expected.size(); ++i) {
+        difference += (values[i] - expected[i]) * (values[i] - expected[i]);
+        total += expected[i] * expected[i];
+    }
+    EXPECT_GT(total, 0);
+    return std::sqrt(difference / total);
+}
+
+struct Case {
+    int width, levels, size;
+};
+
+class UNetMatches : public testing::TestWithParam<Case> {};
+
+TEST_P(UNetMatches, ANaiveReference) {
+    UNetShape shape;
+    shape.width = GetParam().width, shape.levels = GetParam().levels, shape.size = GetParam().size;
+    const auto weights = UNetWeights::random(shape, 3);
+    const int count = 3;  // less than the batch, and more than one
+    const auto input = randomInput(shape, count);
+    const size_t texels = size_t(shape.size) * shape.size;
+    std::vector<float> output(count * 3 * texels, -1);
+    for (Precision precision : {Precision::Fp32, Precision::Bf16}) {
+        if (precision == Precision::Bf16 && !cpuHasBf16()) continue;
+        UNet net(weights, 8, precision);
+        net.run(input.data(), output.data(), count);
+        for (int i = 0; i < count; ++i) {
+            const auto expected = reference(*weights, input.data() + i * shape.inputs * texels);
+            EXPECT_LT(relativeError(output.data() + i * 3 * texels, expected),
+                      precision == Precision::Fp32 ? 1e-5 : 2e-2);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, UNetMatches,
+                         testing::Values(Case{4, 4, 32}, Case{8, 4, 32}, Case{16, 3, 16}, Case{8, 1, 32}));
+
+TEST(UNet, AnyCountGivesTheSameBitsAsOneAtATime) {
+    UNetShape shape;
+    shape.width = 16;
+    const auto weights = UNetWeights::random(shape, 1);
+    const int count = 19;  // two whole batches of 8 and a part
+    const auto input = randomInput(shape, count);
+    const size_t in = 7 * 32 * 32, out = 3 * 32 * 32;
+    std::vector<float> together(count * out), single(count * out);
+    UNet net(weights, 8);
+    net.run(input.data(), together.data(), count);
+    for (int i = 0; i < count; ++i) net.run(input.data() + i * in, single.data() + i * out, 1);
+    EXPECT_EQ(together, single);
+    net.run(input.data(), single.data(), 0);
+    EXPECT_EQ(together, single);
+}
+
+TEST(UNet, ThreadsGiveTheSameBits) {
+    UNetShape shape;
+    shape.width = 16;
+    const auto weights = UNetWeights::random(shape, 2);
+    const int count = 16;
+    const auto input = randomInput(shape, count);
+    const size_t in = 7 * 32 * 32, out = 3 * 32 * 32;
+    std::vector<float> alone(count * out), shared(count * out);
+    UNet(weights, 8).run(input.data(), alone.data(), count);
+    std::thread threads[2];
+    for (int t = 0; t < 2; ++t)
+        threads[t] = std::thread([&, t] {
+            UNet net(weights, 8);
+            for (int pass = 0; pass < 5; ++pass) net.run(input.data() + t * 8 * in, shared.data() + t * 8 * out, 8);
+        });
+    for (auto& t : threads) t.join();
+    EXPECT_EQ(alone, shared);
+
+    // Made by one thread, run by another.
+    UNet net(weights, 8);
+    std::fill(shared.begin(), shared.end(), 0.f);
+    std::thread([&] { net.run(input.data(), shared.data(), count); }).join();
+    EXPECT_EQ(alone, shared);
+}
+
+TEST(UNet, OutputIsNeverNegative) {
+    UNetShape shape;
+    shape.width = 8;
+    const auto input = randomInput(shape, 1);
+    std::vector<float> output(3 * 32 * 32);
+    UNet(UNetWeights::random(shape, 9), 1).run(input.data(), output.data(), 1);
+    for (float v : output) EXPECT_GE(v, 0);
+}
+
+TEST(UNet, RefusesAnEmptyBatch) {
+    UNetShape shape;
+    shape.width = 4;
+    EXPECT_THROW(UNet(UNetWeights::random(shape, 1), 0), Error);
+}
+
+TEST(UNetShape, CountsWhatThePaperCounts) {
+    UNetShape shape;
+    shape.width = 64;
+    // 7790723 parameters of the same network with 2560 of them in its batch normalisations.
+    EXPECT_NEAR(double(shape.parameterCount()), 7.79e6, 0.01e6);
+    EXPECT_NEAR(shape.macs(), 664.9e6, 1e6);
+}
+
+}  // namespace
+}  // namespace drc

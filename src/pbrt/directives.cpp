@@ -1,0 +1,229 @@
+#include "pbrt/directives.h"
+
+#include <array>
+#include <unordered_map>
+
+#include "pbrt/render_settings.h"
+#include "pbrt/suggest.h"
+
+namespace drc::pbrt {
+namespace {
+
+using Context = const DirectiveContext&;
+
+std::string text(Context c, const std::string& purpose) {
+    return c.tokens.expectString(purpose + " of " + std::string(c.name)).value();
+}
+
+// N numbers, in brackets or not.
+template <size_t N>
+std::array<double, N> numbers(Context c) {
+    const bool bracketed = c.tokens.peek().kind == TokenKind::OpenBracket;
+    if (bracketed) c.tokens.next();
+    std::array<double, N> result;
+    for (size_t i = 0; i < N; ++i)
+        result[i] = c.tokens.expectNumber("number " + std::to_string(i + 1) + " of the " + std::to_string(N) + " of " +
+                                          std::string(c.name));
+    if (bracketed) {
+        const Token close = c.tokens.next();
+        if (close.kind != TokenKind::CloseBracket)
+            fail(close.pos, "expected ']' after the " + std::to_string(N) + " numbers of " + std::string(c.name) +
+                                ", found " + close.describe());
+    }
+    return result;
+}
+
+// The quoted type and the parameters, as in: Shape "sphere" "float radius" 2.
+struct Typed {
+    std::string type;
+    ParamSet params;
+};
+Typed typed(Context c, const std::string& kind) {
+    Typed result;
+    const Token token = c.tokens.expectString("the type of " + std::string(c.name));
+    result.type = token.value();
+    result.params = parseParams(c.tokens, kind + " '" + result.type + "'", token.pos, c.files);
+    return result;
+}
+
+Vec3 vec3(const double* v) { return Vec3(float(v[0]), float(v[1]), float(v[2])); }
+
+// Files have matrices column by column.
+Transform matrix(Context c) {
+    const auto m = numbers<16>(c);
+    std::array<double, 16> rows;
+    for (size_t row = 0; row < 4; ++row)
+        for (size_t column = 0; column < 4; ++column) rows[4 * row + column] = m[4 * column + row];
+    return Transform(rows);
+}
+
+void translate(Context c) { c.builder.apply(Transform::translate(vec3(numbers<3>(c).data())), c.pos); }
+
+void scale(Context c) {
+    const auto v = numbers<3>(c);
+    c.builder.apply(Transform::scale(float(v[0]), float(v[1]), float(v[2])), c.pos);
+}
+
+void rotate(Context c) {
+    const auto v = numbers<4>(c);
+    c.builder.apply(Transform::rotate(float(v[0]), vec3(&v[1])), c.pos);
+}
+
+void lookAt(Context c) {
+    const auto v = numbers<9>(c);
+    c.builder.apply(Transform::lookAt(vec3(&v[0]), vec3(&v[3]), vec3(&v[6])), c.pos);
+}
+
+void activeTransform(Context c) {
+    const Token which = c.tokens.next();
+    if (which.text == "All")
+        c.builder.setActiveTransforms(true, true);
+    else if (which.text == "StartTime")
+        c.builder.setActiveTransforms(true, false);
+    else if (which.text == "EndTime")
+        c.builder.setActiveTransforms(false, true);
+    else
+        fail(which.pos, "expected All, StartTime or EndTime after ActiveTransform, found " + which.describe());
+}
+
+void include(Context c) {
+    const Token name = c.tokens.expectString("the file of Include");
+    c.tokens.include(c.files.find(name.value(), name.pos, "file to include"), name.pos);
+}
+
+void objectInstance(Context c) {
+    const Token name = c.tokens.expectString("the name of ObjectInstance");
+    c.builder.objectInstance(name.value(), name.pos);
+}
+
+void namedMaterial(Context c) {
+    const Token name = c.tokens.expectString("the name of NamedMaterial");
+    c.builder.namedMaterial(name.value(), name.pos);
+}
+
+void makeNamedMaterial(Context c) {
+    const Token token = c.tokens.expectString("the name of MakeNamedMaterial");
+    const std::string name = token.value();
+    c.builder.makeNamedMaterial(name, parseParams(c.tokens, "material '" + name + "'", token.pos, c.files));
+}
+
+void texture(Context c) {
+    const std::string name = text(c, "the name");
+    const Token valueType = c.tokens.expectString("the value type, 'float' or 'spectrum', of Texture");
+    const Token type = c.tokens.expectString("the type of Texture");
+    c.builder.texture(name, valueType.value(), type.value(),
+                      parseParams(c.tokens, "texture '" + name + "'", type.pos, c.files));
+}
+
+void makeNamedMedium(Context c) {
+    const std::string name = text(c, "the name");
+    parseParams(c.tokens, "medium '" + name + "'", c.pos, c.files);
+    warn(c.pos, "participating media are not supported yet; medium '" + name + "' is left out");
+}
+
+void mediumInterface(Context c) {
+    text(c, "the inside medium");
+    if (c.tokens.peek().kind == TokenKind::String) text(c, "the outside medium");
+    warn(c.pos, "participating media are not supported yet; MediumInterface has no effect");
+}
+
+// The directives of the form  Name "type" parameters.
+void camera(Context c) {
+    Typed t = typed(c, "camera");
+    c.builder.camera(t.type, std::move(t.params));
+}
+void film(Context c) {
+    Typed t = typed(c, "film");
+    c.builder.film(t.type, std::move(t.params));
+}
+void filter(Context c) {
+    Typed t = typed(c, "pixel filter");
+    c.builder.filter(t.type, std::move(t.params));
+}
+void sampler(Context c) {
+    Typed t = typed(c, "sampler");
+    c.builder.sampler(t.type, std::move(t.params));
+}
+void integrator(Context c) {
+    Typed t = typed(c, "integrator");
+    c.builder.integrator(t.type, std::move(t.params));
+}
+void accelerator(Context c) {
+    const Typed t = typed(c, "accelerator");
+    checkAccelerator(t.type, t.params);
+}
+void material(Context c) {
+    Typed t = typed(c, "material");
+    c.builder.material(t.type, std::move(t.params));
+}
+void lightSource(Context c) {
+    const Typed t = typed(c, "light");
+    c.builder.light(t.type, t.params);
+}
+void areaLightSource(Context c) {
+    const Typed t = typed(c, "area light");
+    c.builder.areaLight(t.type, t.params);
+}
+void shape(Context c) {
+    const Typed t = typed(c, "shape");
+    c.builder.shape(t.type, t.params);
+}
+
+using enum DirectiveScope;
+constexpr Directive kDirectives[] = {
+    {"Accelerator", Options, accelerator},
+    {"ActiveTransform", Any, activeTransform},
+    {"AreaLightSource", World, areaLightSource},
+    {"AttributeBegin", World, [](Context c) { c.builder.beginBlock("Attribute", c.pos); }},
+    {"AttributeEnd", World, [](Context c) { c.builder.endBlock("Attribute", c.pos); }},
+    {"Camera", Options, camera},
+    {"ConcatTransform", Any, [](Context c) { c.builder.apply(matrix(c), c.pos); }},
+    {"CoordSysTransform", Any, [](Context c) { c.builder.useCoordinateSystem(text(c, "the name"), c.pos); }},
+    {"CoordinateSystem", Any, [](Context c) { c.builder.nameCoordinateSystem(text(c, "the name")); }},
+    {"Film", Options, film},
+    {"Identity", Any, [](Context c) { c.builder.setTransform(Transform(), c.pos); }},
+    {"Include", Any, include},
+    {"Integrator", Options, integrator},
+    {"LightSource", World, lightSource},
+    {"LookAt", Any, lookAt},
+    {"MakeNamedMaterial", World, makeNamedMaterial},
+    {"MakeNamedMedium", Any, makeNamedMedium},
+    {"Material", World, material},
+    {"MediumInterface", Any, mediumInterface},
+    {"NamedMaterial", World, namedMaterial},
+    {"ObjectBegin", World, [](Context c) { c.builder.objectBegin(text(c, "the name"), c.pos); }},
+    {"ObjectEnd", World, [](Context c) { c.builder.objectEnd(c.pos); }},
+    {"ObjectInstance", World, objectInstance},
+    {"PixelFilter", Options, filter},
+    {"ReverseOrientation", World, [](Context c) { c.builder.reverseOrientation(); }},
+    {"Rotate", Any, rotate},
+    {"Sampler", Options, sampler},
+    {"Scale", Any, scale},
+    {"Shape", World, shape},
+    {"Texture", World, texture},
+    {"Transform", Any, [](Context c) { c.builder.setTransform(matrix(c), c.pos); }},
+    {"TransformBegin", World, [](Context c) { c.builder.beginBlock("Transform", c.pos); }},
+    {"TransformEnd", World, [](Context c) { c.builder.endBlock("Transform", c.pos); }},
+    // When the two transformations hold; while nothing moves, nothing depends on it.
+    {"TransformTimes", Options, [](Context c) { numbers<2>(c); }},
+    {"Translate", Any, translate},
+    {"WorldBegin", Options, [](Context c) { c.builder.worldBegin(c.pos); }},
+    {"WorldEnd", World, [](Context c) { c.builder.worldEnd(c.pos); }},
+};
+
+}  // namespace
+
+const Directive& findDirective(const Token& word) {
+    static const auto byName = [] {
+        std::unordered_map<std::string_view, const Directive*> map;
+        for (const Directive& directive : kDirectives) map[directive.name] = &directive;
+        return map;
+    }();
+    const auto found = byName.find(word.text);
+    if (found != byName.end()) return *found->second;
+    std::vector<std::string_view> names;
+    for (const Directive& directive : kDirectives) names.push_back(directive.name);
+    fail(word.pos, "unknown directive " + word.describe() + suggestion(word.text, names));
+}
+
+}  // namespace drc::pbrt

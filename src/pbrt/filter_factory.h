@@ -1,0 +1,13 @@
+// PixelFilter. A new filter is one entry in the table of filter_factory.cpp.
+#pragma once
+#include <string>
+
+#include "pbrt/param_set.h"
+#include "scene/filter.h"
+
+namespace drc::pbrt {
+
+// Throws Error for an unknown type, a radius that is not positive, or wrong parameters.
+FilterPtr makeFilter(const std::string& type, const ParamSet& params);
+
+}  // namespace drc::pbrt

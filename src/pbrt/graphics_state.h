@@ -1,0 +1,34 @@
+// What directives change and AttributeBegin saves.
+#pragma once
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "math/transform.h"
+#include "pbrt/light_factory.h"
+#include "pbrt/material_factory.h"
+#include "pbrt/texture_params.h"
+
+namespace drc::pbrt {
+
+// The current transformation at the start and at the end of the shutter's time.
+struct TransformSet {
+    std::array<Transform, 2> at;
+
+    const Transform& start() const { return at[0]; }
+    bool isAnimated() const { return !(at[0] == at[1]); }
+    TransformSet inverse() const { return {{at[0].inverse(), at[1].inverse()}}; }
+};
+
+struct GraphicsState {
+    TransformSet ctm;
+    std::array<bool, 2> active{true, true};  // which of the two transform directives change
+    bool reverseOrientation = false;
+    std::shared_ptr<const MaterialInstance> material;
+    NamedMap<MaterialInstance> namedMaterials;
+    NamedTextures textures;
+    AreaLightBuilder areaLight;  // empty: shapes do not emit
+};
+
+}  // namespace drc::pbrt

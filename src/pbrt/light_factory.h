@@ -1,0 +1,22 @@
+// LightSource and AreaLightSource. A new light is one entry in a table of light_factory.cpp.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "pbrt/file_search.h"
+#include "pbrt/param_set.h"
+#include "scene/light.h"
+#include "scene/scene.h"
+
+namespace drc::pbrt {
+
+// Null, with a warning, for what is not built. Throws Error for a type that pbrt-v3 does not know either.
+LightPtr makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
+                   const FileSearch& files);
+
+// Makes the light of one emitting mesh or shape; empty: emits nothing.
+using AreaLightBuilder = std::function<std::shared_ptr<const AreaLight>(const Primitive&)>;
+AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params);
+
+}  // namespace drc::pbrt

@@ -1,0 +1,185 @@
+#include "pbrt/material_factory.h"
+
+#include <initializer_list>
+
+#include "pbrt/registry.h"
+#include "scene/material_glass.h"
+#include "scene/material_matte.h"
+#include "scene/material_metal.h"
+#include "scene/material_mirror.h"
+#include "scene/material_mix.h"
+#include "scene/material_plastic.h"
+#include "scene/material_substrate.h"
+#include "scene/material_translucent.h"
+#include "scene/material_uber.h"
+
+namespace drc::pbrt {
+namespace {
+
+struct MaterialContext {
+    const TextureParams& params;
+    const NamedMaterials& materials;
+};
+
+FloatTexturePtr bumpOf(const TextureParams& p) { return p.scalarOrNull("bumpmap"); }
+bool remapOf(const TextureParams& p) { return p.getBool("remaproughness", true); }
+// pbrt has two names for it; "eta" goes first.
+FloatTexturePtr indexOf(const TextureParams& p) {
+    const FloatTexturePtr index = p.scalarOrNull("index");
+    const FloatTexturePtr eta = p.scalarOrNull("eta");
+    return eta ? eta : index;
+}
+
+MaterialPtr matte(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    return makeMatte({.kd = p.colorOrNull("Kd"), .sigma = p.scalarOrNull("sigma"), .bump = bumpOf(p)});
+}
+
+MaterialPtr plastic(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    return makePlastic({.kd = p.colorOrNull("Kd"),
+                        .ks = p.colorOrNull("Ks"),
+                        .roughness = p.scalarOrNull("roughness"),
+                        .remapRoughness = remapOf(p),
+                        .bump = bumpOf(p)});
+}
+
+MaterialPtr metal(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    return makeMetal({.eta = p.colorOrNull("eta"),
+                      .k = p.colorOrNull("k"),
+                      .roughness = p.scalarOrNull("roughness"),
+                      .uRoughness = p.scalarOrNull("uroughness"),
+                      .vRoughness = p.scalarOrNull("vroughness"),
+                      .remapRoughness = remapOf(p),
+                      .bump = bumpOf(p)});
+}
+
+MaterialPtr mirror(const MaterialContext& c) {
+    return makeMirror({.kr = c.params.colorOrNull("Kr"), .bump = bumpOf(c.params)});
+}
+
+MaterialPtr glass(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    return makeGlass({.kr = p.colorOrNull("Kr"),
+                      .kt = p.colorOrNull("Kt"),
+                      .eta = indexOf(p),
+                      .uRoughness = p.scalarOrNull("uroughness"),
+                      .vRoughness = p.scalarOrNull("vroughness"),
+                      .remapRoughness = remapOf(p),
+                      .bump = bumpOf(p)});
+}
+
+MaterialPtr uber(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    return makeUber({.kd = p.colorOrNull("Kd"),
+                     .ks = p.colorOrNull("Ks"),
+                     .kr = p.colorOrNull("Kr"),
+                     .kt = p.colorOrNull("Kt"),
+                     .opacity = p.colorOrNull("opacity"),
+                     .roughness = p.scalarOrNull("roughness"),
+                     .uRoughness = p.scalarOrNull("uroughness"),
+                     .vRoughness = p.scalarOrNull("vroughness"),
+                     .eta = indexOf(p),
+                     .remapRoughness = remapOf(p),
+                     .bump = bumpOf(p)});
+}
+
+MaterialPtr substrate(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    return makeSubstrate({.kd = p.colorOrNull("Kd"),
+                          .ks = p.colorOrNull("Ks"),
+                          .uRoughness = p.scalarOrNull("uroughness"),
+                          .vRoughness = p.scalarOrNull("vroughness"),
+                          .remapRoughness = remapOf(p),
+                          .bump = bumpOf(p)});
+}
+
+MaterialPtr translucent(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    return makeTranslucent({.kd = p.colorOrNull("Kd"),
+                            .ks = p.colorOrNull("Ks"),
+                            .reflect = p.colorOrNull("reflect"),
+                            .transmit = p.colorOrNull("transmit"),
+                            .roughness = p.scalarOrNull("roughness"),
+                            .remapRoughness = remapOf(p),
+                            .bump = bumpOf(p)});
+}
+
+MaterialPtr mix(const MaterialContext& c) {
+    const auto part = [&](std::string_view param) {
+        const std::string name = c.params.getString(param, "");
+        const auto found = c.materials.find(name);
+        const SourcePos& pos = c.params.own().pos();
+        if (!found)
+            fail(pos, "the mix material's " + std::string(param) + " '" + name + "' has not been defined" +
+                          suggestion(name, c.materials.names()));
+        if (!found->material) fail(pos, "the mix material's " + std::string(param) + " '" + name + "' is 'none'");
+        return found->material;
+    };
+    const MaterialPtr first = part("namedmaterial1");
+    return makeMix({.first = first, .second = part("namedmaterial2"), .amount = c.params.colorOrNull("amount")});
+}
+
+using MaterialMaker = MaterialPtr (*)(const MaterialContext&);
+constexpr Registered<MaterialMaker> kMaterials[] = {
+    {"disney", nullptr},
+    {"fourier", nullptr},
+    {"glass", glass},
+    {"hair", nullptr},
+    {"kdsubsurface", nullptr},
+    {"matte", matte},
+    {"metal", metal},
+    {"mirror", mirror},
+    {"mix", mix},
+    {"plastic", plastic},
+    {"subsurface", nullptr},
+    {"substrate", substrate},
+    {"translucent", translucent},
+    {"uber", uber},
+};
+
+bool isNone(const std::string& type) { return type.empty() || type == "none"; }
+
+MaterialMaker makerOf(const std::string& type, const SourcePos& pos) {
+    return findMaker<MaterialMaker>(kMaterials, "material", type, pos, "grey matte is used");
+}
+
+}  // namespace
+
+std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
+                                                     const NamedTextures& textures, const NamedMaterials& materials) {
+    auto instance = std::make_shared<MaterialInstance>();
+    instance->type = type;
+    instance->params = std::move(params);
+    const ParamSet& own = instance->params;
+    own.ignore({"type"});  // MakeNamedMaterial's
+    if (isNone(type)) {
+        own.ignoreAll();
+        return instance;
+    }
+    const MaterialMaker make = makerOf(type, own.pos());
+    if (make == nullptr) {
+        own.ignoreAll();
+        instance->type = "matte";
+        instance->params = ParamSet("material 'matte'", own.pos());
+        instance->material = makeMatte({});
+        return instance;
+    }
+    const TextureParams textureParams(own, textures);
+    instance->material = make({textureParams, materials});
+    own.warnUnused();
+    return instance;
+}
+
+MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const NamedTextures& textures,
+                             const NamedMaterials& materials) {
+    const size_t unused = shape.unusedCount();
+    if (unused == 0 || isNone(instance.type)) return instance.material;
+    // Whatever the shape itself has not looked up may be the material's; making it tells.
+    const TextureParams params(instance.params, textures, &shape);
+    MaterialPtr own = makerOf(instance.type, instance.params.pos())({params, materials});
+    return shape.unusedCount() < unused ? own : instance.material;
+}
+
+}  // namespace drc::pbrt

@@ -1,0 +1,113 @@
+#include "pbrt/mesh_shapes.h"
+
+#include <cmath>
+
+#include "pbrt/ply_reader.h"
+
+namespace drc::pbrt {
+namespace {
+
+// Null: opaque. Only a mask that is zero everywhere needs a texture when it is a number.
+FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
+    FloatTexturePtr mask = TextureParams(context.params, context.textures).scalarOrNull(name);
+    return mask && mask->isConstant() && mask->eval({}) != 0 ? nullptr : mask;
+}
+
+// Takes a mesh in its own space to the world's, with the orientation that pbrt gives it.
+TriangleMeshPtr placed(TriangleMesh mesh, const Transform& objectToWorld, bool reverseOrientation) {
+    mesh.apply(objectToWorld);
+    if (reverseOrientation) {
+        mesh.flipNormal = !mesh.flipNormal;
+        for (Vec3& normal : mesh.normals) normal = -normal;
+    }
+    for (const Vec3& p : mesh.positions)
+        if (!std::isfinite(p.x + p.y + p.z)) throw Error("the mesh has a vertex at infinity or at no number");
+    return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+template <typename V>
+std::vector<V> vectors(const Param& param) {
+    std::vector<V> result(param.numbers.size() / V::dimensions());
+    for (size_t i = 0; i < result.size(); ++i)
+        for (unsigned k = 0; k < V::dimensions(); ++k)
+            result[i][int(k)] = float(param.numbers[i * V::dimensions() + k]);
+    return result;
+}
+
+const Param& required(const ParamSet& params, std::string_view name, ParamType type) {
+    const Param* param = params.find(name, {type});
+    if (param == nullptr || param->count() == 0)
+        fail(params.pos(),
+             params.owner() + " needs the parameter '" + std::string(name) + "' of type " + describe(type));
+    return *param;
+}
+
+std::vector<uint32_t> readIndices(const ParamSet& params, size_t vertexCount) {
+    const Param& indices = required(params, "indices", ParamType::Integer);
+    const size_t n = indices.numbers.size();
+    if (n % 3 != 0) params.failAt(indices, "must have three values a triangle, found " + std::to_string(n));
+    std::vector<uint32_t> result(n);
+    for (size_t i = 0; i < n; ++i) {
+        const double index = indices.numbers[i];
+        if (!(index >= 0 && index < double(vertexCount)))
+            params.failAt(indices, "has the vertex " + std::to_string(int64_t(index)) + ", but 'P' has only " +
+                                       std::to_string(vertexCount) + " vertices");
+        result[i] = uint32_t(index);
+    }
+    return result;
+}
+
+std::vector<Vec2> readUvs(const ParamSet& params, size_t vertexCount) {
+    for (const char* name : {"uv", "st"}) {
+        const Param* uv = params.find(name, {ParamType::Float, ParamType::Point2, ParamType::Vector2});
+        if (uv == nullptr) continue;
+        if (uv->numbers.size() / 2 < vertexCount || uv->numbers.size() % 2 != 0)
+            params.failAt(*uv, "must have two values a vertex, " + std::to_string(2 * vertexCount) + ", found " +
+                                   std::to_string(uv->numbers.size()));
+        auto result = vectors<Vec2>(*uv);
+        result.resize(vertexCount);
+        return result;
+    }
+    return {};
+}
+
+}  // namespace
+
+Geometry triangleMesh(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->positions = vectors<Vec3>(required(params, "P", ParamType::Point3));
+    const size_t count = mesh->positions.size();
+    mesh->indices = readIndices(params, count);
+    mesh->uvs = readUvs(params, count);
+    if (const Param* normals = params.find("N", {ParamType::Normal3})) {
+        if (normals->count() != count)
+            params.failAt(*normals, "must have as many values as 'P', " + std::to_string(count) + ", found " +
+                                        std::to_string(normals->count()));
+        mesh->normals = vectors<Vec3>(*normals);
+    }
+    params.notBuilt({"S"});
+    params.ignore({"discarddegenerateUVs", "faceIndices"});
+
+    Geometry geometry;
+    geometry.alpha = maskOf(context, "alpha");
+    geometry.shadowAlpha = maskOf(context, "shadowalpha");
+    geometry.loadMesh = [mesh, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
+        return placed(std::move(*mesh), toWorld, reverse);
+    };
+    return geometry;
+}
+
+Geometry plyMesh(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    const Param& name = required(params, "filename", ParamType::String);
+    Geometry geometry;
+    geometry.alpha = maskOf(context, "alpha");
+    geometry.shadowAlpha = maskOf(context, "shadowalpha");
+    geometry.loadMesh = [path = context.files.find(params.getString("filename", ""), name.valuePos, "PLY file"),
+                         toWorld = context.objectToWorld,
+                         reverse = context.reverseOrientation] { return placed(readPly(path), toWorld, reverse); };
+    return geometry;
+}
+
+}  // namespace drc::pbrt

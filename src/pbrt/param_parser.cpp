@@ -1,0 +1,148 @@
+#include "pbrt/param_parser.h"
+
+#include <cmath>
+#include <limits>
+
+#include "image/color.h"
+#include "pbrt/spectrum.h"
+#include "pbrt/suggest.h"
+
+namespace drc::pbrt {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\n\r";
+
+class ParamParser {
+  public:
+    ParamParser(TokenStream& tokens, const FileSearch& files, const std::string& owner)
+        : tokens_(tokens), files_(files), owner_(owner) {}
+
+    Param parse() {
+        declaration(tokens_.next());
+        values();
+        convert();
+        return std::move(param_);
+    }
+
+  private:
+    void declaration(const Token& token) {
+        const std::string text = token.value();
+        const size_t typeStart = text.find_first_not_of(kBlanks);
+        const size_t typeEnd = text.find_first_of(kBlanks, typeStart);
+        const size_t nameStart = text.find_first_not_of(kBlanks, typeEnd);
+        if (typeStart == std::string::npos || nameStart == std::string::npos)
+            fail(token.pos, "expected a parameter of " + owner_ + " as \"type name\", found " + token.describe());
+        const size_t nameEnd = text.find_first_of(kBlanks, nameStart);
+        if (text.find_first_not_of(kBlanks, nameEnd) != std::string::npos)
+            fail(token.pos, "expected one type and one name in the parameter \"" + text + "\" of " + owner_);
+        param_.typeName = text.substr(typeStart, typeEnd - typeStart);
+        param_.name = text.substr(nameStart, nameEnd - nameStart);
+        param_.pos = token.pos;
+        const auto type = paramTypeNamed(param_.typeName);
+        if (!type)
+            fail(token.pos, "unknown type '" + param_.typeName + "' of parameter '" + param_.name + "' of " + owner_ +
+                                suggestion(param_.typeName,
+                                           {"float", "integer", "bool", "string", "point", "point2", "vector",
+                                            "vector2", "normal", "rgb", "xyz", "blackbody", "spectrum", "texture"}));
+        param_.type = *type;
+    }
+
+    void values() {
+        const Token first = tokens_.next();
+        param_.valuePos = first.pos;
+        if (first.kind != TokenKind::OpenBracket) {
+            value(first);
+            return;
+        }
+        for (;;) {
+            const Token& token = tokens_.peek();
+            // An array does not go on in another file: its bracket was forgotten.
+            if (token.kind == TokenKind::End || token.pos.source != first.pos.source)
+                fail(first.pos,
+                     "unterminated '[': the file ends before the ']' of parameter '" + param_.name + "' of " + owner_);
+            if (token.kind == TokenKind::CloseBracket) break;
+            value(token);
+            tokens_.next();
+        }
+        tokens_.next();
+    }
+
+    void value(const Token& token) {
+        const bool takesText = param_.type == ParamType::String || param_.type == ParamType::Texture;
+        if (token.kind == TokenKind::Number && !takesText && param_.type != ParamType::Bool) {
+            param_.numbers.push_back(token.number());
+        } else if (token.kind == TokenKind::String && (takesText || param_.typeName == "spectrum")) {
+            param_.strings.push_back(token.value());
+        } else if (param_.type == ParamType::Bool &&
+                   (token.kind == TokenKind::String || token.kind == TokenKind::Word) &&
+                   (token.text == "true" || token.text == "false")) {
+            param_.bools.push_back(token.text == "true");
+        } else {
+            const std::string expected = param_.type == ParamType::Bool  ? "\"true\" or \"false\""
+                                         : takesText                     ? "a quoted string"
+                                         : param_.typeName == "spectrum" ? "a number or the name of a .spd file"
+                                                                         : "a number";
+            fail(token.pos, "expected " + expected + " for parameter '" + param_.name + "' of type '" +
+                                param_.typeName + "' of " + owner_ + ", found " + token.describe());
+        }
+    }
+
+    void checkGroups(size_t size) const {
+        if (param_.numbers.size() % size == 0) return;
+        fail(param_.valuePos, "parameter '" + param_.name + "' of " + owner_ + " is of type '" + param_.typeName +
+                                  "' and takes numbers in groups of " + std::to_string(size) + ", found " +
+                                  std::to_string(param_.numbers.size()));
+    }
+
+    void convert() {
+        if (param_.type == ParamType::Color) {
+            convertColors();
+        } else if (param_.type == ParamType::Integer) {
+            for (const double number : param_.numbers)
+                if (number != std::trunc(number) || std::abs(number) > std::numeric_limits<int>::max())
+                    fail(param_.valuePos, "parameter '" + param_.name + "' of " + owner_ +
+                                              " is of type 'integer' and takes whole numbers below 2^31");
+        } else {
+            checkGroups(componentsOf(param_.type));
+        }
+    }
+
+    void convertColors() {
+        const std::vector<double>& n = param_.numbers;
+        if (param_.typeName == "spectrum") {
+            checkGroups(2);
+            std::vector<SpectrumSample> samples;
+            for (size_t i = 0; i + 1 < n.size(); i += 2) samples.push_back({float(n[i]), float(n[i + 1])});
+            if (!samples.empty()) param_.colors.push_back(spectrumToRgb(std::move(samples)));
+            for (const std::string& name : param_.strings) {
+                const std::string path = files_.find(name, param_.valuePos, "spectrum file");
+                param_.colors.push_back(spectrumToRgb(readSpdFile(path)));
+            }
+        } else if (param_.typeName == "blackbody") {
+            checkGroups(2);
+            for (size_t i = 0; i + 1 < n.size(); i += 2)
+                param_.colors.push_back(blackbodyToRgb(float(n[i])) * float(n[i + 1]));
+        } else {
+            checkGroups(3);
+            for (size_t i = 0; i < n.size() / 3; ++i) {
+                const Vec3 c = vec3At(n, i);
+                param_.colors.push_back(param_.typeName == "xyz" ? xyzToRgb(c) : Rgb(c.x, c.y, c.z));
+            }
+        }
+    }
+
+    TokenStream& tokens_;
+    const FileSearch& files_;
+    const std::string& owner_;
+    Param param_;
+};
+
+}  // namespace
+
+ParamSet parseParams(TokenStream& tokens, const std::string& owner, const SourcePos& pos, const FileSearch& files) {
+    ParamSet params(owner, pos);
+    while (tokens.peek().kind == TokenKind::String) params.add(ParamParser(tokens, files, owner).parse());
+    return params;
+}
+
+}  // namespace drc::pbrt

@@ -1,0 +1,116 @@
+#include "pbrt/param_set.h"
+
+#include <gmock/gmock.h>
+
+#include "base/log.h"
+#include "pbrt/param_parser.h"
+#include "pbrt/test_scenes.h"
+
+namespace drc::pbrt {
+namespace {
+
+using testing::HasSubstr;
+
+class ParamSetTest : public testing::Test {
+  protected:
+    ParamSet parse(const std::string& text) {
+        tokens_ = std::make_unique<TokenStream>(Source::fromText(text, "p.pbrt", "."));
+        return parseParams(*tokens_, "material 'matte'", {}, files_);
+    }
+    std::string errorOfParsing(const std::string& text) {
+        return errorOf([&] { parse(text); });
+    }
+
+    FileSearch files_{"."};
+    std::unique_ptr<TokenStream> tokens_;
+};
+
+TEST_F(ParamSetTest, EveryType) {
+    const ParamSet p = parse(R"("float f" 1.5 "integer i" [ 7 ] "bool b" "true" "string s" "x y"
+                               "point P" [1 2 3] "rgb c" [.1 .2 .3] "texture t" "name" "vector2 v" [1 2 3 4])");
+    EXPECT_EQ(p.getFloat("f", 0), 1.5f);
+    EXPECT_EQ(p.getInt("i", 0), 7);
+    EXPECT_TRUE(p.getBool("b", false));
+    EXPECT_EQ(p.getString("s", ""), "x y");
+    EXPECT_EQ(p.getPoint("P", Vec3(0, 0, 0)), Vec3(1, 2, 3));
+    EXPECT_EQ(p.getColor("c", Rgb(0.f)), Rgb(.1f, .2f, .3f));
+    EXPECT_EQ(p.find("t", {ParamType::Texture})->strings[0], "name");
+    EXPECT_EQ(p.find("v", {ParamType::Vector2})->count(), 2u);
+    EXPECT_EQ(p.unusedCount(), 0u);
+    EXPECT_EQ(p.getFloat("absent", 4), 4);
+}
+
+TEST_F(ParamSetTest, TheLastOfTwoCounts) { EXPECT_EQ(parse(R"("float f" 1 "float f" 2)").getFloat("f", 0), 2); }
+
+TEST_F(ParamSetTest, UnknownType) {
+    EXPECT_EQ(errorOfParsing("\"flaot roughness\" [1]"),
+              "p.pbrt:1:1: unknown type 'flaot' of parameter 'roughness' of material 'matte'; did you mean 'float'?\n"
+              "    \"flaot roughness\" [1]\n"
+              "    ^");
+}
+
+TEST_F(ParamSetTest, WrongNumberOfValues) {
+    EXPECT_EQ(
+        errorOfParsing("\"rgb Kd\" [1 2]"),
+        "p.pbrt:1:10: parameter 'Kd' of material 'matte' is of type 'rgb' and takes numbers in groups of 3, found "
+        "2\n"
+        "    \"rgb Kd\" [1 2]\n"
+        "             ^");
+    const ParamSet p = parse("\"float sigma\" [1 2]");
+    EXPECT_EQ(errorOf([&] { p.getFloat("sigma", 0); }),
+              "p.pbrt:1:1: parameter 'sigma' of material 'matte' must have one value of type 'float', not 2\n"
+              "    \"float sigma\" [1 2]\n"
+              "    ^");
+    EXPECT_THAT(errorOf([&] { parse("\"string s\" []").getString("s", ""); }), HasSubstr("type 'string', not 0"));
+}
+
+TEST_F(ParamSetTest, WrongType) {
+    const ParamSet p = parse("\"string Kd\" \"red\"");
+    EXPECT_EQ(
+        errorOf([&] { p.getColor("Kd", Rgb(0.f)); }),
+        "p.pbrt:1:1: parameter 'Kd' of material 'matte' must be of type 'rgb' (or 'xyz', 'blackbody', 'spectrum'), "
+        "not 'string'\n"
+        "    \"string Kd\" \"red\"\n"
+        "    ^");
+}
+
+TEST_F(ParamSetTest, WrongValues) {
+    EXPECT_THAT(errorOfParsing("\"float f\" \"x\""), HasSubstr("expected a number for parameter 'f' of type 'float'"));
+    EXPECT_THAT(errorOfParsing("\"string f\" 3"), HasSubstr("expected a quoted string for parameter 'f'"));
+    EXPECT_THAT(errorOfParsing("\"bool f\" \"yes\""), HasSubstr("expected \"true\" or \"false\""));
+    EXPECT_THAT(errorOfParsing("\"integer i\" 1.5"), HasSubstr("takes whole numbers"));
+    EXPECT_THAT(errorOfParsing("\"float\" 3"), HasSubstr("expected a parameter of material 'matte' as \"type name\""));
+    EXPECT_THAT(errorOfParsing("\"float f g\" 3"), HasSubstr("expected one type and one name"));
+    EXPECT_THAT(errorOfParsing("\"float f\""), HasSubstr("found the end of the file"));
+    EXPECT_EQ(errorOfParsing("\"float f\" [1 2"),
+              "p.pbrt:1:11: unterminated '[': the file ends before the ']' of parameter 'f' of material 'matte'\n"
+              "    \"float f\" [1 2\n"
+              "              ^");
+}
+
+TEST_F(ParamSetTest, UnusedParametersAreWarnedOfOnce) {
+    const ParamSet p = parse("\"float unheardOf\" 1 \"float known\" 2");
+    p.getFloat("known", 0);
+    const int before = warningCount();
+    p.warnUnused();
+    p.warnUnused();
+    EXPECT_EQ(warningCount(), before + 1);
+}
+
+TEST_F(ParamSetTest, SpectraOfEveryKind) {
+    const TemporaryFolder folder;
+    folder.write("half.spd", "# nm value\n400 0.5\n700 0.5\n");
+    files_ = FileSearch(folder.path());
+    const ParamSet p = parse(R"("spectrum a" [400 .5 700 .5] "spectrum b" "half.spd" "xyz c" [.5 .5 .5]
+                               "blackbody d" [6500 2])");
+    const Rgb a = p.getColor("a", Rgb(0.f)), b = p.getColor("b", Rgb(0.f)), c = p.getColor("c", Rgb(0.f));
+    EXPECT_EQ(a, b);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], c[i], 2e-3f);
+    EXPECT_GT(p.getColor("d", Rgb(0.f)).y, 1);
+    EXPECT_THAT(errorOfParsing("\"spectrum a\" \"absent.spd\""),
+                HasSubstr("cannot find the spectrum file 'absent.spd'"));
+    EXPECT_THAT(errorOfParsing("\"spectrum a\" [400 1 500]"), HasSubstr("in groups of 2, found 3"));
+}
+
+}  // namespace
+}  // namespace drc::pbrt

@@ -1,0 +1,38 @@
+// The header of a PLY file: what elements follow, with which properties, in which encoding.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drc::pbrt {
+
+enum class PlyFormat { Ascii, LittleEndian, BigEndian };
+enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+size_t sizeOf(PlyType type);
+
+struct PlyProperty {
+    std::string name;
+    PlyType type = PlyType::Float32;  // of the value, or of a list's items
+    bool isList = false;
+    PlyType countType = PlyType::UInt8;  // of a list's length
+};
+
+struct PlyElement {
+    std::string name;
+    uint64_t count = 0;
+    std::vector<PlyProperty> properties;
+    // Bytes that one takes at least: a list may be empty, an ASCII value is a digit and a blank.
+    uint64_t minimumSize(PlyFormat format) const;
+};
+
+struct PlyHeader {
+    PlyFormat format = PlyFormat::Ascii;
+    std::vector<PlyElement> elements;
+    size_t dataOffset = 0;  // of the first byte after the header
+};
+
+// Throws Error "path: ..." for a header that is malformed, or that promises more than the file can hold.
+PlyHeader parsePlyHeader(std::string_view file, const std::string& path);
+
+}  // namespace drc::pbrt

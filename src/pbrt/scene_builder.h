@@ -1,0 +1,105 @@
+// What the directives do: each changes the graphics state or adds to the scene. Knows nothing of tokens.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pbrt/file_search.h"
+#include "pbrt/graphics_state.h"
+#include "pbrt/scene_file.h"
+#include "pbrt/shape_factory.h"
+#include "pbrt/texture_factory.h"
+#include "scene/scene.h"
+
+namespace drc::pbrt {
+
+// Every pos is the directive's, for messages. All throw Error for what is wrong and cannot be mended with a warning.
+class SceneBuilder {
+  public:
+    explicit SceneBuilder(const FileSearch& files);
+
+    // Transformations. apply multiplies the current one from the right.
+    void apply(const Transform& t, const SourcePos& pos);
+    void setTransform(const Transform& t, const SourcePos& pos);
+    void setActiveTransforms(bool start, bool end);
+    void nameCoordinateSystem(const std::string& name);
+    void useCoordinateSystem(const std::string& name, const SourcePos& pos);
+
+    // Before WorldBegin. The last of each counts.
+    void camera(const std::string& type, ParamSet params);
+    void film(const std::string& type, ParamSet params);
+    void filter(const std::string& type, ParamSet params);
+    void sampler(const std::string& type, ParamSet params);
+    void integrator(const std::string& type, ParamSet params);
+
+    bool inWorld() const { return worldBegin_.has_value(); }
+    void worldBegin(const SourcePos& pos);
+    // Throws Error for blocks that are still open.
+    void worldEnd(const SourcePos& pos);
+
+    // kind: "Attribute", "Transform".
+    void beginBlock(const std::string& kind, const SourcePos& pos);
+    void endBlock(const std::string& kind, const SourcePos& pos);
+    void objectBegin(const std::string& name, const SourcePos& pos);
+    void objectEnd(const SourcePos& pos);
+    void objectInstance(const std::string& name, const SourcePos& pos);
+
+    void reverseOrientation();
+    void material(const std::string& type, ParamSet params);
+    void makeNamedMaterial(const std::string& name, ParamSet params);
+    void namedMaterial(const std::string& name, const SourcePos& pos);
+    void texture(const std::string& name, const std::string& valueType, const std::string& type, ParamSet params);
+    void light(const std::string& type, const ParamSet& params);
+    void areaLight(const std::string& type, const ParamSet& params);
+    void shape(const std::string& type, const ParamSet& params);
+
+    // Throws Error, at the end of the file, if the scene is cut short.
+    void checkComplete(const SourcePos& end) const;
+    // Loads the meshes and gives the scene away.
+    std::unique_ptr<Scene> finish(const LoadOptions& options);
+
+  private:
+    struct Block {
+        std::string kind;
+        SourcePos pos;
+        GraphicsState saved;
+    };
+    struct Setting {
+        std::string type;
+        ParamSet params;
+    };
+    // A primitive whose mesh is still to be loaded.
+    struct PendingPrimitive {
+        Primitive primitive;
+        Geometry geometry;
+        AreaLightBuilder areaLight;
+        std::optional<size_t> lightSlot;  // index into Scene::lights that is kept for areaLight
+        std::optional<size_t> object;     // index into Scene::objects; none: the scene itself
+        SourcePos pos;
+    };
+
+    // The transformation for what cannot move: pos is that of what is being placed.
+    const Transform& staticTransform(const SourcePos& pos) const;
+    void pop(const std::string& kind, const SourcePos& pos);
+    void loadMeshes();
+
+    const FileSearch& files_;
+    GraphicsState state_;
+    std::vector<Block> blocks_;
+    std::map<std::string, TransformSet> coordinateSystems_;
+    TextureFiles textureFiles_;
+
+    Setting camera_, film_, filter_, sampler_, integrator_;
+    TransformSet worldToCamera_;
+
+    std::optional<SourcePos> worldBegin_;
+    bool worldEnded_ = false;
+    std::optional<size_t> openObject_;
+    std::map<std::string, size_t> objects_;
+    std::vector<PendingPrimitive> pending_;
+    std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();
+};
+
+}  // namespace drc::pbrt

@@ -1,0 +1,22 @@
+// Scenes from pbrt-v3 files.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace drc::pbrt {
+
+struct LoadOptions {
+    std::optional<FilmGeometry> resolution;  // instead of the file's
+};
+
+// Everything that the scene needs is read, and everything that can be wrong found out, before this returns. Throws
+// Error for what is malformed, missing or unknown; what pbrt-v3 knows and we have not built gives a warning.
+std::unique_ptr<Scene> loadPbrtFile(const std::string& path, const LoadOptions& options = {});
+// The same for a text. Relative paths start in directory; messages call the text name.
+std::unique_ptr<Scene> loadPbrtString(const std::string& text, const std::string& directory = ".",
+                                      const LoadOptions& options = {}, const std::string& name = "<string>");
+
+}  // namespace drc::pbrt

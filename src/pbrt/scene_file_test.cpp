@@ -1,0 +1,302 @@
+#include "pbrt/scene_file.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "base/log.h"
+#include "pbrt/test_scenes.h"
+
+namespace drc::pbrt {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kTriangle = "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point P\" [0 0 0  1 0 0  0 1 0]\n";
+
+// How many new warnings f causes.
+template <typename F>
+int warningsOf(const F& f) {
+    const int before = warningCount();
+    f();
+    return warningCount() - before;
+}
+
+TEST(SceneFile, DefaultsArePbrts) {
+    const auto scene = loadWorld("");
+    const RenderSettings& s = scene->settings;
+    EXPECT_EQ(s.film.width, 1280);
+    EXPECT_EQ(s.film.height, 720);
+    EXPECT_EQ(s.filter->radius(), Vec2(0.5f, 0.5f));
+    EXPECT_EQ(s.integrator, "path");
+    EXPECT_EQ(s.maxDepth, 5);
+    EXPECT_EQ(s.sampler, "halton");
+    EXPECT_EQ(s.samplesPerPixel, 16);
+    EXPECT_EQ(s.outputFile, "pbrt.exr");
+    ASSERT_NE(scene->camera, nullptr);
+}
+
+TEST(SceneFile, SettingsOfTheFile) {
+    const auto scene = loadPbrtString(
+        "Integrator \"iispt\" \"integer maxdepth\" 9 \"float rrthreshold\" .5 \"string lightsamplestrategy\" "
+        "\"uniform\"\n"
+        "Sampler \"stratified\" \"integer xsamples\" 3 \"integer ysamples\" 5\nAccelerator \"kdtree\"\n"
+        "PixelFilter \"gaussian\" \"float xwidth\" 3 \"float ywidth\" 1.5\n"
+        "Film \"image\" \"integer xresolution\" 64 \"integer yresolution\" 32 \"float cropwindow\" [.5 1 .25 0]\n"
+        "  \"float scale\" 2 \"float maxsampleluminance\" 10 \"float diagonal\" 35 \"string filename\" \"a.png\"\n"
+        "WorldBegin\nWorldEnd\n");
+    const RenderSettings& s = scene->settings;
+    EXPECT_EQ(s.integrator, "iispt");
+    EXPECT_EQ(s.maxDepth, 9);
+    EXPECT_EQ(s.rrThreshold, .5f);
+    EXPECT_EQ(s.lightStrategy, "uniform");
+    EXPECT_EQ(s.samplesPerPixel, 15);
+    EXPECT_EQ(s.filter->radius(), Vec2(3, 1.5f));
+    EXPECT_EQ(s.film.width, 64);
+    EXPECT_THAT(s.cropWindow, testing::ElementsAre(.5f, 1, 0, .25f));
+    EXPECT_EQ(s.filmScale, 2);
+    EXPECT_EQ(s.maxSampleLuminance, 10);
+    EXPECT_EQ(s.outputFile, "a.png");
+}
+
+TEST(SceneFile, ResolutionCanBeOverridden) {
+    const auto scene = loadPbrtString("WorldBegin WorldEnd", ".", {FilmGeometry{40, 30}});
+    EXPECT_EQ(scene->settings.film.width, 40);
+    EXPECT_EQ(scene->settings.film.height, 30);
+}
+
+TEST(SceneFile, NamedMaterialsAreSharedAndShapesMayOverrideThem) {
+    const auto scene = loadWorld(
+        "MakeNamedMaterial \"m\" \"string type\" \"plastic\" \"float roughness\" .2\n"
+        "NamedMaterial \"m\"\n" +
+        kTriangle + kTriangle +
+        "Shape \"sphere\" \"float roughness\" .3 \"float radius\" 2\n"
+        "Material \"none\"\n" +
+        kTriangle + "Material \"\"\n" + kTriangle);
+    ASSERT_EQ(scene->primitives.size(), 5u);
+    EXPECT_EQ(scene->primitives[0].material, scene->primitives[1].material);
+    ASSERT_NE(scene->primitives[0].material, nullptr);
+    EXPECT_NE(scene->primitives[2].material, scene->primitives[0].material);
+    EXPECT_EQ(scene->primitives[3].material, nullptr);
+    EXPECT_EQ(scene->primitives[4].material, nullptr);
+}
+
+TEST(SceneFile, NamesEndWithTheirBlock) {
+    EXPECT_THAT(errorOfWorld("AttributeBegin\nMakeNamedMaterial \"m\" \"string type\" \"matte\"\nAttributeEnd\n"
+                             "NamedMaterial \"m\""),
+                StartsWith("s.pbrt:5:15: no material 'm' has been named"));
+}
+
+TEST(SceneFile, AreaLightsKeepTheirPlaceAmongTheLights) {
+    const auto scene = loadWorld(
+        "LightSource \"point\" \"rgb I\" [1 1 1]\nAttributeBegin\n"
+        "AreaLightSource \"area\" \"rgb L\" [2 2 2] \"bool twosided\" \"true\"\n" +
+        kTriangle + "Shape \"disk\"\nAttributeEnd\n" + kTriangle +
+        "LightSource \"infinite\" \"rgb L\" [1 2 3] \"rgb scale\" [2 2 2]\n"
+        "LightSource \"distant\" \"point from\" [0 0 1] \"point to\" [0 0 0]\n");
+    ASSERT_EQ(scene->lights.size(), 5u);
+    EXPECT_EQ(scene->lights[1], scene->primitives[0].areaLight);
+    EXPECT_EQ(scene->lights[2], scene->primitives[1].areaLight);
+    EXPECT_EQ(scene->primitives[2].areaLight, nullptr);
+    EXPECT_EQ(scene->lights[3]->escaped(Vec3(0, 0, 1)), Rgb(2, 4, 6));
+    EXPECT_TRUE(scene->lights[0]->isDelta());
+    EXPECT_TRUE(scene->lights[4]->isDelta());
+}
+
+TEST(SceneFile, Instances) {
+    const auto scene = loadWorld("Translate 1 0 0\nObjectBegin \"o\"\nTranslate 0 2 0\n" + kTriangle +
+                                 "ObjectEnd\nTranslate 0 0 3\nObjectInstance \"o\"\nIdentity\nObjectInstance \"o\"\n");
+    EXPECT_TRUE(scene->primitives.empty());
+    ASSERT_EQ(scene->objects.size(), 1u);
+    ASSERT_EQ(scene->instances.size(), 2u);
+    const Vec3 p = scene->objects[0].primitives.at(0).mesh->positions[0];
+    EXPECT_EQ(p, Vec3(1, 2, 0));
+    EXPECT_EQ(scene->instances[0].objectToWorld.point(p), Vec3(2, 2, 3));
+    EXPECT_EQ(scene->instances[1].objectToWorld.point(p), Vec3(1, 2, 0));
+    EXPECT_EQ(scene->triangleCount(), 2u);
+    EXPECT_THAT(errorOfWorld("ObjectInstance \"p\""), HasSubstr("s.pbrt:2:16: no object 'p' has been defined"));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"p\" ObjectBegin \"q\""), HasSubstr("ObjectBegin inside of another object"));
+}
+
+TEST(SceneFile, AlphaMasks) {
+    const auto scene =
+        loadWorld("Texture \"m\" \"float\" \"constant\" \"float value\" .5\n" + kTriangle +
+                  "\"float alpha\" 0 \"texture shadowalpha\" \"m\"\n" + kTriangle + "\"float alpha\" 1\n");
+    ASSERT_NE(scene->primitives[0].alpha, nullptr);
+    EXPECT_NE(scene->primitives[0].shadowAlpha, scene->primitives[0].alpha);
+    EXPECT_EQ(scene->primitives[1].alpha, nullptr);
+}
+
+TEST(SceneFile, NamedButUnbuiltThingsAreWarningsAndTheRestIsLoaded) {
+    std::unique_ptr<Scene> scene;
+    const int warnings = warningsOf([&] {
+        scene = loadPbrtString(
+            "Camera \"orthographic\" \"float screenwindow\" [1 2 3 4]\nWorldBegin\nMaterial \"disney\" \"float "
+            "metallic\" 1\n"
+            "Shape \"cone\" \"float height\" 2\nLightSource \"spot\" \"float coneangle\" 20\n"
+            "Texture \"f\" \"spectrum\" \"fbm\" \"integer octaves\" 3\nMakeNamedMedium \"fog\" \"string type\" "
+            "\"homogeneous\"\n"
+            "MediumInterface \"\" \"fog\"\nShape \"sphere\"\nMaterial \"matte\" \"texture Kd\" \"f\"\n" +
+                kTriangle + "WorldEnd",
+            ".", {}, "unbuilt.pbrt");
+    });
+    EXPECT_EQ(warnings, 7);
+    EXPECT_EQ(scene->primitives.size(), 2u);
+    EXPECT_NE(scene->primitives[0].material, nullptr);
+    EXPECT_TRUE(scene->lights.empty());
+}
+
+TEST(SceneErrors, CutShort) {
+    EXPECT_EQ(errorOfScene("WorldBegin\nAttributeBegin\n"),
+              "s.pbrt:3:1: the file ends before the AttributeEnd of AttributeBegin in line 2 of s.pbrt\n    \n    ^");
+    EXPECT_EQ(errorOfScene("Translate 1 2 3\nWorldBegin"),
+              "s.pbrt:2:11: the file ends before the WorldEnd of WorldBegin in line 2 of s.pbrt\n"
+              "    WorldBegin\n              ^");
+    EXPECT_THAT(errorOfScene(""), StartsWith("s.pbrt:1:1: the file ends without a WorldBegin"));
+    EXPECT_EQ(errorOfScene("WorldBegin\nShape \"sphere\" \"float radius\" [1"),
+              "s.pbrt:2:31: unterminated '[': the file ends before the ']' of parameter 'radius' of shape 'sphere'\n"
+              "    Shape \"sphere\" \"float radius\" [1\n"
+              "                                  ^");
+    EXPECT_EQ(errorOfScene("WorldBegin\nShape \"sph"),
+              "s.pbrt:2:7: unterminated string: there is no closing '\"' on this line\n"
+              "    Shape \"sph\n          ^");
+}
+
+TEST(SceneErrors, CutAnywhereASceneIsAnErrorAndNeverACrash) {
+    const std::string whole =
+        "LookAt 0 0 1 0 0 0 0 1 0 Camera \"perspective\" \"float fov\" [40] WorldBegin AttributeBegin "
+        "Material \"matte\" \"rgb Kd\" [.1 .2 .3] " +
+        kTriangle + "AttributeEnd WorldEnd";
+    for (size_t n = 0; n < whole.size(); ++n) EXPECT_NE(errorOfScene(whole.substr(0, n)), "") << whole.substr(0, n);
+    EXPECT_EQ(errorOfScene(whole), "");
+}
+
+TEST(SceneErrors, Blocks) {
+    EXPECT_THAT(errorOfWorld("AttributeEnd"), StartsWith("s.pbrt:2:1: AttributeEnd without AttributeBegin"));
+    EXPECT_THAT(
+        errorOfWorld("AttributeBegin\nTransformEnd"),
+        StartsWith("s.pbrt:3:1: TransformEnd where the AttributeBegin in line 2 of s.pbrt must be ended first"));
+    EXPECT_THAT(errorOfWorld("AttributeBegin"),
+                StartsWith("s.pbrt:3:1: WorldEnd comes before the AttributeEnd of AttributeBegin in line 2 of s.pbrt"));
+    EXPECT_THAT(errorOfWorld("Camera \"perspective\""), StartsWith("s.pbrt:2:1: Camera must come before WorldBegin"));
+    EXPECT_THAT(errorOfScene("Shape \"sphere\""), StartsWith("s.pbrt:1:1: Shape must come after WorldBegin"));
+}
+
+TEST(SceneErrors, UnknownNames) {
+    EXPECT_EQ(errorOfWorld("  Shpae \"sphere\""),
+              "s.pbrt:2:3: unknown directive 'Shpae'; did you mean 'Shape'?\n      Shpae \"sphere\"\n      ^");
+    EXPECT_EQ(errorOfWorld("Material \"mat\" \"rgb Kd\" [1 1 1]"),
+              "s.pbrt:2:10: unknown material 'mat'\n    Material \"mat\" \"rgb Kd\" [1 1 1]\n             ^");
+    EXPECT_THAT(errorOfWorld("Material \"plastik\""), HasSubstr("unknown material 'plastik'; did you mean 'plastic'?"));
+    EXPECT_THAT(errorOfWorld("Shape \"cube\""), HasSubstr("s.pbrt:2:7: unknown shape 'cube'"));
+    EXPECT_THAT(errorOfWorld("LightSource \"sun\""), HasSubstr("unknown light 'sun'"));
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"noise\""), HasSubstr("unknown texture 'noise'"));
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"rgb\" \"constant\""), HasSubstr("must be of type 'float' or 'spectrum'"));
+    EXPECT_THAT(errorOfScene("PixelFilter \"tent\" WorldBegin WorldEnd"), HasSubstr("unknown pixel filter 'tent'"));
+    EXPECT_THAT(errorOfScene("Sampler \"best\" WorldBegin WorldEnd"), HasSubstr("unknown sampler 'best'"));
+    EXPECT_THAT(errorOfScene("Camera \"fisheye\" WorldBegin WorldEnd"), HasSubstr("unknown camera 'fisheye'"));
+    EXPECT_THAT(errorOfWorld("Material \"matte\" \"texture Kd\" \"wood\""),
+                HasSubstr("no spectrum texture 'wood' has been defined"));
+    EXPECT_THAT(errorOfWorld("\"sphere\""), HasSubstr("expected a directive, found the string \"sphere\""));
+}
+
+TEST(SceneErrors, Meshes) {
+    EXPECT_THAT(errorOfWorld("Shape \"trianglemesh\" \"point P\" [0 0 0]"), HasSubstr("needs the parameter 'indices'"));
+    EXPECT_THAT(errorOfWorld("Shape \"trianglemesh\" \"integer indices\" [0 1 3] \"point P\" [0 0 0 1 0 0 0 1 0]"),
+                HasSubstr("parameter 'indices' of shape 'trianglemesh' has the vertex 3, but 'P' has only 3 vertices"));
+    EXPECT_THAT(errorOfWorld("Shape \"trianglemesh\" \"integer indices\" [0 -1 2] \"point P\" [0 0 0 1 0 0 0 1 0]"),
+                HasSubstr("has the vertex -1"));
+    EXPECT_THAT(errorOfWorld("Shape \"trianglemesh\" \"integer indices\" [0 1] \"point P\" [0 0 0 1 0 0 0 1 0]"),
+                HasSubstr("must have three values a triangle, found 2"));
+    EXPECT_THAT(errorOfWorld(kTriangle + "\"normal N\" [0 0 1]"),
+                HasSubstr("must have as many values as 'P', 3, found 1"));
+    EXPECT_THAT(errorOfWorld(kTriangle + "\"float uv\" [0 0 1]"),
+                HasSubstr("must have two values a vertex, 6, found 3"));
+}
+
+TEST(SceneFiles, MissingOnesSayWhatWasTried) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(errorOfWorld("Shape \"plymesh\" \"string filename\" \"a.ply\"", folder.path()),
+              "s.pbrt:2:35: cannot find the PLY file 'a.ply'; tried '" + folder.path() +
+                  "/a.ply'\n"
+                  "    Shape \"plymesh\" \"string filename\" \"a.ply\"\n"
+                  "                                      ^");
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"a.png\"", folder.path()),
+                HasSubstr("cannot find the texture 'a.png'; tried '" + folder.path() + "/a.png'"));
+    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"string mapname\" \"a.exr\"", folder.path()),
+                HasSubstr("cannot find the environment map 'a.exr'"));
+    EXPECT_EQ(errorOf([] { loadPbrtFile("/absent.pbrt"); }),
+              "cannot read scene file '/absent.pbrt': No such file or directory");
+}
+
+TEST(SceneFiles, DamagedMeshIsReportedAtItsShape) {
+    const TemporaryFolder folder;
+    folder.write("a.ply", "ply\nformat ascii 1.0\n");
+    EXPECT_THAT(
+        errorOfWorld(kTriangle + "Shape \"plymesh\" \"string filename\" \"a.ply\"", folder.path()),
+        AllOf(StartsWith("s.pbrt:3:7: cannot load the mesh: "), HasSubstr("a.ply:2:1: the PLY file ends within")));
+    folder.write("b.png", "this is no picture");
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"b.png\"", folder.path()),
+                AllOf(StartsWith("s.pbrt:2:53: "), HasSubstr("b.png")));
+}
+
+TEST(SceneFiles, IncludesFindTheirFilesBesideThemThenBesideTheScene) {
+    const TemporaryFolder folder;
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    folder.write("main.ply", ply + "1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n");
+    folder.write("sub/near.ply", ply + "2 0 0\n0 1 0\n0 0 1\n3 0 1 2\n");
+    folder.write("sub/part.pbrt",
+                 "Shape \"plymesh\" \"string filename\" \"near.ply\"\n"
+                 "Shape \"plymesh\" \"string filename\" \"main.ply\"\n");
+    const auto scene = loadPbrtFile(folder.write("main.pbrt", "WorldBegin\nInclude \"sub/part.pbrt\"\nWorldEnd\n"));
+    ASSERT_EQ(scene->primitives.size(), 2u);
+    EXPECT_EQ(scene->primitives[0].mesh->positions[0].x, 2);
+    EXPECT_EQ(scene->primitives[1].mesh->positions[0].x, 1);
+}
+
+TEST(SceneFiles, IncludeErrors) {
+    const TemporaryFolder folder;
+    folder.write("a.pbrt", "Include \"b.pbrt\"\n");
+    const std::string b = folder.write("b.pbrt", "\n  Include \"a.pbrt\"\n");
+    EXPECT_EQ(errorOfWorld("Include \"a.pbrt\"", folder.path()),
+              b + ":2:11: '" + folder.path() + "/a.pbrt' includes itself\n      Include \"a.pbrt\"\n              ^");
+    EXPECT_THAT(errorOfWorld("Include \"absent.pbrt\"", folder.path()),
+                StartsWith("s.pbrt:2:9: cannot find the file to include 'absent.pbrt'"));
+    for (int i = 0; i < 100; ++i)
+        folder.write("deep" + std::to_string(i) + ".pbrt", "Include \"deep" + std::to_string(i + 1) + ".pbrt\"\n");
+    EXPECT_THAT(errorOfWorld("Include \"deep0.pbrt\"", folder.path()),
+                HasSubstr("deep62.pbrt:1:9: Include is nested more than 64 files deep"));
+    folder.write("error.pbrt", "Identity\nWorldBgin\n");
+    EXPECT_THAT(errorOfWorld("Include \"error.pbrt\"", folder.path()), HasSubstr("error.pbrt:2:1: unknown directive"));
+    folder.write("open.pbrt", "Shape \"sphere\" \"float radius\" [1\n");
+    EXPECT_THAT(errorOfWorld("Include \"open.pbrt\"\n] ", folder.path()),
+                HasSubstr("open.pbrt:1:31: unterminated '['"));
+}
+
+// Every scene in a folder that is not part of the project: DRC_SHARED, or beside it.
+TEST(SceneFiles, SharedScenesLoadWithoutWarnings) {
+    const char* variable = std::getenv("DRC_SHARED");
+    const std::filesystem::path root = variable != nullptr ? variable : DRC_SOURCE_DIR "/../shared";
+    if (!std::filesystem::is_directory(root / "scenes")) GTEST_SKIP() << "no scenes in " << root;
+    for (const auto& entry : std::filesystem::directory_iterator(root / "scenes")) {
+        const auto file = entry.path() / "scene.pbrt";
+        if (!std::filesystem::exists(file)) continue;
+        const int warnings = warningsOf([&] {
+            const std::string error = errorOf([&] {
+                const auto scene = loadPbrtFile(file.string(), {FilmGeometry{32, 32}});
+                EXPECT_GT(scene->triangleCount(), 0u) << file;
+                EXPECT_FALSE(scene->lights.empty()) << file;
+            });
+            EXPECT_EQ(error, "") << file;
+        });
+        EXPECT_EQ(warnings, 0) << file;
+    }
+}
+
+}  // namespace
+}  // namespace drc::pbrt

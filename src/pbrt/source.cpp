@@ -1,0 +1,71 @@
+#include "pbrt/source.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/log.h"
+
+namespace drc::pbrt {
+namespace {
+
+// Meshes are often written on one line of megabytes.
+constexpr size_t kExcerptWidth = 100;
+
+}  // namespace
+
+std::unique_ptr<Source> Source::fromFile(const std::string& path) {
+    auto source = std::make_unique<Source>();
+    source->file_ = std::make_unique<MappedFile>(path, "scene file");
+    source->name_ = path;
+    source->directory_ = std::filesystem::path(path).parent_path().string();
+    return source;
+}
+
+std::unique_ptr<Source> Source::fromText(std::string text, std::string name, std::string directory) {
+    auto source = std::make_unique<Source>();
+    source->text_ = std::move(text);
+    source->name_ = std::move(name);
+    source->directory_ = std::move(directory);
+    return source;
+}
+
+SourceLocation SourcePos::location() const {
+    if (source == nullptr) return {};
+    const std::string_view before = source->text().substr(0, offset);
+    const size_t lineBreak = before.rfind('\n');
+    const size_t lineStart = lineBreak == std::string_view::npos ? 0 : lineBreak + 1;
+    return {source->name(), 1 + int(std::count(before.begin(), before.end(), '\n')), 1 + int(offset - lineStart)};
+}
+
+std::string SourcePos::excerpt() const {
+    if (source == nullptr) return "";
+    const std::string_view text = source->text();
+    const size_t at = std::min(offset, text.size());
+    const size_t lineBreak = text.substr(0, at).rfind('\n');
+    const size_t lineStart = lineBreak == std::string_view::npos ? 0 : lineBreak + 1;
+    const size_t lineEnd = std::min(text.find('\n', at), text.size());
+
+    size_t first = lineStart, last = lineEnd;
+    if (last - first > kExcerptWidth) {
+        if (at - lineStart > kExcerptWidth / 2) first = at - kExcerptWidth / 2;
+        last = std::min(lineEnd, first + kExcerptWidth);
+    }
+    std::string line = first > lineStart ? "..." : "";
+    std::string marker(line.size(), ' ');
+    for (size_t i = first; i < last; ++i) {
+        const char c = text[i];
+        const bool control = static_cast<unsigned char>(c) < 32 && c != '\t';
+        if (c == '\r') continue;
+        line += control ? '?' : c;
+        // Tabs are kept so that the caret stands right whatever their width; the later bytes of a character have none.
+        if (i < at && (static_cast<unsigned char>(c) & 0xC0) != 0x80) marker += c == '\t' ? '\t' : ' ';
+    }
+    if (last < lineEnd) line += "...";
+    return "    " + line + "\n    " + marker + "^";
+}
+
+void fail(const SourcePos& pos, const std::string& message) { throw Error(pos.location(), message, pos.excerpt()); }
+
+void warn(const SourcePos& pos, const std::string& message) { logWarning(pos.location(), message); }
+
+}  // namespace drc::pbrt

@@ -1,0 +1,71 @@
+#include "pbrt/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/color.h"
+#include "pbrt/cie.h"
+#include "pbrt/tokenizer.h"
+
+namespace drc::pbrt {
+namespace {
+
+// Integral of spectrum(nm) against the observer. pbrt sums at every nanometre, and sharp spectra need no less.
+template <typename Spectrum>
+Rgb integrate(const Spectrum& spectrum) {
+    double x = 0, y = 0, z = 0, norm = 0;
+    for (int nm = kCieFirst; nm <= kCieLast; ++nm) {
+        const CieEntry cie = cieAt(float(nm));
+        const double value = spectrum(double(nm));
+        x += cie.x * value;
+        y += cie.y * value;
+        z += cie.z * value;
+        norm += cie.y;
+    }
+    return xyzToRgb(Vec3(float(x / norm), float(y / norm), float(z / norm)));
+}
+
+double planck(double nm, double kelvin) {
+    constexpr double kC2 = 1.438776877e7;  // second radiation constant, nm K
+    const double l = nm * 1e-3;            // um, to stay within range; the factor cancels
+    return 1 / (l * l * l * l * l * std::expm1(kC2 / (nm * kelvin)));
+}
+
+}  // namespace
+
+Rgb spectrumToRgb(std::vector<SpectrumSample> samples) {
+    if (samples.empty()) return Rgb(0.f);
+    std::stable_sort(samples.begin(), samples.end(),
+                     [](const auto& a, const auto& b) { return a.wavelength < b.wavelength; });
+    return integrate([&](double nm) -> double {
+        const auto above = std::lower_bound(samples.begin(), samples.end(), nm,
+                                            [](const SpectrumSample& s, double w) { return s.wavelength < w; });
+        if (above == samples.begin()) return samples.front().value;
+        if (above == samples.end()) return samples.back().value;
+        const SpectrumSample &a = above[-1], &b = above[0];
+        const double t = (nm - a.wavelength) / (b.wavelength - a.wavelength);
+        return a.value + t * (b.value - a.value);
+    });
+}
+
+Rgb blackbodyToRgb(float kelvin) {
+    if (!(kelvin > 0)) return Rgb(0.f);
+    constexpr double kWien = 2.897771955e6;  // nm K
+    const double maximum = planck(kWien / kelvin, kelvin);
+    return integrate([&](double nm) { return planck(nm, kelvin) / maximum; });
+}
+
+std::vector<SpectrumSample> readSpdFile(const std::string& path) {
+    const auto source = Source::fromFile(path);
+    Tokenizer tokenizer(*source);
+    std::vector<SpectrumSample> samples;
+    for (Token token = tokenizer.next(); token.kind != TokenKind::End; token = tokenizer.next()) {
+        const Token value = tokenizer.next();
+        if (value.kind == TokenKind::End) fail(token.pos, "the last wavelength of the spectrum has no value");
+        samples.push_back({float(token.number()), float(value.number())});
+    }
+    if (samples.empty()) throw Error({path, 0, 0}, "the spectrum file holds no samples");
+    return samples;
+}
+
+}  // namespace drc::pbrt

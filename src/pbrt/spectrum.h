@@ -1,0 +1,24 @@
+// Colours as scene files write them, turned into linear RGB the way pbrt-v3's RGB renderer does: integrated against
+// the CIE 1931 observer, divided by the integral of y, and taken to Rec. 709 primaries. A spectrum that is 1
+// everywhere is therefore not grey but the colour of the equal-energy illuminant.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace drc::pbrt {
+
+struct SpectrumSample {
+    float wavelength;  // nm
+    float value;
+};
+
+// Samples in any order, linear in between, constant beyond the first and the last.
+Rgb spectrumToRgb(std::vector<SpectrumSample> samples);
+// A black body whose spectrum is scaled to a maximum of 1. kelvin <= 0 is black.
+Rgb blackbodyToRgb(float kelvin);
+// Reads "wavelength value" pairs; '#' begins a comment. Throws Error with file and line.
+std::vector<SpectrumSample> readSpdFile(const std::string& path);
+
+}  // namespace drc::pbrt

@@ -1,0 +1,53 @@
+#include "pbrt/spectrum.h"
+
+#include <gmock/gmock.h>
+
+#include "pbrt/cie.h"
+#include "pbrt/test_scenes.h"
+
+namespace drc::pbrt {
+namespace {
+
+void expectNear(const Rgb& a, const Rgb& b, float tolerance) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "channel " << i;
+}
+
+TEST(Cie, IntegralsAreEqual) {
+    double x = 0, y = 0, z = 0;
+    for (const CieEntry& entry : kCie) x += entry.x, y += entry.y, z += entry.z;
+    EXPECT_NEAR(y * kCieStep, 106.857, 1e-3);
+    EXPECT_NEAR(x / y, 1, 1e-4);
+    EXPECT_NEAR(z / y, 1, 1e-4);
+}
+
+// Equal energy has x = y = 1/3, which Rec. 709 shows as a warm white.
+TEST(Spectrum, EqualEnergyWhite) { expectNear(spectrumToRgb({{500, 1}}), Rgb(1.205f, 0.948f, 0.909f), 2e-3f); }
+
+TEST(Spectrum, OrderDoesNotMatter) {
+    EXPECT_EQ(spectrumToRgb({{700, 1}, {400, 0}, {550, .3f}}), spectrumToRgb({{400, 0}, {550, .3f}, {700, 1}}));
+}
+
+TEST(Spectrum, LongWavesAreRed) {
+    const Rgb c = spectrumToRgb({{600, 0}, {620, 1}, {700, 1}});
+    EXPECT_GT(c.x, 3 * std::max(c.y, c.z));
+}
+
+TEST(Spectrum, BlackbodyOfDaylightIsNearlyWhiteAndOfALampWarm) {
+    const Rgb day = blackbodyToRgb(6500);
+    EXPECT_NEAR(day.x / day.y, 1, 0.07);
+    EXPECT_NEAR(day.z / day.y, 1, 0.07);
+    const Rgb lamp = blackbodyToRgb(2700);
+    EXPECT_GT(lamp.x, 1.5f * lamp.y);
+    EXPECT_GT(lamp.y, 1.5f * lamp.z);
+    EXPECT_EQ(blackbodyToRgb(0), Rgb(0.f));
+}
+
+TEST(SpdFile, SaysWhereItIsMalformed) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.spd", "400 1\n500 x\n");
+    EXPECT_THAT(errorOf([&] { readSpdFile(path); }), testing::StartsWith(path + ":2:5: expected a number, found 'x'"));
+    EXPECT_THAT(errorOf([&] { readSpdFile(folder.write("b.spd", "400 1 500")); }), testing::HasSubstr("has no value"));
+}
+
+}  // namespace
+}  // namespace drc::pbrt

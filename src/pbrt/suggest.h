@@ -1,0 +1,12 @@
+// "did you mean ...?" for misspelt names.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drc::pbrt {
+
+// "; did you mean 'x'?" with the candidate nearest to name, or "" if none is near.
+std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates);
+
+}  // namespace drc::pbrt

@@ -1,0 +1,25 @@
+// Textures. A new one is one entry in the table of texture_factory.cpp, for both value types.
+#pragma once
+#include <string>
+
+#include "math/transform.h"
+#include "pbrt/file_search.h"
+#include "pbrt/texture_files.h"
+#include "pbrt/texture_params.h"
+#include "scene/texture.h"
+
+namespace drc::pbrt {
+
+struct TextureRequest {
+    const TextureParams& params;
+    Transform textureToWorld;
+    const FileSearch& files;
+    TextureFiles& images;
+};
+
+// What is not built becomes the constant 0.5, with a warning. Throw Error for a type that pbrt-v3 does not know either,
+// for wrong parameters and for an image that is missing or damaged.
+FloatTexturePtr makeFloatTexture(const std::string& type, const TextureRequest& request);
+RgbTexturePtr makeRgbTexture(const std::string& type, const TextureRequest& request);
+
+}  // namespace drc::pbrt

@@ -1,0 +1,130 @@
+#include "pbrt/tokenizer.h"
+
+#include <charconv>
+#include <cstdlib>
+
+namespace drc::pbrt {
+namespace {
+
+constexpr bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+constexpr bool endsWord(char c) { return isSpace(c) || c == '"' || c == '[' || c == ']' || c == '#'; }
+constexpr bool startsNumber(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
+
+}  // namespace
+
+std::string Token::value() const {
+    if (!hasEscapes) return std::string(text);
+    std::string result;
+    result.reserve(text.size());
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '\\') {
+            result += text[i];
+            continue;
+        }
+        switch (text[++i]) {
+            case 'n':
+                result += '\n';
+                break;
+            case 't':
+                result += '\t';
+                break;
+            case 'r':
+                result += '\r';
+                break;
+            case 'b':
+                result += '\b';
+                break;
+            case 'f':
+                result += '\f';
+                break;
+            case '\\':
+                result += '\\';
+                break;
+            case '"':
+                result += '"';
+                break;
+            case '\'':
+                result += '\'';
+                break;
+            case '\n':
+                break;  // a line that goes on
+            default:
+                fail({pos.source, pos.offset + i},
+                     std::string("unknown escape '\\") + text[i] + "' in a string; write a backslash as '\\\\'");
+        }
+    }
+    return result;
+}
+
+double Token::number() const {
+    const char* first = text.data();
+    const char* const last = first + text.size();
+    // from_chars knows no leading plus; "+-1" must stay an error.
+    if (text.size() > 1 && *first == '+' && first[1] != '-') ++first;
+    double result = 0;
+    const auto [end, error] = std::from_chars(first, last, result);
+    if (kind != TokenKind::Number || end != last || error == std::errc::invalid_argument)
+        fail(pos, "expected a number, found " + describe());
+    if (error == std::errc::result_out_of_range) result = std::strtod(std::string(first, last).c_str(), nullptr);
+    return result;
+}
+
+std::string Token::describe() const {
+    switch (kind) {
+        case TokenKind::End:
+            return "the end of the file";
+        case TokenKind::String:
+            return "the string \"" + std::string(text.substr(0, 60)) + "\"";
+        default:
+            return "'" + std::string(text.substr(0, 60)) + "'";
+    }
+}
+
+Tokenizer::Tokenizer(const Source& source) : source_(&source), text_(source.text()) {
+    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
+}
+
+Token Tokenizer::next() {
+    for (;;) {
+        while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+        if (at_ == text_.size() || text_[at_] != '#') break;
+        at_ = std::min(text_.find('\n', at_), text_.size());
+    }
+    Token token;
+    token.pos = {source_, at_};
+    if (at_ == text_.size()) return token;
+
+    const size_t start = at_;
+    const char c = text_[at_++];
+    if (c == '"') return string();
+    if (c == '[') {
+        token.kind = TokenKind::OpenBracket;
+    } else if (c == ']') {
+        token.kind = TokenKind::CloseBracket;
+    } else {
+        while (at_ < text_.size() && !endsWord(text_[at_])) ++at_;
+        token.kind = startsNumber(c) ? TokenKind::Number : TokenKind::Word;
+    }
+    token.text = text_.substr(start, at_ - start);
+    return token;
+}
+
+Token Tokenizer::string() {
+    const size_t start = at_;
+    Token token;
+    token.kind = TokenKind::String;
+    token.pos = {source_, start - 1};
+    for (; at_ < text_.size() && text_[at_] != '\n'; ++at_) {
+        if (text_[at_] == '"') {
+            token.text = text_.substr(start, at_++ - start);
+            return token;
+        }
+        if (text_[at_] == '\\' && at_ + 1 < text_.size()) {
+            token.hasEscapes = true;
+            ++at_;
+        }
+    }
+    fail(token.pos, "unterminated string: there is no closing '\"' on this line");
+}
+
+}  // namespace drc::pbrt

@@ -1,0 +1,109 @@
+#include "pbrt/tokenizer.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "pbrt/test_scenes.h"
+
+namespace drc::pbrt {
+namespace {
+
+TEST(Tokenizer, KindsTextAndPositions) {
+    const auto source = Source::fromText("Shape \"sphere\" # a comment ] \"\n\t[ -1.5e2 ]\nWorldEnd", "a.pbrt", ".");
+    Tokenizer tokenizer(*source);
+    struct Expected {
+        TokenKind kind;
+        std::string text;
+        int line, column;
+    };
+    const Expected expected[] = {
+        {TokenKind::Word, "Shape", 1, 1},
+        {TokenKind::String, "sphere", 1, 7},
+        {TokenKind::OpenBracket, "[", 2, 2},
+        {TokenKind::Number, "-1.5e2", 2, 4},
+        {TokenKind::CloseBracket, "]", 2, 11},
+        {TokenKind::Word, "WorldEnd", 3, 1},
+        {TokenKind::End, "", 3, 9},
+        {TokenKind::End, "", 3, 9},
+    };
+    for (const Expected& e : expected) {
+        const Token token = tokenizer.next();
+        EXPECT_EQ(token.kind, e.kind) << e.text;
+        EXPECT_EQ(token.text, e.text);
+        EXPECT_EQ(token.pos.location().file, "a.pbrt");
+        EXPECT_EQ(token.pos.location().line, e.line) << e.text;
+        EXPECT_EQ(token.pos.location().column, e.column) << e.text;
+    }
+}
+
+TEST(Tokenizer, WordsEndAtBracketsQuotesAndComments) {
+    const auto source = Source::fromText("[1 2]\"a\"3#c", "a", ".");
+    Tokenizer tokenizer(*source);
+    std::vector<std::string> texts;
+    for (Token t = tokenizer.next(); t.kind != TokenKind::End; t = tokenizer.next()) texts.emplace_back(t.text);
+    EXPECT_THAT(texts, testing::ElementsAre("[", "1", "2", "]", "a", "3"));
+}
+
+std::string valueOf(const std::string& text) {
+    const auto source = Source::fromText(text, "a", ".");
+    return Tokenizer(*source).next().value();
+}
+
+TEST(Tokenizer, Escapes) {
+    EXPECT_EQ(valueOf(R"("a\"b\\c\nd\te")"), "a\"b\\c\nd\te");
+    EXPECT_EQ(errorOf([] { valueOf(R"("dir\wood.png")"); }),
+              "a:1:5: unknown escape '\\w' in a string; write a backslash as '\\\\'\n"
+              "    \"dir\\wood.png\"\n"
+              "        ^");
+}
+
+TEST(Tokenizer, UnterminatedString) {
+    EXPECT_EQ(errorOf([] { valueOf("  \"abc\nnext line\""); }),
+              "a:1:3: unterminated string: there is no closing '\"' on this line\n"
+              "      \"abc\n"
+              "      ^");
+    EXPECT_THAT(errorOf([] { valueOf("\"abc\\\""); }), testing::StartsWith("a:1:1: unterminated string"));
+}
+
+double numberOf(const std::string& text) {
+    const auto source = Source::fromText(text, "a", ".");
+    return Tokenizer(*source).next().number();
+}
+
+TEST(Tokenizer, Numbers) {
+    EXPECT_EQ(numberOf("1"), 1);
+    EXPECT_EQ(numberOf("+2.5"), 2.5);
+    EXPECT_EQ(numberOf(".5"), 0.5);
+    EXPECT_EQ(numberOf("-5."), -5);
+    EXPECT_EQ(numberOf("1e-3"), 1e-3);
+    EXPECT_EQ(numberOf("1E3"), 1000);
+    EXPECT_EQ(numberOf("1e-999"), 0);
+    EXPECT_EQ(numberOf("1e999"), std::numeric_limits<double>::infinity());
+    for (const char* bad : {"1.2.3", "--1", "+-1", "1x", "-", "+", "."})
+        EXPECT_THAT(errorOf([&] { numberOf(bad); }), testing::StartsWith("a:1:1: expected a number, found '"));
+}
+
+TEST(Tokenizer, ByteOrderMarkAndCarriageReturns) {
+    const auto source = Source::fromText("\xEF\xBB\xBFWorldBegin\r\nWorldEnd\r\n", "a", ".");
+    Tokenizer tokenizer(*source);
+    EXPECT_EQ(tokenizer.next().text, "WorldBegin");
+    const Token end = tokenizer.next();
+    EXPECT_EQ(end.text, "WorldEnd");
+    EXPECT_EQ(end.pos.location().line, 2);
+}
+
+TEST(Source, LongLinesAreCutAroundTheCaret) {
+    std::string text(5000, '1');
+    for (size_t i = 3; i < text.size(); i += 4) text[i] = ' ';
+    const auto source = Source::fromText(text, "a", ".");
+    const std::string excerpt = SourcePos{source.get(), 2500}.excerpt();
+    EXPECT_LT(excerpt.size(), 300u);
+    const size_t lineBreak = excerpt.find('\n');
+    EXPECT_EQ(excerpt.substr(0, 7), "    ...");
+    EXPECT_EQ(excerpt.substr(lineBreak - 3, 3), "...");
+    EXPECT_EQ(excerpt.size() - lineBreak - 1, 4u + 3u + 50u + 1u);
+}
+
+}  // namespace
+}  // namespace drc::pbrt

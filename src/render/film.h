@@ -1,0 +1,33 @@
+// Sums of samples per pixel, in layers.
+#pragma once
+#include <vector>
+
+#include "image/image.h"
+#include "scene/scene.h"
+
+namespace drc {
+
+// One layer over a region of the film. Different pixels may be added to from different threads.
+class FilmLayer {
+  public:
+    explicit FilmLayer(const PixelRegion& region) : region_(region), pixels_(region.count()) {}
+
+    // value: radiance; filterWeight: of the pixel filter, 1 on average; importance: of the pass, any positive number.
+    void add(int x, int y, const Rgb& value, float filterWeight, double importance = 1);
+    // Radiance; black if nothing was added.
+    Rgb value(int x, int y) const;
+    // Region-sized.
+    Image image(float scale) const;
+    const PixelRegion& region() const { return region_; }
+
+  private:
+    struct Pixel {
+        double sum[3] = {0, 0, 0};
+        double weight = 0;       // importance times filter weight
+        double importance = 0;
+    };
+    PixelRegion region_;
+    std::vector<Pixel> pixels_;
+};
+
+}  // namespace drc

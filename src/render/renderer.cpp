@@ -1,0 +1,127 @@
+#include "render/renderer.h"
+
+#include <fmt/core.h>
+
+namespace drc {
+namespace {
+
+constexpr uint64_t kSampleStream = 0x2001;
+
+double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+}  // namespace
+
+Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer,
+                   Stats* stats)
+    : scene_(scene), params_(params), accel_(scene), lights_(scene), tracer_(scene, accel_, lights_, params.path),
+      enhancer_(std::move(enhancer)), stats_(stats), samples_(scene.settings.region()),
+      indirect_(scene.settings.region()), start_(Clock::now()) {
+    params_.indirect.seed = hashCombine(params.seed, 0xd2c);
+}
+
+Renderer::~Renderer() = default;
+
+bool Renderer::nextIsPass(float& spacing) const {
+    if (params_.integrator != Integrator::Drc) return false;
+    spacing = passSpacing(passesDone_, scene_.settings.film.height, params_.firstSpacing);
+    if (!params_.deadline) {
+        // In turns, so that an interrupted render has both in proportion.
+        if (passesDone_ >= params_.passes) return false;
+        return samplesDone_ >= params_.spp ||
+               double(passesDone_) / params_.passes <= double(samplesDone_) / params_.spp;
+    }
+    if (passesDone_ == 0 || samplesDone_ == 0) return samplesDone_ > 0;
+    const double left = seconds(*params_.deadline - Clock::now());
+    const double total = sampleSeconds_ + passSeconds_;
+    // The next pass must end in time: one with fewer maps if need be, none if it would be much coarser.
+    const double cost = lastPass_ * sqr(lastSpacing_ / spacing);
+    if (cost > left) {
+        if (lastPass_ * 0.5 > left) return false;
+        spacing = lastSpacing_ * float(std::sqrt(lastPass_ / (0.9 * left)));
+    }
+    return sampleSeconds_ > params_.directShare * total;
+}
+
+bool Renderer::step(const CancelToken* cancel) {
+    if (cancel && cancel->cancelled()) return false;
+    if (params_.deadline) {
+        if (Clock::now() >= *params_.deadline) return false;
+    } else if (samplesDone_ >= params_.spp && (params_.integrator != Integrator::Drc || passesDone_ >= params_.passes)) {
+        return false;
+    }
+    float spacing = 0;
+    return nextIsPass(spacing) ? passStep(spacing, cancel) : sampleStep(cancel);
+}
+
+bool Renderer::sampleStep(const CancelToken* cancel) {
+    const auto start = Clock::now();
+    const PixelRegion& region = samples_.region();
+    const bool path = params_.integrator == Integrator::Path;
+    parallelFor(region.y0, region.y1, 1, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y)
+            for (int x = region.x0; x < region.x1; ++x) {
+                const uint64_t pixel = (uint64_t(uint32_t(y)) << 32) | uint32_t(x);
+                Sampler sampler(hashCombine(params_.seed, hashCombine(kSampleStream, pixel)), uint32_t(samplesDone_));
+                const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
+                const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
+                const Vec2 uLens = sampler.get2D();
+                const Ray ray = scene_.camera->generateRay(film, uLens, sampler.get1D());
+                samples_.add(x, y, path ? tracer_.radiance(ray, sampler) : tracer_.direct(ray, sampler), f.weight);
+            }
+    }, cancel);
+    ++samplesDone_;
+    lastSample_ = seconds(Clock::now() - start);
+    sampleSeconds_ += lastSample_;
+    if (stats_) stats_->timer(path ? "path samples" : "direct samples").add(Clock::now() - start);
+    return !(cancel && cancel->cancelled());
+}
+
+bool Renderer::passStep(float spacing, const CancelToken* cancel) {
+    const auto start = Clock::now();
+    IndirectPass pass(tracer_, *enhancer_, params_.indirect, stats_);
+    // A pass counts by its maps: each has 1.26 times the say of the one before, and the first ones fade.
+    const double importance = 1 / (double(spacing) * double(spacing));
+    const bool whole = pass.run(passesDone_, spacing, [&](int x, int y, const Rgb& value, float filterWeight) {
+        indirect_.add(x, y, value, filterWeight, importance);
+    }, cancel);
+    ++passesDone_;
+    lastPass_ = seconds(Clock::now() - start);
+    lastSpacing_ = spacing;
+    passSeconds_ += lastPass_;
+    if (stats_) {
+        stats_->timer("indirect passes").add(Clock::now() - start);
+        stats_->add("maps", pass.mapCount());
+    }
+    return whole;
+}
+
+double Renderer::progress() const {
+    if (params_.deadline) {
+        const double total = seconds(*params_.deadline - start_);
+        return total > 0 ? std::clamp(seconds(Clock::now() - start_) / total, 0.0, 1.0) : 1;
+    }
+    const double samples = std::min(1.0, double(samplesDone_) / std::max(1, params_.spp));
+    if (params_.integrator != Integrator::Drc) return samples;
+    // Passes cost more and more: by the maps they have.
+    const auto maps = [](int n) { return std::pow(double(kSpacingFactor), -2.0 * n) - 1; };
+    const double passes = params_.passes > 0 ? maps(passesDone_) / maps(params_.passes) : 1;
+    return params_.directShare * samples + (1 - params_.directShare) * std::min(1.0, passes);
+}
+
+std::string Renderer::status() const {
+    if (params_.integrator != Integrator::Drc) return fmt::format("{} spp", samplesDone_);
+    return fmt::format("direct {} spp, indirect pass {}", samplesDone_, passesDone_);
+}
+
+RenderedImage Renderer::image() const {
+    const float scale = scene_.settings.filmScale;
+    RenderedImage result;
+    result.beauty = samples_.image(scale);
+    if (params_.integrator != Integrator::Drc) return result;
+    result.direct = result.beauty;
+    result.indirect = indirect_.image(scale);
+    for (size_t i = 0; i < result.beauty.data().size(); ++i) result.beauty.data()[i] += result.indirect->data()[i];
+    return result;
+}
+
+}  // namespace drc

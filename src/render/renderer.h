@@ -1,0 +1,72 @@
+// A render as params -> state -> steps. Each step is one sweep over the film: a sample a pixel of direct light or of
+// paths, or a pass of radiance maps. Between steps the picture can be looked at, and the render stopped.
+#pragma once
+#include <chrono>
+#include <memory>
+
+#include "cache/indirect_pass.h"
+#include "render/film.h"
+
+namespace drc {
+
+enum class Integrator { Drc, Path, Direct };
+
+struct RenderParams {
+    Integrator integrator = Integrator::Drc;
+    int spp = 32;                  // samples a pixel: of paths, or of the direct layer
+    int passes = 12;               // of radiance maps
+    uint64_t seed = 0;
+    PathSettings path;
+    IndirectSettings indirect;
+    float firstSpacing = kFirstSpacing;   // of the first pass, as a share of the frame's height
+    // With a deadline spp and passes are ignored: steps are made until it.
+    std::optional<std::chrono::steady_clock::time_point> deadline;
+    float directShare = 0.35f;     // of the time before a deadline that the direct layer gets
+};
+
+struct RenderedImage {
+    Image beauty;                  // linear radiance times the film's scale
+    std::optional<Image> direct, indirect;   // layers that sum to it
+};
+
+class Renderer {
+  public:
+    // The scene must outlive the renderer; enhancer is needed for Integrator::Drc alone. stats may be null.
+    Renderer(const Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer, Stats* stats);
+    ~Renderer();
+
+    // One sweep. False: there was nothing left to do, or `cancel` was raised; what a sweep had done by then counts.
+    bool step(const CancelToken* cancel = nullptr);
+    // Share of the work (or of the time before the deadline) that is done, in [0, 1].
+    double progress() const;
+    // "direct 12 spp, indirect pass 5".
+    std::string status() const;
+    RenderedImage image() const;
+
+    int samplesDone() const { return samplesDone_; }
+    int passesDone() const { return passesDone_; }
+    const PathTracer& tracer() const { return tracer_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    bool sampleStep(const CancelToken* cancel);
+    bool passStep(float spacing, const CancelToken* cancel);
+    bool nextIsPass(float& spacing) const;
+
+    const Scene& scene_;
+    RenderParams params_;
+    Accel accel_;
+    LightSampler lights_;
+    PathTracer tracer_;
+    std::shared_ptr<const Enhancer> enhancer_;
+    Stats* stats_;
+    FilmLayer samples_;            // paths, or the direct layer
+    FilmLayer indirect_;
+    int samplesDone_ = 0, passesDone_ = 0;
+    Clock::time_point start_;
+    double sampleSeconds_ = 0, passSeconds_ = 0;
+    double lastSample_ = 0, lastPass_ = 0;
+    float lastSpacing_ = 0;
+};
+
+}  // namespace drc

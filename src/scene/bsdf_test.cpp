@@ -1,0 +1,150 @@
+#include "scene/bsdf.h"
+
+#include "scene/bsdf_testing.h"
+
+namespace drc {
+namespace {
+
+using namespace test;
+
+const Frame kFrame = Frame::fromNormal(normalize(Vec3(0.3f, -0.5f, 0.8f)));
+const TrowbridgeReitz kRough(0.3f, 0.2f);
+
+Bsdf everything() {
+    Bsdf bsdf(kFrame, kFrame.n);
+    bsdf.add(LambertReflection(Rgb(0.2f, 0.1f, 0.3f)));
+    bsdf.add(MicrofacetReflection(Rgb(0.2f), kRough, Fresnel::dielectric(1, 1.5f)));
+    bsdf.add(MicrofacetTransmission(Rgb(0.2f), kRough, 1, 1.5f));
+    bsdf.add(LambertTransmission(Rgb(0.1f)));
+    bsdf.add(SpecularReflection(Rgb(0.1f), Fresnel::none()));
+    bsdf.add(FresnelSpecular(Rgb(1.f), Rgb(1.f), 1, 1.5f), Rgb(0.2f));
+    return bsdf;
+}
+
+TEST(Bsdf, Flags) {
+    const Bsdf bsdf = everything();
+    EXPECT_EQ(bsdf.size(), 6);
+    EXPECT_TRUE(bsdf.hasNonSpecular());
+    EXPECT_TRUE(bsdf.hasSpecular());
+    EXPECT_TRUE(bsdf.hasNonSpecularTransmission());
+    EXPECT_TRUE(bsdf.has(LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Specular));
+    EXPECT_FALSE(bsdf.has(LobeFlags::Diffuse | LobeFlags::Glossy));
+
+    Bsdf mirror(kFrame, kFrame.n);
+    mirror.add(SpecularTransmission(Rgb(1.f), 1, 1));
+    EXPECT_FALSE(mirror.hasNonSpecular());
+    EXPECT_FALSE(mirror.hasNonSpecularTransmission());
+    EXPECT_TRUE(mirror.hasSpecular());
+}
+
+TEST(Bsdf, AddKeepsToItsLimits) {
+    Bsdf bsdf;
+    bsdf.add(LambertReflection(Rgb(1.f)), Rgb(0.f));
+    EXPECT_EQ(bsdf.size(), 0);
+    for (int i = 0; i < Bsdf::kMaxLobes + 3; ++i) bsdf.add(LambertReflection(Rgb(1.f)));
+    EXPECT_EQ(bsdf.size(), Bsdf::kMaxLobes);
+    const Bsdf copy = bsdf;
+    EXPECT_EQ(copy.f(Vec3(0, 0, 1), Vec3(0, 0, 1)), bsdf.f(Vec3(0, 0, 1), Vec3(0, 0, 1)));
+}
+
+TEST(Bsdf, SamplingUnderEveryMask) {
+    const Bsdf bsdf = everything();
+    checkBsdf(bsdf, LobeFlags::NonSpecular);
+    checkBsdf(bsdf, LobeFlags::All);
+    checkBsdf(bsdf, LobeFlags::Reflection | LobeFlags::Diffuse | LobeFlags::Glossy);
+    checkBsdf(bsdf, LobeFlags::Transmission | LobeFlags::Diffuse | LobeFlags::Glossy);
+    checkUnbiased(bsdf);
+    checkUnbiased(bsdf, LobeFlags::Transmission | LobeFlags::Diffuse | LobeFlags::Glossy);
+    checkBsdfEnergy(bsdf);
+}
+
+TEST(Bsdf, AllIsTheSumOfSpecularAndTheRest) {
+    const Bsdf bsdf = everything();
+    constexpr LobeFlags kSpecular = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
+    for (const float c : {0.8f, -0.9f}) {
+        const Vec3 wo = kFrame.toWorld(direction(c));
+        const Mean all = meanWeight(bsdf, wo, LobeFlags::All, 200000);
+        const Mean rest = meanWeight(bsdf, wo, LobeFlags::NonSpecular, 200000);
+        const Mean specular = meanWeight(bsdf, wo, kSpecular, 200000);
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(all.value[k], rest.value[k] + specular.value[k], 8e-3f);
+        EXPECT_NEAR(specular.value.x, 0.3f, 4 * specular.error + 1e-5f);
+    }
+}
+
+TEST(Bsdf, SpecularMaskGivesOnlySpecularSamples) {
+    const Bsdf bsdf = everything();
+    std::mt19937 rng(1);
+    const Vec3 wo = kFrame.toWorld(direction(0.6f));
+    double reflected = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const auto s = bsdf.sample(wo, uniform(rng), Vec2(0.5f, 0.5f),
+                                   LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission);
+        ASSERT_TRUE(s);
+        EXPECT_TRUE(s->isSpecular());
+        reflected += !s->isTransmission();
+    }
+    EXPECT_GT(reflected, 0);
+    // Smooth glass reflects and transmits, and so is out where only one of them is asked for.
+    const auto s = bsdf.sample(wo, 0.9f, Vec2(0.5f, 0.5f), LobeFlags::Specular | LobeFlags::Transmission);
+    EXPECT_FALSE(s);
+}
+
+TEST(Bsdf, GeometricNormalDecidesTheSide) {
+    // The shading normal leans so far that wi is above it but below the surface.
+    const Vec3 ng(0, 0, 1);
+    const Frame shading = Frame::fromNormal(normalize(Vec3(1, 0, 0.3f)));
+    Bsdf bsdf(shading, ng);
+    bsdf.add(LambertReflection(Rgb(0.5f)));
+    const Vec3 wo = normalize(Vec3(0.2f, 0, 1)), wi = normalize(Vec3(1, 0, -0.1f));
+    ASSERT_GT(dot(wi, shading.n), 0);
+    EXPECT_TRUE(isBlack(bsdf.f(wo, wi)));
+    bsdf.add(LambertTransmission(Rgb(0.25f)));
+    EXPECT_NEAR(bsdf.f(wo, wi).x, 0.25f * kInvPi, 1e-6f);
+    // Nothing that sample() gives crosses the surface without a lobe that transmits.
+    Bsdf opaque(shading, ng);
+    opaque.add(LambertReflection(Rgb(0.5f)));
+    opaque.add(MicrofacetReflection(Rgb(0.5f), kRough, Fresnel::none()));
+    std::mt19937 rng(2);
+    for (int i = 0; i < 1000; ++i) {
+        const float uLobe = uniform(rng);
+        const auto s = opaque.sample(wo, uLobe, uniform2(rng));
+        EXPECT_TRUE(!s || s->wi.z > 0);
+    }
+    checkBsdf(opaque, LobeFlags::All, {0.9f});
+}
+
+TEST(Bsdf, LobesWithAVanishingEstimateAreStillSampled) {
+    // Beyond the critical angle of the smooth surface some facets still refract.
+    Bsdf bsdf(kFrame, kFrame.n);
+    const TrowbridgeReitz rough(0.6f, 0.6f);
+    bsdf.add(MicrofacetReflection(Rgb(1.f), rough, Fresnel::dielectric(1, 1.5f)));
+    bsdf.add(MicrofacetTransmission(Rgb(1.f), rough, 1, 1.5f));
+    checkBsdf(bsdf, LobeFlags::NonSpecular, {-0.5f});
+    const Vec3 wo = kFrame.toWorld(direction(-0.5f));
+    EXPECT_GT(meanWeight(bsdf, wo, LobeFlags::Transmission | LobeFlags::Glossy).value.x, 0.01f);
+    checkUnbiased(bsdf);
+}
+
+TEST(Bsdf, EmptyAndGrazing) {
+    const Bsdf empty(kFrame, kFrame.n);
+    EXPECT_FALSE(empty.sample(kFrame.n, 0.5f, Vec2(0.5f, 0.5f)));
+    EXPECT_EQ(empty.pdf(kFrame.n, kFrame.n), 0);
+    Bsdf bsdf(Frame(), Vec3(0, 0, 1));
+    bsdf.add(LambertReflection(Rgb(1.f)));
+    EXPECT_FALSE(bsdf.sample(Vec3(1, 0, 0), 0.5f, Vec2(0.5f, 0.5f)));
+    EXPECT_TRUE(isBlack(bsdf.f(Vec3(1, 0, 0), Vec3(0, 0, 1))));
+}
+
+TEST(Bsdf, ExtremeRandomNumbers) {
+    const Bsdf bsdf = everything();
+    const Vec3 wo = kFrame.toWorld(direction(0.5f));
+    for (const float a : {0.f, 0.5f, kOneMinusEpsilon})
+        for (const float b : {0.f, 0.5f, kOneMinusEpsilon})
+            for (const float c : {0.f, 0.5f, kOneMinusEpsilon}) {
+                const auto s = bsdf.sample(wo, a, Vec2(b, c));
+                EXPECT_TRUE(!s || (isFinite(s->f) && s->pdf > 0 && std::isfinite(s->pdf)));
+            }
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,86 @@
+// For tests: what must hold for a Bsdf of any lobes.
+#pragma once
+#include "scene/bsdf.h"
+#include "scene/lobe_testing.h"
+
+namespace drc::test {
+
+// sample() against pdf() and f() for a mask. Specular samples count as none: they have no density.
+inline void checkBsdf(const Bsdf& bsdf, LobeFlags mask, std::vector<float> cosines = {0.9f, 0.25f, -0.7f}) {
+    for (const float c : cosines) {
+        SCOPED_TRACE("cos theta_o = " + std::to_string(c) + ", mask " + std::to_string(int(mask)));
+        const Vec3 wo = bsdf.frame().toWorld(direction(c));
+        const auto draw = [&](std::mt19937& rng) {
+            const float uLobe = uniform(rng);
+            return bsdf.sample(wo, uLobe, uniform2(rng), mask);
+        };
+        const auto sample = [&](std::mt19937& rng) -> std::optional<Vec3> {
+            const auto s = draw(rng);
+            if (!s || s->isSpecular()) return std::nullopt;
+            return s->wi;
+        };
+        // Where the BSDF is zero a sample is as good as none.
+        const auto pdf = [&](const Vec3& wi) { return isBlack(bsdf.f(wo, wi, mask)) ? 0.f : bsdf.pdf(wo, wi, mask); };
+        const ChiSquare r = chiSquareTest(sample, pdf, 50000, 11);
+        EXPECT_GT(r.pValue, kChiSquareLevel) << "chi2 " << r.statistic << " dof " << r.degreesOfFreedom;
+        EXPECT_LE(r.pdfIntegral, 1 + 1e-3);
+
+        std::mt19937 rng(12);
+        for (int i = 0; i < 500; ++i) {
+            const auto s = draw(rng);
+            if (!s) continue;
+            EXPECT_NEAR(length(s->wi), 1, 1e-4);
+            EXPECT_GT(s->pdf, 0);
+            EXPECT_TRUE(isFinite(s->f));
+            if (s->isSpecular()) continue;
+            const float cosine = absDot(s->wi, bsdf.frame().n);
+            const float pdfAgain = bsdf.pdf(wo, s->wi, mask);
+            EXPECT_NEAR(s->pdf, pdfAgain, 5e-3f * s->pdf);
+            expectClose(s->f * (cosine / s->pdf), bsdf.f(wo, s->wi, mask) * (cosine / pdfAgain), 5e-3f, "weight");
+        }
+    }
+}
+
+// Mean weight of samples and the standard error of its largest channel.
+struct Mean {
+    Rgb value{0.f};
+    float error = 0;
+};
+inline Mean meanWeight(const Bsdf& bsdf, const Vec3& wo, LobeFlags mask = LobeFlags::All, int samples = 20000,
+                       TransportMode mode = TransportMode::Importance) {
+    std::mt19937 rng(13);
+    double sum[3] = {}, squares = 0;
+    for (int i = 0; i < samples; ++i) {
+        const float uLobe = uniform(rng);
+        const auto s = bsdf.sample(wo, uLobe, uniform2(rng), mask, mode);
+        if (!s) continue;
+        const Rgb w = s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
+        for (int c = 0; c < 3; ++c) sum[c] += w[c];
+        squares += sqr(maxComponent(w));
+    }
+    Mean m;
+    for (int c = 0; c < 3; ++c) m.value[c] = float(sum[c] / samples);
+    m.error = float(std::sqrt(std::max(0.0, squares / samples - sqr(maxComponent(m.value))) / samples));
+    return m;
+}
+
+// Under a white sky no more comes back than arrives.
+inline void checkBsdfEnergy(const Bsdf& bsdf) {
+    for (float c = -0.95f; c < 1; c += 0.2f) {
+        const Mean m = meanWeight(bsdf, bsdf.frame().toWorld(direction(c)));
+        EXPECT_LE(maxComponent(m.value), 1 + 1e-3f + 4 * m.error) << c;
+    }
+}
+
+// The mean weight over the non-specular lobes is the integral of f cos.
+inline void checkUnbiased(const Bsdf& bsdf, LobeFlags mask = LobeFlags::NonSpecular) {
+    for (const float c : {0.8f, -0.4f}) {
+        const Vec3 wo = bsdf.frame().toWorld(direction(c));
+        const Mean m = meanWeight(bsdf, wo, mask, 100000, TransportMode::Radiance);
+        const double exact = integrateSphere(
+            [&](const Vec3& wi) { return maxComponent(bsdf.f(wo, wi, mask)) * absDot(wi, bsdf.frame().n); }, 1e-5);
+        EXPECT_NEAR(maxComponent(m.value), exact, 5 * m.error + 2e-3) << c;
+    }
+}
+
+}  // namespace drc::test

@@ -1,0 +1,120 @@
+#include "scene/filter.h"
+
+#include "scene/shape_check.h"
+
+namespace drc {
+namespace {
+
+struct Case {
+    const char* name;
+    FilterPtr filter;
+    bool negative;  // has negative lobes
+};
+
+std::vector<Case> cases() {
+    return {{"box", makeBoxFilter(Vec2(0.5f, 0.5f)), false},
+            {"box, wide", makeBoxFilter(Vec2(2, 1)), false},
+            {"triangle", makeTriangleFilter(Vec2(2, 1.5f)), false},
+            {"gaussian", makeGaussianFilter(Vec2(2, 2), 2), false},
+            {"gaussian, uneven", makeGaussianFilter(Vec2(1.5f, 3), 0.5f), false},
+            {"mitchell", makeMitchellFilter(Vec2(2, 2), 1 / 3.f, 1 / 3.f), true},
+            {"mitchell, uneven", makeMitchellFilter(Vec2(3, 1), 0, 0.5f), true},
+            {"sinc", makeSincFilter(Vec2(4, 4), 3), true}};
+}
+
+TEST(Filter, ValuesOfPbrt) {
+    EXPECT_EQ(makeBoxFilter(Vec2(0.5f, 0.5f))->eval(Vec2(0.4f, -0.4f)), 1);
+    EXPECT_EQ(makeTriangleFilter(Vec2(2, 2))->eval(Vec2(0.5f, -1)), 1.5f);
+    const double edge = std::exp(-2 * 4.0);
+    EXPECT_NEAR(makeGaussianFilter(Vec2(2, 2), 2)->eval(Vec2(1, 0.5f)),
+                (std::exp(-2.0) - edge) * (std::exp(-0.5) - edge), 1e-6);
+    // Mitchell with B = C = 1/3 along an axis: 8/9 at the centre, 1/18 at half the radius, -5/144 at three quarters.
+    const FilterPtr mitchell = makeMitchellFilter(Vec2(2, 2), 1 / 3.f, 1 / 3.f);
+    EXPECT_NEAR(mitchell->eval(Vec2(0, 0)), 64 / 81.0, 1e-6);
+    EXPECT_NEAR(mitchell->eval(Vec2(1, 0)), 8 / 9.0 / 18, 1e-6);
+    EXPECT_NEAR(mitchell->eval(Vec2(1.5f, 0)), 8 / 9.0 * (-5 / 144.0), 1e-6);
+    EXPECT_NEAR(mitchell->eval(Vec2(2, 0)), 0, 1e-6);
+    const FilterPtr sinc = makeSincFilter(Vec2(4, 4), 3);
+    EXPECT_NEAR(sinc->eval(Vec2(0, 0)), 1, 1e-6);
+    EXPECT_NEAR(sinc->eval(Vec2(1.5f, 0)), std::sin(1.5 * kPi) / (1.5 * kPi) * std::sin(0.5 * kPi) / (0.5 * kPi), 1e-6);
+    for (const Case& c : cases()) EXPECT_EQ(c.filter->eval(c.filter->radius() * 1.01f), 0) << c.name;
+}
+
+// Means of weight times test functions equal the filter's normalised moments, which is what makes an image that is
+// reconstructed with these samples right; and the weights are nearly constant in magnitude.
+TEST(Filter, SamplesReproduceTheFilter) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.name);
+        const Vec2 r = c.filter->radius();
+        const auto g = [&](const Vec2& p, int k) {
+            const double x = p.x / r.x, y = p.y / r.y;
+            return k == 0 ? 1 : k == 1 ? x : k == 2 ? x * x : k == 3 ? y * y : std::cos(3 * x + 2 * y);
+        };
+        const int grid = 400;
+        double exact[5] = {};
+        double absolute = 0;
+        for (int j = 0; j < grid; ++j)
+            for (int i = 0; i < grid; ++i) {
+                const Vec2 p((2 * (i + 0.5f) / grid - 1) * r.x, (2 * (j + 0.5f) / grid - 1) * r.y);
+                const double f = c.filter->eval(p);
+                absolute += std::abs(f);
+                for (int k = 0; k < 5; ++k) exact[k] += f * g(p, k);
+            }
+        Pcg32 rng(8);
+        RunningMean estimate[5];
+        double largest = 0;
+        const int n = 512;
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                const FilterSample s = c.filter->sample((Vec2(float(i), float(j)) + rng.nextVec2()) / n);
+                ASSERT_LE(std::abs(s.offset.x), r.x);
+                ASSERT_LE(std::abs(s.offset.y), r.y);
+                ASSERT_TRUE(c.negative || s.weight >= 0);
+                ASSERT_GE(s.weight * c.filter->eval(s.offset) * exact[0], 0);
+                largest = std::max(largest, double(std::abs(s.weight)));
+                for (int k = 0; k < 5; ++k) estimate[k].add(s.weight * g(s.offset, k));
+            }
+        for (int k = 0; k < 5; ++k) EXPECT_NEAR(estimate[k].mean(), exact[k] / exact[0], 2e-3) << k;
+        // |f| / pdf is constant but within the table's cells where f reaches zero: there up to twice that, an axis.
+        EXPECT_LT(largest, 4.1 * absolute / exact[0]);
+    }
+}
+
+// Histogram of samples against |f|, for filters without a table and with one.
+TEST(Filter, DensityIsProportionalToTheMagnitude) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.name);
+        constexpr int kBins = 8, kFine = 64;
+        const Vec2 r = c.filter->radius();
+        double expected[kBins][kBins] = {}, counts[kBins][kBins] = {}, total = 0;
+        for (int j = 0; j < kBins * kFine; ++j)
+            for (int i = 0; i < kBins * kFine; ++i) {
+                const Vec2 p((2 * (i + 0.5f) / (kBins * kFine) - 1) * r.x,
+                             (2 * (j + 0.5f) / (kBins * kFine) - 1) * r.y);
+                const double f = std::abs(c.filter->eval(p));
+                expected[j / kFine][i / kFine] += f;
+                total += f;
+            }
+        Pcg32 rng(2);
+        const int n = 100000;
+        for (int k = 0; k < n; ++k) {
+            const Vec2 p = c.filter->sample(rng.nextVec2()).offset;
+            const int i = std::min(kBins - 1, int((p.x / r.x + 1) / 2 * kBins)),
+                      j = std::min(kBins - 1, int((p.y / r.y + 1) / 2 * kBins));
+            counts[j][i] += 1;
+        }
+        double chiSquare = 0;
+        int degrees = -1;
+        for (int j = 0; j < kBins; ++j)
+            for (int i = 0; i < kBins; ++i) {
+                const double e = n * expected[j][i] / total;
+                if (e < 5) continue;
+                chiSquare += (counts[j][i] - e) * (counts[j][i] - e) / e;
+                ++degrees;
+            }
+        EXPECT_LT(chiSquare, degrees + 4 * std::sqrt(2.0 * degrees));
+    }
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,47 @@
+#include "scene/fresnel.h"
+
+#include <utility>
+
+namespace drc {
+
+float fresnelDielectric(float cosThetaI, float etaI, float etaT) {
+    cosThetaI = std::clamp(cosThetaI, -1.f, 1.f);
+    if (cosThetaI <= 0) {
+        std::swap(etaI, etaT);
+        cosThetaI = -cosThetaI;
+    }
+    const float sinThetaT = etaI / etaT * safeSqrt(1 - cosThetaI * cosThetaI);
+    if (sinThetaT >= 1) return 1;
+    const float cosThetaT = safeSqrt(1 - sinThetaT * sinThetaT);
+    const float parallel = (etaT * cosThetaI - etaI * cosThetaT) / (etaT * cosThetaI + etaI * cosThetaT);
+    const float perpendicular = (etaI * cosThetaI - etaT * cosThetaT) / (etaI * cosThetaI + etaT * cosThetaT);
+    return 0.5f * (parallel * parallel + perpendicular * perpendicular);
+}
+
+namespace {
+
+// One channel. With the complex cosine inside the metal written as (a + i b) / (eta + i k), the real numbers a^2 + b^2
+// and a are all that the reflectances need.
+float conductorChannel(float cosTheta, float eta, float k) {
+    const float cos2 = cosTheta * cosTheta, sin2 = 1 - cos2;
+    const float eta2 = eta * eta, k2 = k * k;
+    const float real = eta2 - k2 - sin2;
+    const float a2b2 = safeSqrt(real * real + 4 * eta2 * k2);
+    const float twoACos = 2 * cosTheta * safeSqrt(0.5f * (a2b2 + real));
+    const float s = a2b2 + cos2;
+    // The sums vanish only where eta = 1 and k = 0 at grazing angles, and the limit of no boundary at all is 1 there.
+    const float perpendicular = s + twoACos > 0 ? (s - twoACos) / (s + twoACos) : 1;
+    const float p = cos2 * a2b2 + sin2 * sin2;
+    const float q = twoACos * sin2;
+    const float parallel = p + q > 0 ? perpendicular * (p - q) / (p + q) : perpendicular;
+    return 0.5f * (parallel + perpendicular);
+}
+
+}  // namespace
+
+Rgb fresnelConductor(float cosThetaI, const Rgb& eta, const Rgb& k) {
+    const float c = std::min(std::abs(cosThetaI), 1.f);
+    return Rgb(conductorChannel(c, eta.x, k.x), conductorChannel(c, eta.y, k.y), conductorChannel(c, eta.z, k.z));
+}
+
+}  // namespace drc

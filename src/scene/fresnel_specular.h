@@ -1,0 +1,25 @@
+// Smooth glass: perfect reflection and refraction in one lobe, which chooses between them by the light that each
+// carries (PBR 3e, sections 8.2 and 14.1.3). As it is both, it takes part only under a mask that allows both.
+#pragma once
+#include "scene/lobe.h"
+
+namespace drc {
+
+class FresnelSpecular {
+  public:
+    // etaA: index of refraction on the side of the shading normal; etaB: on the other.
+    FresnelSpecular(const Rgb& reflectance, const Rgb& transmittance, float etaA, float etaB)
+        : reflectance_(reflectance), transmittance_(transmittance), etaA_(etaA), etaB_(etaB) {}
+
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Specular; }
+    Rgb f(const Vec3&, const Vec3&) const { return Rgb(0.f); }
+    float pdf(const Vec3&, const Vec3&) const { return 0; }
+    LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
+    Rgb albedo(const Vec3& wo) const;
+
+  private:
+    Rgb reflectance_, transmittance_;
+    float etaA_, etaB_;
+};
+
+}  // namespace drc

@@ -1,0 +1,74 @@
+#include "scene/light.h"
+#include "scene/shape_check.h"
+#include "scene/shape_disk.h"
+#include "scene/shape_sphere.h"
+
+namespace drc {
+namespace {
+
+// Irradiance on a surface at p that faces n, by sampling the light; what is hidden by the emitter itself does not
+// count.
+RunningMean irradiance(const Light& light, const Shape& shape, const Vec3& p, const Vec3& n, int samples) {
+    Pcg32 rng(21);
+    RunningMean r;
+    for (int i = 0; i < samples; ++i) {
+        const auto s = light.sample(p, rng.nextVec2());
+        double value = 0;
+        if (s) {
+            const auto hit = shape.intersect(rayFrom(p, s->wi), 0);
+            if (hit && std::abs(hit->t - s->distance) < 1e-3f * s->distance)
+                value = s->radiance.x * std::max(0.f, dot(n, s->wi)) / s->pdf;
+        }
+        r.add(value);
+    }
+    return r;
+}
+
+TEST(ShapeAreaLight, SphereAndDiskGiveTheIrradianceOfTheBooks) {
+    // Sphere: pi L (r / d)^2. Disk, coaxial: pi L r^2 / (r^2 + d^2).
+    const ShapePtr sphere = makeSphere({.radius = 1});
+    const auto lamp = makeShapeAreaLight(sphere, Rgb(2.f), false);
+    const RunningMean e = irradiance(*lamp, *sphere, Vec3(0, 0, 3), Vec3(0, 0, -1), 20000);
+    EXPECT_NEAR(e.mean(), 2 * kPi / 9, 4 * std::sqrt(e.variance()) + 1e-3);
+    const ShapePtr disk = makeDisk({.radius = 2});
+    const auto panel = makeShapeAreaLight(disk, Rgb(2.f), false);
+    const RunningMean f = irradiance(*panel, *disk, Vec3(0, 0, 1), Vec3(0, 0, -1), 20000);
+    EXPECT_NEAR(f.mean(), 2 * kPi * 4 / 5, 4 * std::sqrt(f.variance()) + 1e-3);
+    // Within a sphere that shines inward the irradiance is pi L.
+    const ShapePtr shell = makeSphere({.reverseOrientation = true});
+    const auto glow = makeShapeAreaLight(shell, Rgb(1.f), false);
+    const RunningMean g = irradiance(*glow, *shell, Vec3(0.3f, 0.2f, 0.4f), Vec3(0, 0, 1), 40000);
+    EXPECT_NEAR(g.mean(), kPi, 4 * std::sqrt(g.variance()) + 1e-3);
+}
+
+TEST(ShapeAreaLight, EmitsFromTheSideOfTheNormal) {
+    const ShapePtr disk = makeDisk({});
+    const auto oneSided = makeShapeAreaLight(disk, Rgb(1.f), false), both = makeShapeAreaLight(disk, Rgb(1.f), true);
+    EXPECT_TRUE(oneSided->sample(Vec3(0, 0, 1), Vec2(0.3f, 0.3f)));
+    EXPECT_FALSE(oneSided->sample(Vec3(0, 0, -1), Vec2(0.3f, 0.3f)));
+    EXPECT_TRUE(both->sample(Vec3(0, 0, -1), Vec2(0.3f, 0.3f)));
+    EXPECT_FALSE(oneSided->sample(Vec3(0.5f, 0, 0), Vec2(0.3f, 0.3f)));  // edge-on
+    EXPECT_NEAR(oneSided->power(1).x, kPi * kPi, 1e-5);
+    EXPECT_NEAR(both->power(1).x, 2 * kPi * kPi, 1e-5);
+    EXPECT_FALSE(oneSided->bounds().empty());
+}
+
+TEST(ShapeAreaLight, PdfMatchesSample) {
+    const ShapePtr shape = makeSphere({.objectToWorld = Transform::translate(Vec3(1, 2, 3)), .zMax = 0.5f});
+    const auto light = makeShapeAreaLight(shape, Rgb(1.f), true);
+    Pcg32 rng(4);
+    const Vec3 p(4, 1, 5);
+    for (int i = 0; i < 1000; ++i) {
+        const auto s = light->sample(p, rng.nextVec2());
+        if (!s) continue;
+        const auto hit = shape->intersect(rayFrom(p, s->wi), 0);
+        if (!hit || std::abs(hit->t - s->distance) > 1e-4f * s->distance || absDot(hit->ng, s->wi) < 0.05f) continue;
+        EmitterHit e;
+        e.p = p + s->wi * hit->t;
+        e.ng = hit->ng;
+        EXPECT_NEAR(light->pdf(p, s->wi, e), s->pdf, 1e-2f * s->pdf);
+    }
+}
+
+}  // namespace
+}  // namespace drc

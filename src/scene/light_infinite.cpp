@@ -1,0 +1,146 @@
+// Infinite area light with an environment map (PBR 3e, sections 12.6 and 14.2.4).
+#include <numbers>
+
+#include "math/distribution.h"
+#include "scene/light.h"
+
+namespace drc {
+namespace {
+
+// Bilinear interpolation, averaged over a texel's own cell, takes 1/8, 6/8 and 1/8 of a row of three texels.
+float cellAverage(float before, float here, float after) { return (before + 6 * here + after) / 8; }
+
+class InfiniteLight final : public Light {
+  public:
+    InfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map)
+        : lightToWorld_(lightToWorld), worldToLight_(lightToWorld.inverse()) {
+        if (map.width <= 0 || map.height <= 0 || map.texels.size() < size_t(map.width) * map.height)
+            map = {1, 1, {Rgb(1.f)}};
+        width_ = map.width;
+        height_ = map.height;
+        texels_ = std::move(map.texels);
+        for (Rgb& c : texels_) {
+            c *= scale;
+            c = isFinite(c) ? clampNonNegative(c) : Rgb(0.f);
+        }
+        const Vec3 x = worldToLight_.vector(Vec3(1, 0, 0)), y = worldToLight_.vector(Vec3(0, 1, 0)),
+                   z = worldToLight_.vector(Vec3(0, 0, 1));
+        determinant_ = std::abs(dot(x, cross(y, z)));
+        buildDistribution();
+    }
+
+    std::optional<LightSample> sample(const Vec3&, const Vec2& u) const override {
+        const Sample2D s = distribution_.sample(u);
+        // Uniform in solid angle within the texel; uniform in (u, v) would crowd the poles.
+        const float h = lerp(s.local.y, oneMinusCos(s.y), oneMinusCos(s.y + 1));
+        const float phi = 2 * kPi * (s.x + s.local.x) / width_;
+        const float sinTheta = safeSqrt(h * (2 - h));
+        const Vec3 local(sinTheta * std::cos(phi), sinTheta * std::sin(phi), 1 - h);
+        LightSample r;
+        r.wi = normalize(lightToWorld_.vector(local));
+        r.pdf = s.pdf * rowDensity_[s.y] * stretch(worldToLight_.vector(r.wi));
+        r.radiance = escaped(r.wi);
+        r.distance = kInfinity;
+        if (!(r.pdf > 0) || isBlack(r.radiance)) return {};
+        return r;
+    }
+
+    Rgb power(float sceneRadius) const override { return mean_ * (kPi * sqr(sceneRadius)); }
+    bool isInfinite() const override { return true; }
+
+    Rgb escaped(const Vec3& wi) const override {
+        const Vec2 uv = mapCoordinates(worldToLight_.vector(wi));
+        // Texel centres are at half-integers; the map repeats both ways, as pbrt's does.
+        const float x = uv.x * width_ - 0.5f, y = uv.y * height_ - 0.5f;
+        const float x0 = std::floor(x), y0 = std::floor(y);
+        const int i = int(x0), j = int(y0);
+        return lerp(y - y0, lerp(x - x0, texel(i, j), texel(i + 1, j)),
+                    lerp(x - x0, texel(i, j + 1), texel(i + 1, j + 1)));
+    }
+
+    float pdfEscaped(const Vec3& wi) const override {
+        const Vec3 w = worldToLight_.vector(wi);
+        const Vec2 uv = mapCoordinates(w);
+        const int row = std::clamp(int(uv.y * height_), 0, height_ - 1);
+        return distribution_.pdf(uv) * rowDensity_[row] * stretch(w);
+    }
+
+  private:
+    // u = phi / 2 pi, v = theta / pi, in [0,1) and [0,1].
+    static Vec2 mapCoordinates(const Vec3& w) {
+        float phi = std::atan2(w.y, w.x);
+        if (phi < 0) phi += 2 * kPi;
+        // atan2 rather than acos keeps its precision at the poles.
+        const float theta = std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z);
+        return Vec2(std::min(phi * (0.5f * kInvPi), kOneMinusEpsilon), theta * kInvPi);
+    }
+
+    const Rgb& texel(int x, int y) const {
+        x %= width_;
+        y %= height_;
+        return texels_[size_t(y < 0 ? y + height_ : y) * width_ + (x < 0 ? x + width_ : x)];
+    }
+
+    // 1 - cos(theta) at the upper edge of a row.
+    float oneMinusCos(int row) const {
+        const double s = std::sin(std::numbers::pi * row / (2.0 * height_));
+        return float(2 * s * s);
+    }
+
+    // Solid angle in light space over that in world space, about the direction whose light-space vector is w: 1 for
+    // rotations, which is what lightToWorld nearly always is.
+    float stretch(const Vec3& w) const {
+        const float l = length(w);
+        return determinant_ / (l * l * l);
+    }
+
+    void buildDistribution() {
+        // Each texel's value is the integral of the interpolated luminance over it, so that no direction with light in
+        // it is left out and none is over-sampled by much.
+        std::vector<float> f(texels_.size());
+        rowDensity_.resize(height_);
+        double weights = 0;
+        double mean[3] = {0, 0, 0};
+        std::vector<float> rows(size_t(width_) * 3);
+        for (int y = 0; y < height_; ++y) {
+            for (int k = 0; k < 3; ++k)
+                for (int x = 0; x < width_; ++x)
+                    rows[size_t(k) * width_ + x] =
+                        cellAverage(luminance(texel(x - 1, y + k - 1)), luminance(texel(x, y + k - 1)),
+                                    luminance(texel(x + 1, y + k - 1)));
+            const double solidAngle = oneMinusCosDifference(y);
+            // From density over the unit square to density over the sphere.
+            rowDensity_[y] = float(1 / (2 * std::numbers::pi * solidAngle * height_));
+            for (int x = 0; x < width_; ++x) {
+                const size_t i = size_t(y) * width_ + x;
+                f[i] = float(cellAverage(rows[x], rows[size_t(width_) + x], rows[2 * size_t(width_) + x]) * solidAngle);
+                for (int c = 0; c < 3; ++c) mean[c] += texels_[i][c] * solidAngle;
+            }
+            weights += solidAngle * width_;
+        }
+        distribution_ = Distribution2D(f, width_, height_);
+        mean_ = Rgb(float(mean[0] / weights), float(mean[1] / weights), float(mean[2] / weights));
+    }
+
+    // cos(theta) at the upper edge of a row less that at the lower: sin of the middle times the height, exactly.
+    double oneMinusCosDifference(int row) const {
+        const double half = std::numbers::pi / (2.0 * height_);
+        return 2 * std::sin((2 * row + 1) * half) * std::sin(half);
+    }
+
+    Transform lightToWorld_, worldToLight_;
+    int width_ = 1, height_ = 1;
+    std::vector<Rgb> texels_;  // scaled
+    Distribution2D distribution_;
+    std::vector<float> rowDensity_;  // by row: 1 / (4 pi) where texels are as large as they are on average
+    Rgb mean_;                       // over the sphere
+    float determinant_ = 1;          // of worldToLight, absolute
+};
+
+}  // namespace
+
+LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map) {
+    return std::make_shared<InfiniteLight>(lightToWorld, scale, std::move(map));
+}
+
+}  // namespace drc

@@ -1,0 +1,98 @@
+#include "scene/light.h"
+#include "scene/shape_check.h"
+
+namespace drc {
+namespace {
+
+EnvironmentMap randomMap(int width, int height, float lit) {
+    EnvironmentMap m{width, height, {}};
+    Pcg32 rng(9);
+    for (int i = 0; i < width * height; ++i) {
+        const bool on = rng.nextFloat() < lit;
+        const float r = rng.nextFloat(), g = rng.nextFloat(), b = rng.nextFloat();
+        m.texels.push_back(on ? Rgb(r, g, b) * 10.f : Rgb(0.f));
+    }
+    return m;
+}
+
+Vec3 direction(float theta, float phi) {
+    return Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+}
+
+// sample() against uniform directions: means of radiance times moments; and its density against pdfEscaped.
+void checkSampling(const Light& light, int samples = 60000) {
+    Pcg32 rng(3);
+    RunningMean bySample[4], byDirection[4], density;
+    for (int i = 0; i < samples; ++i) {
+        const auto s = light.sample(Vec3(0, 0, 0), rng.nextVec2());
+        for (int k = 0; k < 4; ++k)
+            bySample[k].add(s ? s->radiance.y / s->pdf * (k < 3 ? 1 + double(s->wi[k]) : 1.0) : 0.0);
+        if (s) {
+            EXPECT_NEAR(length(s->wi), 1, 1e-5);
+            EXPECT_EQ(s->distance, kInfinity);
+            // A direction on the very edge of a texel may be looked up in the next.
+            const float pdf = light.pdfEscaped(s->wi);
+            density.add(std::abs(pdf - s->pdf) > 1e-3f * s->pdf);
+            EXPECT_EQ(s->radiance, light.escaped(s->wi));
+        }
+        const Vec3 u = sampleUniformSphere(rng.nextVec2());
+        const Rgb radiance = light.escaped(u);
+        for (int k = 0; k < 4; ++k) byDirection[k].add(radiance.y * 4 * kPi * (k < 3 ? 1 + double(u[k]) : 1.0));
+        EXPECT_TRUE(isBlack(radiance) || light.pdfEscaped(u) > 0);
+    }
+    EXPECT_LT(density.mean(), 1e-3);
+    for (int k = 0; k < 4; ++k) expectSame(bySample[k], byDirection[k], 1e-4, "moment");
+    // pdfEscaped integrates to one.
+    RunningMean integral;
+    for (int i = 0; i < samples; ++i) integral.add(light.pdfEscaped(sampleUniformSphere(rng.nextVec2())) * 4 * kPi);
+    EXPECT_NEAR(integral.mean(), 1, 4 * std::sqrt(integral.variance()) + 1e-4);
+}
+
+TEST(InfiniteLight, ConstantIsUniform) {
+    const LightPtr light = makeInfiniteLight(Transform(), Rgb(1, 2, 3));
+    EXPECT_TRUE(light->isInfinite());
+    EXPECT_FALSE(light->isDelta());
+    EXPECT_EQ(light->escaped(Vec3(0, 0, 1)), Rgb(1, 2, 3));
+    EXPECT_NEAR(light->pdfEscaped(direction(0.01f, 2)), uniformSpherePdf(), 1e-6);
+    EXPECT_NEAR(light->sample(Vec3(0, 0, 0), Vec2(0.1f, 0.2f))->pdf, uniformSpherePdf(), 1e-6);
+    EXPECT_NEAR(light->power(2).y, 2 * kPi * 4, 1e-4);
+    checkSampling(*light);
+}
+
+TEST(InfiniteLight, LooksUpAsPbrt) {
+    EnvironmentMap m{4, 2, {}};
+    for (int i = 0; i < 8; ++i) m.texels.push_back(Rgb(float(i), 0, 0));
+    const LightPtr light = makeInfiniteLight(Transform(), Rgb(2.f), m);
+    // Centre of texel (1, 0): phi = 2 pi 1.5 / 4, theta = pi / 4.
+    EXPECT_NEAR(light->escaped(direction(kPi / 4, 0.75f * kPi)).x, 2, 1e-5);
+    EXPECT_NEAR(light->escaped(direction(3 * kPi / 4, 1.75f * kPi)).x, 14, 1e-5);
+    // Between texels (0,0), (1,0), (0,1), (1,1).
+    EXPECT_NEAR(light->escaped(direction(kPi / 2, kPi / 2)).x, 2 * (0 + 1 + 4 + 5) / 4.f, 1e-5);
+    // phi = 0: between columns 3 and 0, of row 0.
+    EXPECT_NEAR(light->escaped(direction(kPi / 4, 0)).x, 3, 1e-5);
+    // The pole lies between the first row and the last.
+    EXPECT_NEAR(light->escaped(direction(1e-4f, 0.75f * kPi)).x, 2 * (1 + 5) / 2.f, 1e-2);
+    // The light's own space: its z towards world x.
+    const Transform t = Transform::rotate(90, Vec3(0, 1, 0));
+    const LightPtr turned = makeInfiniteLight(t, Rgb(2.f), m);
+    EXPECT_NEAR(turned->escaped(t.vector(direction(kPi / 4, 0.75f * kPi))).x, 2, 1e-5);
+}
+
+TEST(InfiniteLight, SamplingMatchesDensity) {
+    checkSampling(*makeInfiniteLight(Transform(), Rgb(1.f), randomMap(16, 8, 1)));
+    checkSampling(*makeInfiniteLight(Transform::rotate(70, Vec3(1, 2, 3)), Rgb(1.f), randomMap(9, 7, 0.1f)));
+    checkSampling(*makeInfiniteLight(Transform::scale(1, -1, 1), Rgb(0.5f), randomMap(32, 16, 0.02f)));
+    // A transform that is no rotation stretches densities.
+    checkSampling(*makeInfiniteLight(Transform::scale(1, 2, 3), Rgb(1.f), randomMap(16, 8, 1)));
+}
+
+TEST(InfiniteLight, BlackAndBrokenMaps) {
+    EnvironmentMap black{2, 2, std::vector<Rgb>(4, Rgb(0.f))};
+    const LightPtr light = makeInfiniteLight(Transform(), Rgb(1.f), black);
+    EXPECT_FALSE(light->sample(Vec3(0, 0, 0), Vec2(0.5f, 0.5f)));
+    EnvironmentMap broken{2, 1, {Rgb(NAN, 0, 0), Rgb(1, 1, 1)}};
+    EXPECT_TRUE(isFinite(makeInfiniteLight(Transform(), Rgb(1.f), broken)->escaped(Vec3(0, 0, 1))));
+}
+
+}  // namespace
+}  // namespace drc

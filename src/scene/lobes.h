@@ -1,0 +1,21 @@
+// All lobes. A new one is a pair of files, a line here and a test.
+#pragma once
+#include <variant>
+
+#include "scene/fresnel_blend.h"
+#include "scene/fresnel_specular.h"
+#include "scene/lambert_reflection.h"
+#include "scene/lambert_transmission.h"
+#include "scene/microfacet_reflection.h"
+#include "scene/microfacet_transmission.h"
+#include "scene/oren_nayar.h"
+#include "scene/specular_reflection.h"
+#include "scene/specular_transmission.h"
+
+namespace drc {
+
+using Lobe =
+    std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection, MicrofacetTransmission,
+                 FresnelBlend, SpecularReflection, SpecularTransmission, FresnelSpecular>;
+
+}  // namespace drc

@@ -1,0 +1,41 @@
+#include "scene/material_glass.h"
+
+#include "scene/material_params.h"
+
+namespace drc {
+namespace {
+
+class Glass final : public Material {
+  public:
+    explicit Glass(GlassParams params) : params_(std::move(params)) {
+        params_.kr = orConstant(params_.kr, Rgb(1.f));
+        params_.kt = orConstant(params_.kt, Rgb(1.f));
+        params_.eta = orConstant(params_.eta, 1.5f);
+        params_.uRoughness = orConstant(params_.uRoughness, 0);
+        params_.vRoughness = orConstant(params_.vRoughness, 0);
+        setBump(params_.bump);
+    }
+    void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
+        const Rgb kr = evalClamped(*params_.kr, at), kt = evalClamped(*params_.kt, at);
+        if (isBlack(kr) && isBlack(kt)) return;
+        const float eta = params_.eta->eval(at);
+        const float u = params_.uRoughness->eval(at), v = params_.vRoughness->eval(at);
+        // A boundary between equal indices bends nothing, however rough.
+        if ((u == 0 && v == 0) || eta == 1) {
+            bsdf.add(FresnelSpecular(kr, kt, 1, eta), weight);
+            return;
+        }
+        const TrowbridgeReitz distribution = distributionFor(u, v, params_.remapRoughness);
+        if (!isBlack(kr)) bsdf.add(MicrofacetReflection(kr, distribution, Fresnel::dielectric(1, eta)), weight);
+        if (!isBlack(kt)) bsdf.add(MicrofacetTransmission(kt, distribution, 1, eta), weight);
+    }
+
+  private:
+    GlassParams params_;
+};
+
+}  // namespace
+
+MaterialPtr makeGlass(GlassParams params) { return std::make_shared<Glass>(std::move(params)); }
+
+}  // namespace drc

@@ -1,0 +1,33 @@
+#include "scene/material_matte.h"
+
+#include "scene/material_params.h"
+
+namespace drc {
+namespace {
+
+class Matte final : public Material {
+  public:
+    explicit Matte(MatteParams params) : params_(std::move(params)) {
+        params_.kd = orConstant(params_.kd, Rgb(0.5f));
+        params_.sigma = orConstant(params_.sigma, 0);
+        setBump(params_.bump);
+    }
+    void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
+        const Rgb kd = evalClamped(*params_.kd, at);
+        if (isBlack(kd)) return;
+        const float sigma = std::clamp(params_.sigma->eval(at), 0.f, 90.f);
+        if (sigma == 0)
+            bsdf.add(LambertReflection(kd), weight);
+        else
+            bsdf.add(OrenNayar(kd, sigma), weight);
+    }
+
+  private:
+    MatteParams params_;
+};
+
+}  // namespace
+
+MaterialPtr makeMatte(MatteParams params) { return std::make_shared<Matte>(std::move(params)); }
+
+}  // namespace drc

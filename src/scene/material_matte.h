@@ -1,0 +1,15 @@
+// Diffuse reflection, Lambertian or rough (pbrt's "matte"; PBR 3e, section 9.2.1).
+#pragma once
+#include "scene/material.h"
+
+namespace drc {
+
+// Null textures take the values given here, which are pbrt's.
+struct MatteParams {
+    RgbTexturePtr kd;       // 0.5
+    FloatTexturePtr sigma;  // 0; Oren-Nayar roughness in degrees, clamped to [0, 90]
+    FloatTexturePtr bump;   // none
+};
+MaterialPtr makeMatte(MatteParams params);
+
+}  // namespace drc

@@ -1,0 +1,32 @@
+#include "scene/material_metal.h"
+
+#include "scene/material_params.h"
+
+namespace drc {
+namespace {
+
+class Metal final : public Material {
+  public:
+    explicit Metal(MetalParams params) : params_(std::move(params)) {
+        params_.eta = orConstant(params_.eta, kCopperEta);
+        params_.k = orConstant(params_.k, kCopperK);
+        params_.roughness = orConstant(params_.roughness, 0.01f);
+        setBump(params_.bump);
+    }
+    void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
+        const FloatTexture& u = params_.uRoughness ? *params_.uRoughness : *params_.roughness;
+        const FloatTexture& v = params_.vRoughness ? *params_.vRoughness : *params_.roughness;
+        bsdf.add(MicrofacetReflection(Rgb(1.f), distributionFor(u.eval(at), v.eval(at), params_.remapRoughness),
+                                      Fresnel::conductor(params_.eta->eval(at), params_.k->eval(at))),
+                 weight);
+    }
+
+  private:
+    MetalParams params_;
+};
+
+}  // namespace
+
+MaterialPtr makeMetal(MetalParams params) { return std::make_shared<Metal>(std::move(params)); }
+
+}  // namespace drc

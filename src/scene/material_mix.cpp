@@ -1,0 +1,29 @@
+#include "scene/material_mix.h"
+
+#include "scene/material_params.h"
+
+namespace drc {
+namespace {
+
+class Mix final : public Material {
+  public:
+    explicit Mix(MixParams params) : params_(std::move(params)) {
+        params_.amount = orConstant(params_.amount, Rgb(0.5f));
+    }
+    void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
+        const Rgb first = evalClamped(*params_.amount, at);
+        const Rgb second = clampNonNegative(Rgb(1.f) - first);
+        if (!isBlack(first)) params_.first->addLobes(at, weight * first, bsdf);
+        if (!isBlack(second)) params_.second->addLobes(at, weight * second, bsdf);
+    }
+    const FloatTexture* bump() const override { return params_.first->bump(); }
+
+  private:
+    MixParams params_;
+};
+
+}  // namespace
+
+MaterialPtr makeMix(MixParams params) { return std::make_shared<Mix>(std::move(params)); }
+
+}  // namespace drc

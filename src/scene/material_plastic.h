@@ -1,0 +1,17 @@
+// A diffuse base with a glossy dielectric highlight (pbrt's "plastic"; PBR 3e, section 9.2.2).
+#pragma once
+#include "scene/material.h"
+
+namespace drc {
+
+// Null textures take the values given here, which are pbrt's.
+struct PlasticParams {
+    RgbTexturePtr kd;            // 0.25
+    RgbTexturePtr ks;            // 0.25
+    FloatTexturePtr roughness;   // 0.1
+    bool remapRoughness = true;  // roughness is in [0, 1], not alpha
+    FloatTexturePtr bump;        // none
+};
+MaterialPtr makePlastic(PlasticParams params);
+
+}  // namespace drc

@@ -1,0 +1,18 @@
+// A diffuse base under a glossy coat (pbrt's "substrate"; PBR 3e, section 9.2).
+#pragma once
+#include "scene/material.h"
+
+namespace drc {
+
+// Null textures take the values given here, which are pbrt's.
+struct SubstrateParams {
+    RgbTexturePtr kd;            // 0.5
+    RgbTexturePtr ks;            // 0.5
+    FloatTexturePtr uRoughness;  // 0.1
+    FloatTexturePtr vRoughness;  // 0.1
+    bool remapRoughness = true;  // roughness is in [0, 1], not alpha
+    FloatTexturePtr bump;        // none
+};
+MaterialPtr makeSubstrate(SubstrateParams params);
+
+}  // namespace drc

@@ -1,0 +1,36 @@
+// The Trowbridge-Reitz (GGX) distribution of microfacets, anisotropic, with height-correlated Smith masking (PBR 3e,
+// section 8.4), sampled by visible normals (section 14.1.1; Heitz, "Sampling the GGX Distribution of Visible Normals",
+// JCGT 2018).
+#pragma once
+#include "math/vec.h"
+
+namespace drc {
+
+// pbrt's map from a "roughness" in [0, 1] to alpha, for materials with remaproughness.
+float roughnessToAlpha(float roughness);
+
+class TrowbridgeReitz {
+  public:
+    // pbrt's lower limit: below it the lobe is a mirror to single precision.
+    static constexpr float kMinAlpha = 0.001f;
+
+    TrowbridgeReitz() : TrowbridgeReitz(1, 1) {}
+    TrowbridgeReitz(float alphaX, float alphaY)
+        : alphaX_(std::max(kMinAlpha, alphaX)), alphaY_(std::max(kMinAlpha, alphaY)) {}
+
+    // Density of microfacets of normal wh per unit area and solid angle; even in wh.
+    float d(const Vec3& wh) const;
+    float lambda(const Vec3& w) const;
+    float g1(const Vec3& w) const { return 1 / (1 + lambda(w)); }
+    float g(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
+
+    // A microfacet normal that wo sees, on wo's side of the surface. wo.z != 0.
+    Vec3 sample(const Vec3& wo, const Vec2& u) const;
+    // Its density, per solid angle of wh; wh must face wo.
+    float pdf(const Vec3& wo, const Vec3& wh) const { return d(wh) * g1(wo) * absDot(wo, wh) / std::abs(wo.z); }
+
+  private:
+    float alphaX_, alphaY_;
+};
+
+}  // namespace drc

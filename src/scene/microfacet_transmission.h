@@ -1,0 +1,34 @@
+// Refraction through microfacets, for rough glass (Walter et al., "Microfacet Models for Refraction through Rough
+// Surfaces", 2007; PBR 3e, sections 8.4.4 and 14.1.1).
+#pragma once
+#include "scene/lobe.h"
+#include "scene/microfacet.h"
+
+namespace drc {
+
+class MicrofacetTransmission {
+  public:
+    // etaA: index of refraction on the side of the shading normal; etaB: on the other. They must differ: a boundary
+    // between equals bends nothing, and its BTDF is a delta function.
+    MicrofacetTransmission(const Rgb& transmittance, const TrowbridgeReitz& distribution, float etaA, float etaB)
+        : transmittance_(transmittance), distribution_(distribution), etaA_(etaA), etaB_(etaB) {}
+
+    static constexpr LobeFlags flags() { return LobeFlags::Transmission | LobeFlags::Glossy; }
+    Rgb f(const Vec3& wo, const Vec3& wi) const { return f(wo, wi, TransportMode::Radiance); }
+    Rgb f(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
+    Rgb albedo(const Vec3& wo) const;
+
+  private:
+    // Index on the far side of wo divided by the index on wo's side.
+    float relativeEta(const Vec3& wo) const { return wo.z > 0 ? etaB_ / etaA_ : etaA_ / etaB_; }
+    // The microfacet normal, above the surface, that refracts wi to wo; false: none that wo and wi both see.
+    bool halfVector(const Vec3& wo, const Vec3& wi, float eta, Vec3& wh) const;
+
+    Rgb transmittance_;
+    TrowbridgeReitz distribution_;
+    float etaA_, etaB_;
+};
+
+}  // namespace drc

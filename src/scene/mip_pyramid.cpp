@@ -1,0 +1,247 @@
+#include "scene/mip_pyramid.h"
+
+#include <Imath/half.h>
+
+#include <array>
+
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+using Half = Imath::half;
+
+template <typename T>
+constexpr int kChannels = 1;
+template <>
+constexpr int kChannels<Rgb> = 3;
+
+float channel(float v, int) { return v; }
+float channel(const Rgb& v, int c) { return v[c]; }
+void setChannel(float& v, int, float x) { v = x; }
+void setChannel(Rgb& v, int c, float x) { v[c] = x; }
+
+void assignTexel(float& to, const Rgb& from) { to = luminance(from); }
+void assignTexel(Rgb& to, const Rgb& from) { to = from; }
+
+// The two texels along one axis that a coordinate lies between, with their weights.
+struct Taps {
+    int i0, i1;
+    float w0, w1;
+};
+
+Taps taps(float x, int size, ImageWrap wrap) {
+    if (!std::isfinite(x)) x = 0;
+    // Kept small first, so that far coordinates neither overflow an int nor lose the fraction.
+    x = wrap == ImageWrap::Repeat ? x - std::floor(x) : std::clamp(x, -1.f, 2.f);
+    const float p = x * static_cast<float>(size) - 0.5f;
+    const float floor = std::floor(p);
+    Taps t;
+    t.i0 = static_cast<int>(floor);
+    t.i1 = t.i0 + 1;
+    t.w1 = p - floor;
+    t.w0 = 1 - t.w1;
+    const auto outside = [size](int i) { return i < 0 || i >= size; };
+    switch (wrap) {
+        case ImageWrap::Repeat:
+            if (t.i0 < 0) t.i0 += size;
+            if (t.i1 >= size) t.i1 -= size;
+            break;
+        case ImageWrap::Black:
+            if (outside(t.i0)) t.w0 = 0;
+            if (outside(t.i1)) t.w1 = 0;
+            [[fallthrough]];
+        case ImageWrap::Clamp:
+            t.i0 = std::clamp(t.i0, 0, size - 1);
+            t.i1 = std::clamp(t.i1, 0, size - 1);
+            break;
+    }
+    return t;
+}
+
+// Bytes that the table maps to these values, or nothing if some value is none of the table's.
+template <typename T>
+std::vector<uint8_t> toBytes(const std::vector<T>& texels, const std::vector<float>& table) {
+    std::vector<uint8_t> bytes;
+    bytes.reserve(texels.size() * kChannels<T>);
+    for (const T& texel : texels)
+        for (int c = 0; c < kChannels<T>; ++c) {
+            const float v = channel(texel, c);
+            int k = static_cast<int>(std::lower_bound(table.begin(), table.end(), v) - table.begin());
+            if (k == 256 || (k > 0 && v - table[k - 1] < table[k] - v)) --k;
+            if (!(std::abs(table[k] - v) <= 2e-6f)) return {};
+            bytes.push_back(static_cast<uint8_t>(k));
+        }
+    return bytes;
+}
+
+template <typename Stored, typename T>
+std::vector<Stored> toStored(const std::vector<T>& texels) {
+    std::vector<Stored> stored;
+    stored.reserve(texels.size() * kChannels<T>);
+    for (const T& texel : texels)
+        for (int c = 0; c < kChannels<T>; ++c) stored.push_back(Stored(channel(texel, c)));
+    return stored;
+}
+
+// Texels of the coarser image, each the mean of what it covers, with parts of texels where the size is odd.
+template <typename T>
+std::vector<T> halved(const std::vector<T>& from, int width, int height, int newWidth, int newHeight) {
+    struct Span {
+        int first, count;
+        float weight[4];
+    };
+    const auto spans = [](int size, int newSize) {
+        std::vector<Span> result(newSize);
+        const double step = double(size) / newSize;
+        for (int i = 0; i < newSize; ++i) {
+            const double begin = i * step, end = (i + 1) * step;
+            Span& s = result[i];
+            s.first = std::min(int(begin), size - 1);
+            s.count = std::clamp(int(std::ceil(end - 1e-9)) - s.first, 1, 4);
+            for (int j = 0; j < s.count; ++j)
+                s.weight[j] = float((std::min(end, s.first + j + 1.0) - std::max(begin, double(s.first + j))) / step);
+        }
+        return result;
+    };
+    const std::vector<Span> xs = spans(width, newWidth), ys = spans(height, newHeight);
+    std::vector<T> to(size_t(newWidth) * newHeight, T(0.f));
+    for (int y = 0; y < newHeight; ++y)
+        for (int x = 0; x < newWidth; ++x) {
+            T& sum = to[size_t(y) * newWidth + x];
+            for (int j = 0; j < ys[y].count; ++j)
+                for (int i = 0; i < xs[x].count; ++i)
+                    sum +=
+                        from[size_t(ys[y].first + j) * width + xs[x].first + i] * (ys[y].weight[j] * xs[x].weight[i]);
+        }
+    return to;
+}
+
+}  // namespace
+
+float srgbToLinear(float encoded) {
+    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+// Exactly one of the three is filled.
+template <typename T>
+struct MipPyramid<T>::Level {
+    int width = 0, height = 0;
+    std::vector<uint8_t> bytes;
+    std::vector<Half> halves;
+    std::vector<float> floats;
+};
+
+template <typename T>
+MipPyramid<T>::~MipPyramid() = default;
+
+template <typename T>
+int MipPyramid<T>::levels() const {
+    return static_cast<int>(levels_.size());
+}
+
+template <typename T>
+int MipPyramid<T>::width() const {
+    return levels_.front().width;
+}
+
+template <typename T>
+int MipPyramid<T>::height() const {
+    return levels_.front().height;
+}
+
+template <typename T>
+size_t MipPyramid<T>::bytes() const {
+    size_t sum = 0;
+    for (const Level& l : levels_)
+        sum += l.bytes.size() + l.halves.size() * sizeof(Half) + l.floats.size() * sizeof(float);
+    return sum;
+}
+
+template <typename T>
+MipPyramid<T>::MipPyramid(const TexelImage& image, TexelEncoding encoding) {
+    if (image.width <= 0 || image.height <= 0 || image.texels.size() != size_t(image.width) * image.height)
+        throw Error("texture image is empty or incomplete");
+    maxResolutionLog2_ = std::log2(static_cast<float>(std::max(image.width, image.height)));
+
+    std::vector<T> texels(image.texels.size());
+    for (size_t i = 0; i < texels.size(); ++i) assignTexel(texels[i], image.texels[i]);
+
+    // An 8-bit image may come with its values as stored or, by a reader that linearises, already decoded.
+    std::vector<float> plain(256), srgb(256);
+    for (int k = 0; k < 256; ++k) {
+        plain[k] = static_cast<float>(k) / 255;
+        srgb[k] = srgbToLinear(plain[k]);
+    }
+    Level finest;
+    finest.width = image.width;
+    finest.height = image.height;
+    finest.bytes = toBytes(texels, plain);
+    if (!finest.bytes.empty()) {
+        decode_ = encoding == TexelEncoding::Srgb ? srgb : plain;
+    } else if (encoding == TexelEncoding::Linear) {
+        finest.bytes = toBytes(texels, srgb);
+        if (!finest.bytes.empty()) decode_ = srgb;
+    }
+    if (encoding == TexelEncoding::Srgb)
+        for (T& texel : texels)
+            for (int c = 0; c < kChannels<T>; ++c) setChannel(texel, c, srgbToLinear(channel(texel, c)));
+    if (finest.bytes.empty()) finest.floats = toStored<float>(texels);
+    const bool compact = !finest.bytes.empty();
+    int width = image.width, height = image.height;
+    levels_.push_back(std::move(finest));
+    while (width > 1 || height > 1) {
+        Level level;
+        level.width = std::max(1, width / 2);
+        level.height = std::max(1, height / 2);
+        texels = halved(texels, width, height, level.width, level.height);
+        width = level.width;
+        height = level.height;
+        if (compact)
+            level.halves = toStored<Half>(texels);
+        else
+            level.floats = toStored<float>(texels);
+        levels_.push_back(std::move(level));
+    }
+}
+
+template <typename T>
+T MipPyramid<T>::bilinear(const Level& level, const Vec2& st, ImageWrap wrap) const {
+    constexpr int n = kChannels<T>;
+    const Taps x = taps(st.x, level.width, wrap);
+    const Taps y = taps(1 - st.y, level.height, wrap);
+    const size_t row0 = size_t(y.i0) * level.width, row1 = size_t(y.i1) * level.width;
+    const size_t at[4] = {(row0 + x.i0) * n, (row0 + x.i1) * n, (row1 + x.i0) * n, (row1 + x.i1) * n};
+    const float w[4] = {y.w0 * x.w0, y.w0 * x.w1, y.w1 * x.w0, y.w1 * x.w1};
+    T result(0.f);
+    const auto gather = [&](const auto& texels, const auto& decode) {
+        for (int c = 0; c < n; ++c)
+            setChannel(result, c,
+                       w[0] * decode(texels[at[0] + c]) + w[1] * decode(texels[at[1] + c]) +
+                           w[2] * decode(texels[at[2] + c]) + w[3] * decode(texels[at[3] + c]));
+    };
+    if (!level.bytes.empty())
+        gather(level.bytes, [table = decode_.data()](uint8_t k) { return table[k]; });
+    else if (!level.halves.empty())
+        gather(level.halves, [](Half h) { return static_cast<float>(h); });
+    else
+        gather(level.floats, [](float f) { return f; });
+    return result;
+}
+
+template <typename T>
+T MipPyramid<T>::lookup(const Vec2& st, float width, ImageWrap wrap) const {
+    // The level whose texels are as wide as the filter.
+    const float level = width > 0 ? maxResolutionLog2_ + std::log2(width) : 0;
+    if (!(level > 0)) return bilinear(levels_.front(), st, wrap);
+    const int last = levels() - 1;
+    if (level >= static_cast<float>(last)) return bilinear(levels_[last], Vec2(0.5f, 0.5f), wrap);
+    const int finer = static_cast<int>(level);
+    return lerp(level - static_cast<float>(finer), bilinear(levels_[finer], st, wrap),
+                bilinear(levels_[finer + 1], st, wrap));
+}
+
+template class MipPyramid<float>;
+template class MipPyramid<Rgb>;
+
+}  // namespace drc

@@ -1,0 +1,110 @@
+#include "scene/mip_pyramid.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+TexelImage image(int width, int height, auto value) {
+    TexelImage result{width, height, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) result.texels.push_back(value(x, y));
+    return result;
+}
+
+TexelImage noise(int width, int height, bool eightBit) {
+    std::mt19937 rng(1);
+    return image(width, height, [&](int, int) {
+        Rgb c;
+        for (int k = 0; k < 3; ++k) c[k] = eightBit ? float(rng() % 256) / 255 : float(rng() % 65536) / 30000;
+        return c;
+    });
+}
+
+TEST(MipPyramid, RowZeroIsAtTheTop) {
+    const RgbPyramid p(image(2, 2, [](int x, int y) { return Rgb(float(x), float(y), 0.3f); }), TexelEncoding::Linear);
+    // t = 0.25 is the centre of the bottom row, which is row 1.
+    EXPECT_EQ(p.lookup(Vec2(0.25f, 0.25f), 0, ImageWrap::Clamp), Rgb(0, 1, 0.3f));
+    EXPECT_EQ(p.lookup(Vec2(0.75f, 0.75f), 0, ImageWrap::Clamp), Rgb(1, 0, 0.3f));
+    EXPECT_NEAR(p.lookup(Vec2(0.5f, 0.25f), 0, ImageWrap::Clamp).x, 0.5f, 1e-6f);
+}
+
+TEST(MipPyramid, Wraps) {
+    const FloatPyramid p(image(4, 1, [](int x, int) { return Rgb(float(x + 1)); }), TexelEncoding::Linear);
+    const auto at = [&](float s, float t, ImageWrap w) { return p.lookup(Vec2(s, t), 0, w); };
+    EXPECT_NEAR(at(1.125f, 0.5f, ImageWrap::Repeat), 1, 1e-5f);
+    EXPECT_NEAR(at(-0.125f, 7.5f, ImageWrap::Repeat), 4, 1e-5f);
+    EXPECT_NEAR(at(0, 0.5f, ImageWrap::Repeat), 2.5f, 1e-5f);
+    EXPECT_NEAR(at(-3, 0.5f, ImageWrap::Clamp), 1, 1e-5f);
+    EXPECT_NEAR(at(9, 0.5f, ImageWrap::Clamp), 4, 1e-5f);
+    EXPECT_NEAR(at(0, 0.5f, ImageWrap::Black), 0.5f, 1e-5f);
+    EXPECT_EQ(at(1.5f, 0.5f, ImageWrap::Black), 0);
+    EXPECT_EQ(at(1e30f, 0.5f, ImageWrap::Black), 0);
+    EXPECT_TRUE(std::isfinite(at(std::nanf(""), kInfinity, ImageWrap::Repeat)));
+}
+
+TEST(MipPyramid, EveryLevelKeepsTheMean) {
+    for (const auto& [w, h] : {std::pair(64, 64), std::pair(37, 53), std::pair(5, 1), std::pair(3, 130)}) {
+        const TexelImage source = noise(w, h, false);
+        Rgb mean(0.f);
+        for (const Rgb& c : source.texels) mean += c * (1.f / float(w * h));
+        const RgbPyramid p(source, TexelEncoding::Linear);
+        const Rgb top = p.lookup(Vec2(0.1f, 0.2f), 10, ImageWrap::Repeat);
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(top[k], mean[k], 1e-4f) << w << "x" << h;
+    }
+}
+
+TEST(MipPyramid, WidthChoosesTheLevel) {
+    // Stripes of one texel: full contrast at the finest level, a quarter at none.
+    const FloatPyramid p(image(16, 16, [](int x, int) { return Rgb(float(x % 2)); }), TexelEncoding::Linear);
+    EXPECT_EQ(p.levels(), 5);
+    const Vec2 st(1.5f / 16, 0.5f);
+    EXPECT_NEAR(p.lookup(st, 0, ImageWrap::Repeat), 1, 1e-5f);
+    EXPECT_NEAR(p.lookup(st, 1.f / 16, ImageWrap::Repeat), 1, 1e-5f);
+    EXPECT_NEAR(p.lookup(st, std::sqrt(2.f) / 16, ImageWrap::Repeat), 0.75f, 1e-3f);
+    EXPECT_NEAR(p.lookup(st, 2.f / 16, ImageWrap::Repeat), 0.5f, 1e-3f);
+}
+
+TEST(MipPyramid, EightBitImagesAreKeptSmallAndExact) {
+    const TexelImage source = noise(64, 32, true);
+    const RgbPyramid p(source, TexelEncoding::Linear);
+    EXPECT_LT(p.bytes(), 64u * 32 * 6);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const Vec2 st((x + 0.5f) / 64, 1 - (y + 0.5f) / 32);
+            const Rgb c = p.lookup(st, 0, ImageWrap::Repeat);
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(c[k], source.texels[y * 64 + x][k], 1e-4f);
+        }
+    // The same image when the reader has linearised it.
+    TexelImage linear = source;
+    for (Rgb& c : linear.texels)
+        for (int k = 0; k < 3; ++k) c[k] = srgbToLinear(c[k]);
+    const RgbPyramid q(linear, TexelEncoding::Linear), r(source, TexelEncoding::Srgb);
+    EXPECT_EQ(q.bytes(), p.bytes());
+    for (float s = 0; s < 1; s += 0.07f)
+        for (const float width : {0.f, 0.1f})
+            EXPECT_LT(
+                length(q.lookup(Vec2(s, s), width, ImageWrap::Repeat) - r.lookup(Vec2(s, s), width, ImageWrap::Repeat)),
+                1e-5f);
+    // Anything else is not rounded.
+    EXPECT_GE(RgbPyramid(noise(64, 32, false), TexelEncoding::Linear).bytes(), 64u * 32 * 12);
+}
+
+TEST(MipPyramid, Srgb) {
+    EXPECT_NEAR(srgbToLinear(0.5f), 0.2140411f, 1e-6f);
+    EXPECT_NEAR(srgbToLinear(0.02f), 0.02f / 12.92f, 1e-8f);
+    const FloatPyramid p(image(1, 1, [](int, int) { return Rgb(0.5f); }), TexelEncoding::Srgb);
+    EXPECT_NEAR(p.lookup(Vec2(0.5f, 0.5f), 0, ImageWrap::Repeat), 0.2140411f, 1e-6f);
+}
+
+TEST(MipPyramid, RefusesAnEmptyImage) {
+    EXPECT_THROW(RgbPyramid(TexelImage{}, TexelEncoding::Linear), Error);
+    EXPECT_THROW(RgbPyramid(TexelImage{2, 2, {Rgb(1.f)}}, TexelEncoding::Linear), Error);
+}
+
+}  // namespace
+}  // namespace drc

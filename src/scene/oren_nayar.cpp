@@ -1,0 +1,41 @@
+#include "scene/oren_nayar.h"
+
+#include "math/warp.h"
+#include "scene/local_directions.h"
+
+namespace drc {
+
+OrenNayar::OrenNayar(const Rgb& reflectance, float sigmaDegrees) : reflectance_(reflectance) {
+    const float sigma2 = sqr(sigmaDegrees * kPi / 180);
+    a_ = 1 - sigma2 / (2 * (sigma2 + 0.33f));
+    b_ = 0.45f * sigma2 / (sigma2 + 0.09f);
+}
+
+Rgb OrenNayar::f(const Vec3& wo, const Vec3& wi) const {
+    const float cosI = absCosTheta(wi), cosO = absCosTheta(wo);
+    const float sinI = safeSqrt(1 - wi.z * wi.z), sinO = safeSqrt(1 - wo.z * wo.z);
+    // The azimuth of a direction along the normal is noise.
+    float cosDeltaPhi = 0;
+    if (sinI > 1e-4f && sinO > 1e-4f) cosDeltaPhi = std::clamp((wi.x * wo.x + wi.y * wo.y) / (sinI * sinO), 0.f, 1.f);
+    // sin(alpha) tan(beta), alpha the larger and beta the smaller polar angle: the product of the sines divided by the
+    // larger cosine.
+    const float larger = std::max(cosI, cosO);
+    const float sinTan = larger > 0 ? sinI * sinO / larger : 0;
+    return reflectance_ * (kInvPi * (a_ + b_ * cosDeltaPhi * sinTan));
+}
+
+float OrenNayar::pdf(const Vec3& wo, const Vec3& wi) const {
+    return sameHemisphere(wo, wi) ? absCosTheta(wi) * kInvPi : 0;
+}
+
+LobeSample OrenNayar::sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
+    LobeSample s;
+    s.wi = sampleCosineHemisphere(u);
+    if (wo.z < 0) s.wi.z = -s.wi.z;
+    s.f = f(wo, s.wi);
+    s.pdf = pdf(wo, s.wi);
+    s.flags = flags();
+    return s;
+}
+
+}  // namespace drc

@@ -1,0 +1,23 @@
+// Rough diffuse reflection: Oren and Nayar's V-shaped Lambertian grooves (PBR 3e, section 8.4.1).
+#pragma once
+#include "scene/lobe.h"
+
+namespace drc {
+
+class OrenNayar {
+  public:
+    // sigma: standard deviation of the grooves' slope angle, in degrees.
+    OrenNayar(const Rgb& reflectance, float sigmaDegrees);
+
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
+    Rgb f(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
+    Rgb albedo(const Vec3&) const { return reflectance_; }
+
+  private:
+    Rgb reflectance_;
+    float a_, b_;
+};
+
+}  // namespace drc

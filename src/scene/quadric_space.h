@@ -1,0 +1,65 @@
+// What the analytic shapes share: their object space, in double precision, so that hits are exact to the rounding of
+// float world coordinates.
+#pragma once
+#include "math/transform.h"
+
+namespace drc {
+
+using Vec3d = Imath::V3d;
+
+class QuadricSpace {
+  public:
+    QuadricSpace(const Transform& objectToWorld, bool reverseOrientation)
+        : flip_(reverseOrientation != objectToWorld.swapsHandedness()) {
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) column_[j][i] = objectToWorld.at(i, j);
+            origin_[i] = objectToWorld.at(i, 3);
+        }
+        det_ = column_[0].dot(column_[1].cross(column_[2]));
+        // Rows of the inverse; the inverse of exactly the matrix above, so that there and back is the same point.
+        for (int i = 0; i < 3; ++i) inverseRow_[i] = column_[(i + 1) % 3].cross(column_[(i + 2) % 3]) / det_;
+        // Columns that are perpendicular and of one length: spheres stay spheres.
+        const double s2 = column_[0].length2(), tolerance = 1e-5 * s2;
+        conformal_ = std::abs(column_[1].length2() - s2) < tolerance && std::abs(column_[2].length2() - s2) < tolerance;
+        for (int i = 0; i < 3; ++i)
+            conformal_ = conformal_ && std::abs(column_[i].dot(column_[(i + 1) % 3])) < tolerance;
+    }
+
+    Vec3d pointToObject(const Vec3& p) const { return vectorToObject(Vec3d(p) - origin_); }
+    Vec3d vectorToObject(const Vec3d& v) const {
+        return Vec3d(inverseRow_[0].dot(v), inverseRow_[1].dot(v), inverseRow_[2].dot(v));
+    }
+    Vec3d pointToWorld(const Vec3d& p) const { return origin_ + vectorToWorld(p); }
+    Vec3d vectorToWorld(const Vec3d& v) const { return column_[0] * v.x + column_[1] * v.y + column_[2] * v.z; }
+    // World-space unit normal for the object-space one of cross(dpdu, dpdv). pbrt turns it in object space if
+    // ReverseOrientation and a change of handedness do not cancel, and then transforms it as a normal.
+    Vec3 normalToWorld(const Vec3d& n) const {
+        const Vec3d w = inverseTransposed(n).normalized();
+        return Vec3(flip_ ? -w : w);
+    }
+    // Undoes normalToWorld, but for the sign.
+    Vec3d normalToObject(const Vec3& n) const {
+        const Vec3d w(n);
+        return Vec3d(column_[0].dot(w), column_[1].dot(w), column_[2].dot(w)).normalized();
+    }
+    // World area over object area, for a surface with unit normal n in object space.
+    double areaScale(const Vec3d& n) const { return std::abs(det_) * inverseTransposed(n).length(); }
+
+    bool conformal() const { return conformal_; }
+    double scale() const { return column_[0].length(); }  // of lengths, if conformal
+    const Vec3d& origin() const { return origin_; }
+    // Length of row i of the linear part: how far a unit sphere extends along world axis i.
+    double extent(int i) const { return Vec3d(column_[0][i], column_[1][i], column_[2][i]).length(); }
+
+  private:
+    Vec3d inverseTransposed(const Vec3d& n) const {
+        return inverseRow_[0] * n.x + inverseRow_[1] * n.y + inverseRow_[2] * n.z;
+    }
+
+    Vec3d column_[3], origin_, inverseRow_[3];
+    double det_;
+    bool conformal_;
+    bool flip_;
+};
+
+}  // namespace drc

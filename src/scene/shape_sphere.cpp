@@ -1,0 +1,159 @@
+#include "scene/shape_sphere.h"
+
+#include "math/frame.h"
+#include "scene/quadric_space.h"
+
+namespace drc {
+namespace {
+
+constexpr double kPiD = std::numbers::pi;
+
+class Sphere final : public Shape {
+  public:
+    explicit Sphere(const SphereParams& p)
+        : space_(p.objectToWorld, p.reverseOrientation),
+          radius_(p.radius),
+          zMin_(std::clamp<double>(std::min(p.zMin, p.zMax), -radius_, radius_)),
+          zMax_(std::clamp<double>(std::max(p.zMin, p.zMax), -radius_, radius_)),
+          thetaMin_(std::acos(std::clamp(zMin_ / radius_, -1.0, 1.0))),
+          thetaMax_(std::acos(std::clamp(zMax_ / radius_, -1.0, 1.0))),
+          phiMax_(std::clamp(double(p.phiMax), 0.0, 360.0) * kPiD / 180),
+          full_(zMin_ == -radius_ && zMax_ == radius_ && p.phiMax >= 360),
+          objectArea_(phiMax_ * radius_ * (zMax_ - zMin_)) {
+        // Exact if conformal, when the area scale is the same everywhere.
+        constexpr int kSteps = 64;
+        double sum = 0;
+        for (int i = 0; i < kSteps; ++i)
+            for (int j = 0; j < kSteps; ++j)
+                sum += space_.areaScale(pointAt((i + 0.5) / kSteps, (j + 0.5) / kSteps) / radius_);
+        area_ = objectArea_ * sum / (kSteps * kSteps);
+    }
+
+    Bounds bounds() const override {
+        // The corners of the object-space box, but no further than the whole sphere reaches.
+        Bounds box;
+        for (int i = 0; i < 8; ++i)
+            box.extend(Vec3(space_.pointToWorld(
+                Vec3d(i & 1 ? radius_ : -radius_, i & 2 ? radius_ : -radius_, i & 4 ? zMax_ : zMin_))));
+        for (int i = 0; i < 3; ++i) {
+            const double c = space_.origin()[i], e = radius_ * space_.extent(i);
+            // Room for the rounding of what is computed from these floats.
+            const double pad = 1e-6 * (std::abs(c) + e);
+            box.min[i] = float(std::max(double(box.min[i]), c - e) - pad);
+            box.max[i] = float(std::min(double(box.max[i]), c + e) + pad);
+        }
+        return box;
+    }
+
+    std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const override {
+        // d keeps the scale of the transform, so that t means the same in both spaces.
+        const Vec3d o = space_.pointToObject(ray.o), d = space_.vectorToObject(Vec3d(ray.d));
+        const double a = d.length2(), b = o.dot(d), c = o.length2() - radius_ * radius_;
+        // Discriminant from the distance of the line to the centre: b^2 - a c cancels for a far or grazing ray.
+        const double discriminant = a * (radius_ * radius_ - (o - d * (b / a)).length2());
+        if (!(discriminant >= 0)) return {};
+        const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+        double t0 = q / a, t1 = q != 0 ? c / q : t0;
+        if (t0 > t1) std::swap(t0, t1);
+        for (const double t : {t0, t1}) {
+            if (!(t > tMin && t < ray.tMax)) continue;
+            if (auto hit = hitAt(o + d * t, t)) return hit;
+        }
+        return {};
+    }
+
+    float area() const override { return float(area_); }
+
+    ShapeSample sample(const Vec2& u) const override {
+        const Vec3d p = pointAt(u.x, u.y);
+        return {Vec3(space_.pointToWorld(p)), space_.normalToWorld(p / radius_), areaPdf(p / radius_)};
+    }
+
+    // Uniform over the cone that the sphere subtends (PBR 3e, section 14.2.2), where it subtends one.
+    ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const override {
+        const std::optional<Cone> cone = coneFrom(p);
+        if (!cone) {
+            ShapeSample s = sample(u);
+            s.pdf = toSolidAngle(s.pdf, p, s.p, s.ng);
+            return s;
+        }
+        const double h = u.x * cone->oneMinusCos, sin2 = h * (2 - h), cosine = 1 - h;  // h = 1 - cos theta
+        const double r = radius_ * space_.scale(), distance = cone->distance;
+        // Distance to the near hit, and from it the angle at the centre between there and p.
+        const double hit = distance * cosine - std::sqrt(std::max(0.0, r * r - distance * distance * sin2));
+        const double cosAlpha = std::clamp((distance - hit * cosine) / r, -1.0, 1.0);
+        const double sinAlpha = std::min(1.0, hit * std::sqrt(std::max(0.0, sin2)) / r);
+        const double phi = 2 * kPiD * u.y;
+        const Frame frame = Frame::fromNormal(Vec3(-cone->axis));
+        const Vec3d n = (Vec3d(frame.s) * (sinAlpha * std::cos(phi)) + Vec3d(frame.t) * (sinAlpha * std::sin(phi)) +
+                         Vec3d(frame.n) * cosAlpha)
+                            .normalized();
+        return {Vec3(space_.origin() + n * r), space_.normalToWorld(space_.normalToObject(Vec3(n))), cone->pdf()};
+    }
+
+    float pdfFrom(const Vec3& p, const Vec3&, const Vec3& hit, const Vec3& ng) const override {
+        if (const std::optional<Cone> cone = coneFrom(p)) return cone->pdf();
+        return toSolidAngle(areaPdf(space_.normalToObject(ng)), p, hit, ng);
+    }
+
+  private:
+    struct Cone {
+        Vec3d axis;          // unit, towards the centre
+        double distance;     // to the centre
+        double oneMinusCos;  // of the half angle
+        float pdf() const { return float(1 / (2 * kPiD * oneMinusCos)); }
+    };
+
+    // None for a part of a sphere, an ellipsoid, and from within or too near.
+    std::optional<Cone> coneFrom(const Vec3& p) const {
+        if (!full_ || !space_.conformal()) return {};
+        const Vec3d toCentre = space_.origin() - Vec3d(p);
+        const double d2 = toCentre.length2(), r = radius_ * space_.scale();
+        if (d2 <= 1.0001 * r * r) return {};
+        const double sin2 = r * r / d2, distance = std::sqrt(d2);
+        return Cone{toCentre / distance, distance, sin2 / (1 + std::sqrt(1 - sin2))};
+    }
+
+    // Uniform by area in object space.
+    Vec3d pointAt(double u, double v) const {
+        const double z = zMin_ + v * (zMax_ - zMin_), r = std::sqrt(std::max(0.0, radius_ * radius_ - z * z));
+        return Vec3d(r * std::cos(u * phiMax_), r * std::sin(u * phiMax_), z);
+    }
+    // Density of sample() per unit world area where the object-space normal is n.
+    float areaPdf(const Vec3d& n) const { return float(1 / (objectArea_ * space_.areaScale(n))); }
+
+    static float toSolidAngle(float pdf, const Vec3& from, const Vec3& to, const Vec3& ng) {
+        const Vec3d d = Vec3d(to) - Vec3d(from);
+        const double cosineTimesD = std::abs(Vec3d(ng).dot(d));
+        const double r = pdf * d.length2() * d.length() / cosineTimesD;
+        return std::isfinite(r) && cosineTimesD > 0 ? float(r) : 0.f;
+    }
+
+    std::optional<ShapeHit> hitAt(Vec3d p, double t) const {
+        p *= radius_ / p.length();
+        if (p.x == 0 && p.y == 0) p.x = 1e-5 * radius_;
+        double phi = std::atan2(p.y, p.x);
+        if (phi < 0) phi += 2 * kPiD;
+        if ((zMin_ > -radius_ && p.z < zMin_) || (zMax_ < radius_ && p.z > zMax_) || phi > phiMax_) return {};
+        const double theta = std::acos(std::clamp(p.z / radius_, -1.0, 1.0)), thetaRange = thetaMax_ - thetaMin_;
+        const double rho = std::sqrt(p.x * p.x + p.y * p.y);
+        ShapeHit hit;
+        hit.t = float(t);
+        hit.uv = Vec2(float(phi / phiMax_), float((theta - thetaMin_) / thetaRange));
+        hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-p.y, p.x, 0) * phiMax_));
+        hit.dpdv = Vec3(space_.vectorToWorld(Vec3d(p.z * p.x / rho, p.z * p.y / rho, -rho) * thetaRange));
+        hit.ng = space_.normalToWorld(p / radius_);
+        return hit;
+    }
+
+    QuadricSpace space_;
+    double radius_, zMin_, zMax_, thetaMin_, thetaMax_, phiMax_;
+    bool full_;
+    double objectArea_, area_ = 0;
+};
+
+}  // namespace
+
+ShapePtr makeSphere(const SphereParams& params) { return std::make_shared<Sphere>(params); }
+
+}  // namespace drc

@@ -1,0 +1,43 @@
+#include "scene/texture_imagemap.h"
+
+#include <gtest/gtest.h>
+
+namespace drc {
+namespace {
+
+TextureContext at(float u, float v, float footprint = 0) {
+    TextureContext c;
+    c.uv = Vec2(u, v);
+    c.uvFootprint = footprint;
+    return c;
+}
+
+const auto kStripes =
+    std::make_shared<RgbPyramid>(TexelImage{4, 1, {Rgb(0.f), Rgb(1.f), Rgb(0.f), Rgb(1.f)}}, TexelEncoding::Linear);
+
+TEST(ImageMap, MappingAndScale) {
+    ImageMapParams p;
+    p.mapping = {0.5f, 1, 0.25f, 0};
+    p.scale = 3;
+    // s = 0.5 * 0.25 + 0.25 = 0.375, the centre of texel 1.
+    EXPECT_EQ(makeImageMap(kStripes, p)->eval(at(0.25f, 0.5f)), Rgb(3.f));
+}
+
+TEST(ImageMap, FootprintIsScaledWithTheMapping) {
+    ImageMapParams p;
+    EXPECT_NEAR(makeImageMap(kStripes, p)->eval(at(0.375f, 0.5f, 0.25f)).x, 1, 1e-5f);
+    p.trilinear = true;
+    EXPECT_NEAR(makeImageMap(kStripes, p)->eval(at(0.375f, 0.5f, 0.25f)).x, 0.5f, 1e-3f);
+    p.trilinear = false;
+    p.mapping.uScale = 8;
+    EXPECT_NEAR(makeImageMap(kStripes, p)->eval(at(0.375f / 8, 0.5f, 0.25f)).x, 0.5f, 1e-3f);
+}
+
+TEST(ImageMap, Float) {
+    const auto pyramid =
+        std::make_shared<FloatPyramid>(TexelImage{1, 1, {Rgb(1, 0.5f, 0.25f)}}, TexelEncoding::Linear);
+    EXPECT_NEAR(makeImageMap(pyramid, {})->eval(at(0, 0)), luminance(Rgb(1, 0.5f, 0.25f)), 1e-6f);
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,15 @@
+// A blend of two textures (pbrt's "mix"; PBR 3e, section 10.3.3).
+#pragma once
+#include "scene/texture.h"
+
+namespace drc {
+
+// (1 - amount) a + amount b; note that a mix of materials counts its amount the other way. None may be null. T: float
+// or Rgb.
+template <typename T>
+std::shared_ptr<const Texture<T>> makeMixTexture(std::shared_ptr<const Texture<T>> a,
+                                                 std::shared_ptr<const Texture<T>> b, FloatTexturePtr amount);
+extern template FloatTexturePtr makeMixTexture<float>(FloatTexturePtr, FloatTexturePtr, FloatTexturePtr);
+extern template RgbTexturePtr makeMixTexture<Rgb>(RgbTexturePtr, RgbTexturePtr, FloatTexturePtr);
+
+}  // namespace drc

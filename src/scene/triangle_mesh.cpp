@@ -1,0 +1,37 @@
+#include "scene/triangle_mesh.h"
+
+namespace drc {
+namespace {
+
+// Twice the area, along the normal that the winding gives. The two edges that pbrt takes, from the third vertex; their
+// cross product is that of any two edges taken in the order of the winding.
+Imath::V3d windingNormal(const TriangleMesh& mesh, uint32_t triangle) {
+    const uint32_t* v = &mesh.indices[3 * size_t(triangle)];
+    const Imath::V3d p2(mesh.positions[v[2]]);
+    return (Imath::V3d(mesh.positions[v[0]]) - p2).cross(Imath::V3d(mesh.positions[v[1]]) - p2);
+}
+
+}  // namespace
+
+Vec3 TriangleMesh::geometricNormal(uint32_t triangle) const {
+    const Imath::V3d cross = windingNormal(*this, triangle);
+    const double l = cross.length();
+    if (!(l > 0)) return Vec3(0, 0, 0);
+    const Vec3 n(cross * ((flipNormal ? -1 : 1) / l));
+    if (normals.empty()) return n;
+    const uint32_t* v = &indices[3 * size_t(triangle)];
+    return faceForward(n, normals[v[0]] + normals[v[1]] + normals[v[2]]);
+}
+
+float TriangleMesh::area(uint32_t triangle) const {
+    return static_cast<float>(0.5 * windingNormal(*this, triangle).length());
+}
+
+void TriangleMesh::apply(const Transform& t) {
+    for (Vec3& p : positions) p = t.point(p);
+    for (Vec3& n : normals) n = normalize(t.normal(n));
+    // Normals transform by the inverse transpose, cross products of edges by that times the determinant.
+    flipNormal ^= t.swapsHandedness();
+}
+
+}  // namespace drc

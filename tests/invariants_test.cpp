@@ -1,0 +1,146 @@
+// The five invariants of the design, through the whole pipeline.
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include "cache/network_enhancer.h"
+#include "pipeline.h"
+#include "render/renderer.h"
+#include "test_scenes.h"
+
+namespace drc {
+namespace {
+
+using test::Estimate;
+using test::Pipeline;
+
+void expectSame(const Estimate& a, const Estimate& b, const std::string& what) {
+    const test::ZResult z = test::zTest(a, b);
+    EXPECT_GT(z.tests, 100) << what << ": nothing was compared";
+    EXPECT_LT(z.worst, z.bound) << what;
+    EXPECT_LT(z.meanDifference, 4) << what << ": the pictures' means differ";
+    EXPECT_LT(z.meanSquare, 1.5) << what;
+}
+
+Estimate constantEstimate(size_t size, double value) {
+    return {std::vector<double>(size, value), std::vector<double>(size, 0)};
+}
+
+// Invariant 1. Radiance is 1 everywhere in a furnace, and no projection, interpolation, gather or enhancer may change
+// that.
+struct FurnaceCase {
+    const char* name;
+    Projection projection;
+    float spacing;
+    const char* enhancer;
+};
+class Furnace : public testing::TestWithParam<FurnaceCase> {};
+INSTANTIATE_TEST_SUITE_P(Invariant1, Furnace,
+                         testing::Values(FurnaceCase{"EqualAreaPerPixel", Projection::EqualArea, 1, "none"},
+                                         FurnaceCase{"LatLongPerPixel", Projection::LatLong, 1, "none"},
+                                         FurnaceCase{"EqualAreaGrid", Projection::EqualArea, 6, "none"},
+                                         FurnaceCase{"LatLongGrid", Projection::LatLong, 6, "none"},
+                                         FurnaceCase{"EqualAreaGaussian", Projection::EqualArea, 6, "gaussian"},
+                                         FurnaceCase{"LatLongGaussian", Projection::LatLong, 6, "gaussian"}),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(Furnace, RadianceIsOneInEveryPixel) {
+    const FurnaceCase& c = GetParam();
+    const Pipeline pipeline(test::furnace(0.5f, 12, 8));
+    IndirectSettings settings;
+    settings.capture.layout = MapLayout(c.projection, 16);
+    settings.gatherSamples = 16;
+    const auto enhancer =
+        std::string(c.enhancer) == "gaussian" ? makeGaussianEnhancer(1) : makeIdentityEnhancer();
+    const Estimate direct =
+        test::estimate(pipeline.pixels(), 1024, 16, [&](int p, int i) { return pipeline.direct(p, i); });
+    const Estimate indirect = pipeline.cachedIndirect(*enhancer, settings, c.spacing, 24);
+    const Estimate sum = direct + indirect;
+    expectSame(sum, constantEstimate(sum.mean.size(), 1), c.name);
+    double mean = 0;
+    for (const double m : sum.mean) mean += m / double(sum.mean.size());
+    EXPECT_NEAR(mean, 1, 0.004);
+}
+
+// Invariants 2 and 3, for every material.
+class EveryMaterial : public testing::TestWithParam<size_t> {};
+INSTANTIATE_TEST_SUITE_P(Invariants2And3, EveryMaterial, testing::Range<size_t>(0, test::allMaterials().size()),
+                         [](const auto& i) { return test::allMaterials()[i.param].first; });
+
+TEST_P(EveryMaterial, DirectPlusTracedIndirectIsThePathTracer) {
+    const auto [name, material] = test::allMaterials()[GetParam()];
+    const Pipeline pipeline(test::room(material, 12, 8));
+    const int samples = 4096, group = 64;
+    const Estimate path = test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.path(p, i); });
+    const Estimate direct = test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.direct(p, i); });
+    const Estimate indirect =
+        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    expectSame(direct + indirect, path, name);
+}
+
+TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
+    const auto [name, material] = test::allMaterials()[GetParam()];
+    const Pipeline pipeline(test::room(material, 12, 8));
+    IndirectSettings settings;
+    settings.gatherSamples = 64;
+    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, 16);
+    const Estimate traced =
+        test::estimate(pipeline.pixels(), 8192, 64, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    expectSame(oracle, traced, name);
+}
+
+// Invariant 4.
+std::vector<float> renderWith(int threads, const std::string& integrator, const std::shared_ptr<const Enhancer>& enhancer) {
+    setThreadCount(threads);
+    const auto scene = pbrt::loadPbrtString(test::room(test::allMaterials()[10].second, 40, 30));
+    RenderParams params;
+    params.seed = 7;
+    params.integrator = integrator == "path" ? Integrator::Path : Integrator::Drc;
+    params.spp = 4;
+    params.passes = 3;
+    params.firstSpacing = 10.f / 30;
+    Renderer renderer(*scene, params, enhancer, nullptr);
+    while (renderer.step()) {
+    }
+    const std::vector<float> pixels = renderer.image().beauty.data();
+    setThreadCount(0);
+    return pixels;
+}
+
+TEST(Invariant4, TheImageDoesNotDependOnTheNumberOfThreads) {
+    const std::shared_ptr<const Enhancer> gaussian = makeGaussianEnhancer(1);
+    const std::shared_ptr<const Enhancer> network = makeNetworkEnhancer(
+        UNetWeights::random(UNetShape{.width = 4}, 1), MapLayout(Projection::EqualArea, 32), Precision::Fp32);
+    for (const auto& enhancer : {gaussian, network}) {
+        const std::vector<float> one = renderWith(1, "drc", enhancer);
+        EXPECT_EQ(one, renderWith(2, "drc", enhancer));
+        EXPECT_EQ(one, renderWith(5, "drc", enhancer));
+    }
+    EXPECT_EQ(renderWith(1, "path", gaussian), renderWith(3, "path", gaussian));
+}
+
+TEST(Invariant4, AnotherSeedIsAnotherImage) {
+    const Pipeline pipeline(test::room(test::allMaterials()[0].second, 12, 8));
+    IndirectSettings a, b;
+    b.seed = 1;
+    const auto identity = makeIdentityEnhancer();
+    EXPECT_NE(pipeline.cachedIndirect(*identity, a, 6, 2).mean, pipeline.cachedIndirect(*identity, b, 6, 2).mean);
+}
+
+// Invariant 5. What is allocated after a pass is what was allocated before it, however many there were.
+TEST(Invariant5, MemoryDoesNotGrowWithPasses) {
+    const auto scene = pbrt::loadPbrtString(test::room(test::allMaterials()[0].second, 60, 40));
+    RenderParams params;
+    params.spp = 30;
+    params.passes = 30;
+    params.firstSpacing = 0.3f;
+    Renderer renderer(*scene, params, makeGaussianEnhancer(1), nullptr);
+    while (renderer.passesDone() < 4) renderer.step();
+    const size_t before = mallinfo2().uordblks;
+    while (renderer.passesDone() < 16) renderer.step();
+    const size_t after = mallinfo2().uordblks;
+    // One map of 32x32 takes 12 KiB; a pass here has hundreds.
+    EXPECT_LT(double(after), double(before) + 64 * 1024);
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,74 @@
+// A scene text, ready to trace, and estimates of its pictures by the ways that must agree.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "cache/indirect_pass.h"
+#include "pbrt/scene_file.h"
+#include "z_test.h"
+
+namespace drc::test {
+
+struct Pipeline {
+    explicit Pipeline(const std::string& text)
+        : scene(pbrt::loadPbrtString(text)), accel(*scene), lights(*scene), tracer(*scene, accel, lights) {}
+
+    int pixels() const { return int(scene->settings.region().count()); }
+    // Camera ray `i` of a pixel, from a sampler that then goes on with the path.
+    Ray cameraRay(int pixel, Sampler& sampler) const {
+        const PixelRegion region = scene->settings.region();
+        const Vec2 u = sampler.get2D();
+        const Vec2 film(float(region.x0 + pixel % region.width()) + u.x, float(region.y0 + pixel / region.width()) + u.y);
+        const Vec2 uLens = sampler.get2D();
+        return scene->camera->generateRay(film, uLens, sampler.get1D());
+    }
+    static Sampler sampler(uint64_t stream, int pixel, int i) {
+        return Sampler(hashCombine(stream, uint64_t(pixel)), uint32_t(i));
+    }
+
+    Rgb path(int pixel, int i) const {
+        Sampler s = sampler(1, pixel, i);
+        const Ray ray = cameraRay(pixel, s);
+        return tracer.radiance(ray, s);
+    }
+    Rgb direct(int pixel, int i) const {
+        Sampler s = sampler(2, pixel, i);
+        const Ray ray = cameraRay(pixel, s);
+        return tracer.direct(ray, s);
+    }
+    Rgb tracedIndirect(int pixel, int i) const {
+        Sampler s = sampler(3, pixel, i);
+        const Ray ray = cameraRay(pixel, s);
+        PrimaryHit hit;
+        if (!tracer.primaryHit(ray, s, hit)) return Rgb(0.f);
+        return hit.throughput * tracer.indirect(hit, s);
+    }
+    // The indirect layer by radiance maps: the mean and variance over independent passes of the same spacing.
+    Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing, int passes) const {
+        const PixelRegion region = scene->settings.region();
+        std::vector<std::vector<Rgb>> values(size_t(passes), std::vector<Rgb>(region.count()));
+        for (int pass = 0; pass < passes; ++pass) {
+            IndirectPass indirect(tracer, enhancer, settings, nullptr);
+            indirect.run(pass, spacing, [&](int x, int y, const Rgb& value, float weight) {
+                values[size_t(pass)][region.index(x, y)] = value * weight;
+            });
+        }
+        return estimate(int(region.count()), passes, 1, [&](int pixel, int i) { return values[size_t(i)][size_t(pixel)]; });
+    }
+
+    std::unique_ptr<Scene> scene;
+    Accel accel;
+    LightSampler lights;
+    PathTracer tracer;
+};
+
+// Sum of two independent estimates.
+inline Estimate operator+(Estimate a, const Estimate& b) {
+    for (size_t i = 0; i < a.mean.size(); ++i) {
+        a.mean[i] += b.mean[i];
+        a.variance[i] += b.variance[i];
+    }
+    return a;
+}
+
+}  // namespace drc::test

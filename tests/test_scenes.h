@@ -1,0 +1,72 @@
+// Small scenes that the tests of the whole pipeline share, as pbrt-v3 text.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace drc::test {
+
+// Materials that cover every lobe, by name, as pbrt-v3 statements.
+inline std::vector<std::pair<std::string, std::string>> allMaterials() {
+    return {
+        {"matte", R"(Material "matte" "rgb Kd" [0.7 0.4 0.3])"},
+        {"oren_nayar", R"(Material "matte" "rgb Kd" [0.6 0.6 0.5] "float sigma" 40)"},
+        {"plastic", R"(Material "plastic" "rgb Kd" [0.2 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.15)"},
+        {"metal", R"(Material "metal" "float roughness" 0.1)"},
+        {"mirror", R"(Material "mirror" "rgb Kr" [0.8 0.9 0.8])"},
+        {"glass", R"(Material "glass" "float index" 1.5)"},
+        {"rough_glass", R"(Material "glass" "float index" 1.5 "float uroughness" 0.3 "float vroughness" 0.3)"},
+        {"uber", R"(Material "uber" "rgb Kd" [0.3 0.2 0.4] "rgb Ks" [0.2 0.2 0.2] "rgb Kr" [0.3 0.3 0.3]
+                    "rgb opacity" [0.6 0.7 0.8] "float roughness" 0.2)"},
+        {"uber_transmission", R"(Material "uber" "rgb Kd" [0.3 0.3 0.3] "rgb Ks" [0 0 0] "rgb Kt" [0.5 0.5 0.5])"},
+        {"substrate", R"(Material "substrate" "rgb Kd" [0.4 0.3 0.2] "rgb Ks" [0.2 0.2 0.2]
+                         "float uroughness" 0.1 "float vroughness" 0.2)"},
+        {"translucent", R"(Material "translucent" "rgb Kd" [0.4 0.4 0.3] "rgb Ks" [0.2 0.2 0.2] "float roughness" 0.3
+                           "rgb reflect" [0.5 0.5 0.5] "rgb transmit" [0.5 0.5 0.5])"},
+        {"mix", R"(MakeNamedMaterial "a" "string type" "mirror" "rgb Kr" [0.9 0.9 0.9]
+                   MakeNamedMaterial "b" "string type" "matte" "rgb Kd" [0.5 0.2 0.2]
+                   Material "mix" "string namedmaterial1" "a" "string namedmaterial2" "b" "rgb amount" [0.3 0.3 0.3])"},
+    };
+}
+
+inline std::string quad(const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
+    return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [" + a + " " + b + " " + c + " " + d + "]\n";
+}
+
+// A closed room [-2,2]x[-2,2]x[0,3] (z up) with grey and coloured walls, an area light below the ceiling, a mirror on
+// one wall that shows it, and a quad of `material` on its back and a ball of it, seen by the camera. width x height
+// pixels.
+inline std::string room(const std::string& material, int width, int height) {
+    const std::string size = "\"integer xresolution\" " + std::to_string(width) + " \"integer yresolution\" " +
+                             std::to_string(height);
+    return "LookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70\nFilm \"image\" " + size +
+           "\nIntegrator \"path\"\nWorldBegin\n"
+           "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]\n" +
+           quad("-2 -2 0", "2 -2 0", "2 2 0", "-2 2 0") + quad("-2 -2 3", "-2 2 3", "2 2 3", "2 -2 3") +
+           quad("-2 2 0", "2 2 0", "2 2 3", "-2 2 3") + quad("-2 -2 0", "-2 -2 3", "2 -2 3", "2 -2 0") +
+           "Material \"matte\" \"rgb Kd\" [0.7 0.2 0.1]\n" + quad("-2 -2 0", "-2 2 0", "-2 2 3", "-2 -2 3") +
+           "Material \"matte\" \"rgb Kd\" [0.1 0.3 0.7]\n" + quad("2 -2 0", "2 -2 3", "2 2 3", "2 2 0") +
+           "Material \"mirror\" \"rgb Kr\" [0.8 0.8 0.8]\n" + quad("1.99 0 1", "1.99 0 2", "1.99 1 2", "1.99 1 1") +
+           "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\nAreaLightSource \"diffuse\" \"rgb L\" [8 7 6]\n" +
+           quad("-0.5 -0.5 2.9", "-0.5 0.5 2.9", "0.5 0.5 2.9", "0.5 -0.5 2.9") + "AttributeEnd\n" + material + "\n" +
+           quad("-1.2 0.6 0.1", "1.2 0.6 0.1", "1.2 0.9 1.6", "-1.2 0.9 1.6") +
+           "AttributeBegin\nTranslate 0.5 -0.4 0.5\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd\nWorldEnd\n";
+}
+
+// A white furnace: a closed box whose walls emit 1 - albedo and reflect albedo, with a ball of the same inside it.
+// Radiance is 1 everywhere, in every direction.
+inline std::string furnace(float albedo, int width, int height) {
+    const auto number = [](float x) { return std::to_string(x); };
+    const std::string a = number(albedo), e = number(1 - albedo);
+    const std::string size = "\"integer xresolution\" " + std::to_string(width) + " \"integer yresolution\" " +
+                             std::to_string(height);
+    return "LookAt 0 -1.9 0.3  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" 80\nFilm \"image\" " + size +
+           "\nWorldBegin\nMaterial \"matte\" \"rgb Kd\" [" + a + " " + a + " " + a +
+           "]\nAreaLightSource \"diffuse\" \"rgb L\" [" + e + " " + e + " " + e + "] \"bool twosided\" \"true\"\n" +
+           quad("-2 -2 -2", "2 -2 -2", "2 2 -2", "-2 2 -2") + quad("-2 -2 2", "-2 2 2", "2 2 2", "2 -2 2") +
+           quad("-2 2 -2", "2 2 -2", "2 2 2", "-2 2 2") + quad("-2 -2 -2", "-2 -2 2", "2 -2 2", "2 -2 -2") +
+           quad("-2 -2 -2", "-2 2 -2", "-2 2 2", "-2 -2 2") + quad("2 -2 -2", "2 -2 2", "2 2 2", "2 2 -2") +
+           "Shape \"sphere\" \"float radius\" 0.8\nWorldEnd\n";
+}
+
+}  // namespace drc::test

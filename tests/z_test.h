@@ -1,0 +1,78 @@
+// Whether two pictures whose pixels are means of independent samples have the same expectation.
+#pragma once
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "base/parallel.h"
+#include "math/vec.h"
+
+namespace drc::test {
+
+// Mean and variance of the mean for each pixel and channel.
+struct Estimate {
+    std::vector<double> mean, variance;   // [pixels * 3]
+};
+
+// Runs sample(pixel, i) for i in [0, samples) at every pixel. `groups` consecutive samples are averaged before the
+// variance is taken, so that samples that are stratified among themselves are judged by what they achieve.
+inline Estimate estimate(int pixels, int samples, int group, const std::function<Rgb(int pixel, int i)>& sample) {
+    Estimate e;
+    e.mean.resize(size_t(pixels) * 3);
+    e.variance.resize(size_t(pixels) * 3);
+    parallelFor(0, pixels, 1, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) {
+            double sum[3] = {}, squares[3] = {};
+            const int groups = samples / group;
+            for (int g = 0; g < groups; ++g) {
+                Rgb mean(0.f);
+                for (int i = 0; i < group; ++i) mean += sample(p, g * group + i) * (1.f / float(group));
+                for (int c = 0; c < 3; ++c) {
+                    sum[c] += mean[c];
+                    squares[c] += double(mean[c]) * mean[c];
+                }
+            }
+            for (int c = 0; c < 3; ++c) {
+                const double m = sum[c] / groups;
+                e.mean[size_t(p * 3 + c)] = m;
+                e.variance[size_t(p * 3 + c)] = std::max(0.0, squares[c] / groups - m * m) / (groups - 1);
+            }
+        }
+    });
+    return e;
+}
+
+struct ZResult {
+    double worst = 0;            // largest |z| of a pixel and channel
+    double meanSquare = 0;       // of z: 1 if the variances are right and the expectations the same
+    double meanDifference = 0;   // of the whole picture, in standard deviations
+    double bound = 0;            // for `worst` and `meanDifference`: exceeded by chance in one run of a thousand
+    int tests = 0;
+};
+
+inline ZResult zTest(const Estimate& a, const Estimate& b) {
+    ZResult r;
+    double difference = 0, variance = 0;
+    for (size_t i = 0; i < a.mean.size(); ++i) {
+        const double v = a.variance[i] + b.variance[i], d = a.mean[i] - b.mean[i];
+        difference += d;
+        variance += v;
+        if (v <= 1e-14) continue;
+        const double z = d / std::sqrt(v);
+        r.worst = std::max(r.worst, std::abs(z));
+        r.meanSquare += z * z;
+        ++r.tests;
+    }
+    r.meanSquare /= std::max(1, r.tests);
+    r.meanDifference = variance > 0 ? std::abs(difference) / std::sqrt(variance) : 0;
+    // Sidak's correction, by the normal tail's asymptote: P(|z| > x) = sqrt(2 / pi) exp(-x^2 / 2) / x. Channels of a
+    // pixel are correlated, which only makes the bound more generous.
+    const double p = 1e-3 / std::max(1, r.tests);
+    double x = 3;
+    for (int k = 0; k < 50; ++k) x = std::sqrt(-2 * std::log(p * x * std::sqrt(std::numbers::pi / 2)));
+    r.bound = x;
+    return r;
+}
+
+}  // namespace drc::test

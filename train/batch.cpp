@@ -1,0 +1,97 @@
+#include "batch.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/error.h"
+#include "neural/transforms.h"
+
+namespace drc {
+namespace {
+
+// A stateless random number: Steele et al., "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014.
+uint64_t splitMix(uint64_t x) {
+    x += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+}
+
+Batch emptyBatch(int64_t count, int64_t size) {
+    Batch batch;
+    batch.input = torch::empty({count, kInputPlanes, size, size});
+    batch.target = torch::empty({count, kOutputPlanes, size, size});
+    batch.targetMean = torch::empty({count});
+    return batch;
+}
+
+void encode(const Example& example, TargetMean which, int64_t slot, Batch& batch) {
+    const size_t texels = size_t(example.size) * example.size;
+    float mean = encodeInput(example.radiance.data(), example.normal.data(), example.distance.data(), texels,
+                             batch.input.data_ptr<float>() + slot * int64_t(kInputPlanes * texels));
+    if (which == TargetMean::Own) mean = meanRadiance(example.target.data(), example.target.size());
+    encodeTarget(example.target.data(), example.target.size(), mean,
+                 batch.target.data_ptr<float>() + slot * int64_t(kOutputPlanes * texels));
+    batch.targetMean.data_ptr<float>()[slot] = mean;
+}
+
+}  // namespace
+
+TargetMean parseTargetMean(const std::string& name) {
+    if (name == "own") return TargetMean::Own;
+    if (name == "input") return TargetMean::Input;
+    throw Error("--target-mean is 'own' or 'input', not '" + name + "'");
+}
+
+std::string targetMeanName(TargetMean mean) { return mean == TargetMean::Own ? "own" : "input"; }
+
+TrainingBatches::TrainingBatches(const Dataset& dataset, std::vector<size_t> indices, int batch, uint64_t seed,
+                                 TargetMean mean)
+    : dataset_(dataset), indices_(std::move(indices)), batch_(batch), seed_(splitMix(seed)), mean_(mean) {}
+
+void TrainingBatches::shuffle(int64_t epoch) {
+    if (epoch == epoch_) return;
+    epoch_ = epoch;
+    // Sorted by random keys: the same order with every standard library, unlike std::shuffle.
+    std::vector<std::pair<uint64_t, size_t>> keys;
+    for (size_t i : indices_) keys.emplace_back(splitMix(seed_ ^ splitMix(uint64_t(epoch)) ^ (i << 20)), i);
+    std::sort(keys.begin(), keys.end());
+    order_.clear();
+    for (const auto& key : keys) order_.push_back(key.second);
+}
+
+Batch TrainingBatches::draw(int64_t step) {
+    Batch batch = emptyBatch(batch_, dataset_.mapSize());
+    Example source, changed;
+    for (int slot = 0; slot < batch_; ++slot) {
+        const auto draw = uint64_t(step) * uint64_t(batch_) + uint64_t(slot);
+        shuffle(int64_t(draw / indices_.size()));
+        const size_t i = order_[draw % order_.size()];
+        const uint64_t bits = splitMix(seed_ + draw);
+        dataset_.load(i, int((bits >> 32) % uint64_t(dataset_.realisations(i))), source);
+        Augmentation::random(dataset_.projection(), bits).apply(source, changed);
+        encode(changed, mean_, slot, batch);
+    }
+    return batch;
+}
+
+Batch plainBatch(const Dataset& dataset, const std::vector<size_t>& indices, size_t first, size_t count,
+                 TargetMean mean) {
+    const int64_t size = dataset.mapSize();
+    Batch batch = emptyBatch(int64_t(count), size);
+    batch.radiance = torch::empty({int64_t(count), 3, size, size});
+    batch.clean = torch::empty_like(batch.radiance);
+    Example example;
+    for (size_t k = 0; k < count; ++k) {
+        dataset.load(indices[first + k], 0, example);
+        encode(example, mean, int64_t(k), batch);
+        const auto copy = [&](const std::vector<float>& from, torch::Tensor& to) {
+            std::copy(from.begin(), from.end(), to.data_ptr<float>() + int64_t(k * from.size()));
+        };
+        copy(example.radiance, batch.radiance);
+        copy(example.target, batch.clean);
+    }
+    return batch;
+}
+
+}  // namespace drc

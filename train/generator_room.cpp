@@ -1,0 +1,407 @@
+#include "generator_room.h"
+
+#include <algorithm>
+
+namespace drc::interior {
+namespace {
+
+constexpr float kDoorHeight = 2.05f;
+constexpr float kCorridorSide = 0.7f;
+
+Wall makeWall(const Vec2& a, const Vec2& b, int material) {
+    Wall w;
+    const Vec2 d = b - a;
+    w.length = std::abs(d.x) + std::abs(d.y);
+    // Walls run along the axes: exact directions keep corners closed.
+    w.frame = {Vec3(a.x, a.y, 0), d.x > 0 ? 1.f : d.x < 0 ? -1.f : 0.f, d.y > 0 ? 1.f : d.y < 0 ? -1.f : 0.f};
+    w.material = material;
+    return w;
+}
+
+// A wall piece that faces the room (+y), or away from it.
+void wallQuad(const Pen& pen, float u0, float u1, float z0, float z1, float y, int material, bool intoRoom = true) {
+    if (intoRoom) {
+        pen.quad({u1, y, z0}, {u0, y, z0}, {u0, y, z1}, {u1, y, z1}, material);
+    } else {
+        pen.quad({u0, y, z0}, {u1, y, z0}, {u1, y, z1}, {u0, y, z1}, material);
+    }
+}
+
+// The wall around its openings: a grid of cells whose lines are the openings' edges.
+void perforatedWall(const Pen& pen, const std::vector<Opening>& openings, float u0, float u1, float z0, float z1,
+                    float y, int material, bool intoRoom) {
+    std::vector<float> us{u0, u1}, zs{z0, z1};
+    for (const Opening& o : openings) {
+        us.insert(us.end(), {o.u0, o.u1});
+        zs.insert(zs.end(), {o.z0, o.z1});
+    }
+    for (auto* v : {&us, &zs}) {
+        std::sort(v->begin(), v->end());
+        v->erase(std::unique(v->begin(), v->end()), v->end());
+    }
+    for (size_t i = 0; i + 1 < us.size(); ++i) {
+        for (size_t j = 0; j + 1 < zs.size(); ++j) {
+            const float u = (us[i] + us[i + 1]) / 2, z = (zs[j] + zs[j + 1]) / 2;
+            const bool open = std::any_of(openings.begin(), openings.end(), [&](const Opening& o) {
+                return u > o.u0 && u < o.u1 && z > o.z0 && z < o.z1;
+            });
+            if (!open) wallQuad(pen, us[i], us[i + 1], zs[j], zs[j + 1], y, material, intoRoom);
+        }
+    }
+}
+
+// The four sides of a hole through the wall, facing its inside.
+void reveal(const Pen& pen, const Opening& o, int sides, int floor) {
+    const float d = -o.depth;
+    pen.quad({o.u0, d, o.z0}, {o.u1, d, o.z0}, {o.u1, 0, o.z0}, {o.u0, 0, o.z0}, floor);
+    pen.quad({o.u0, 0, o.z1}, {o.u1, 0, o.z1}, {o.u1, d, o.z1}, {o.u0, d, o.z1}, sides);
+    pen.quad({o.u0, d, o.z0}, {o.u0, 0, o.z0}, {o.u0, 0, o.z1}, {o.u0, d, o.z1}, sides);
+    pen.quad({o.u1, 0, o.z0}, {o.u1, d, o.z0}, {o.u1, d, o.z1}, {o.u1, 0, o.z1}, sides);
+}
+
+void windowFrame(const Pen& pen, const Opening& o, Rng& rng, const Palette& palette, bool pane) {
+    const float w = rng.uniform(0.03f, 0.07f);
+    const float y0 = -o.depth * 0.5f - 0.025f, y1 = y0 + 0.05f;
+    const int m = palette.trim;
+    pen.box({o.u0, y0, o.z0}, {o.u1, y1, o.z0 + w}, m);
+    pen.box({o.u0, y0, o.z1 - w}, {o.u1, y1, o.z1}, m);
+    pen.box({o.u0, y0, o.z0 + w}, {o.u0 + w, y1, o.z1 - w}, m);
+    pen.box({o.u1 - w, y0, o.z0 + w}, {o.u1, y1, o.z1 - w}, m);
+    const int columns = std::max(1, static_cast<int>(std::lround((o.u1 - o.u0) / rng.uniform(0.4f, 1.2f))));
+    for (int i = 1; i < columns; ++i) {
+        const float u = lerp(static_cast<float>(i) / static_cast<float>(columns), o.u0, o.u1);
+        pen.box({u - w / 3, y0 + 0.01f, o.z0 + w}, {u + w / 3, y1 - 0.01f, o.z1 - w}, m);
+    }
+    if (rng.chance(0.5f)) {
+        const float z = lerp(rng.uniform(0.4f, 0.75f), o.z0, o.z1);
+        pen.box({o.u0 + w, y0 + 0.012f, z - w / 3}, {o.u1 - w, y1 - 0.012f, z + w / 3}, m);
+    }
+    if (pane) {
+        const float y = (y0 + y1) / 2;
+        const size_t solids = pen.draft().solids.size();
+        pen.box({o.u0 + w * 0.8f, y - 0.003f, o.z0 + w * 0.8f}, {o.u1 - w * 0.8f, y + 0.003f, o.z1 - w * 0.8f},
+                palette.pane);
+        pen.draft().solids.resize(solids);  // one sees through it
+    }
+    // A sill that juts into the room.
+    if (rng.chance(0.6f) && o.z0 > 0.2f)
+        pen.box({o.u0 - 0.04f, -0.01f, o.z0 - 0.03f}, {o.u1 + 0.04f, rng.uniform(0.04f, 0.2f), o.z0}, m);
+}
+
+void corridor(const Pen& pen, const Opening& o, Rng& rng, const Palette& palette, int group) {
+    const float y0 = -o.depth - rng.uniform(1.2f, 2), y1 = -o.depth;
+    const float u0 = o.u0 - kCorridorSide + 0.1f, u1 = o.u1 + kCorridorSide - 0.1f, top = kDoorHeight + 0.35f;
+    const int m = palette.accentWall;
+    perforatedWall(pen, {o}, u0, u1, 0, top, y1, m, false);
+    wallQuad(pen, u0, u1, 0, top, y0, m);
+    pen.quad({u0, y0, 0}, {u1, y0, 0}, {u1, y1, 0}, {u0, y1, 0}, palette.floor);
+    pen.quad({u0, y1, top}, {u1, y1, top}, {u1, y0, top}, {u0, y0, top}, palette.ceiling);
+    pen.quad({u0, y0, 0}, {u0, y1, 0}, {u0, y1, top}, {u0, y0, top}, m);
+    pen.quad({u1, y1, 0}, {u1, y0, 0}, {u1, y0, top}, {u1, y1, top}, m);
+    const float s = rng.uniform(0.1f, 0.3f);
+    pen.quadLight({(u0 + u1) / 2, (y0 + y1) / 2, top - 0.02f}, {0, s, 0}, {s, 0, 0}, group, palette.lightBody);
+    pen.draft().freeVolumes.push_back({pen.frame(), {u0, y0, 0}, {u1, y1, top}});
+    // The leaf swings away from the room, about the near edge of the door frame.
+    const float angle = rng.uniform(0.25f, 1.2f);
+    const Pen leaf = pen.inner({o.u0 + 0.01f, y1 - 0.01f, 0}, -angle);
+    leaf.box({0, -0.04f, 0.01f}, {o.u1 - o.u0 - 0.03f, 0, o.z1 - 0.01f}, palette.trim);
+}
+
+void chooseOpenings(Room& room, Rng& rng, bool sky) {
+    const auto cut = [&](Wall& wall, OpeningKind kind, float width, float z0, float z1, float depth, float margin) {
+        if (z1 > room.eaves - 0.05f || width > wall.length - 2 * margin) return false;
+        const auto u = wall.reserve(rng, width, z0, z1, margin);
+        if (u) wall.openings.push_back({kind, *u, *u + width, z0, z1, depth});
+        return u.has_value();
+    };
+    const auto anyWall = [&]() -> Wall& {
+        return room.walls[static_cast<size_t>(rng.integer(0, static_cast<int>(room.walls.size()) - 1))];
+    };
+    if (rng.chance(0.45f)) {
+        Wall& w = anyWall();
+        if (!w.reentrant)
+            cut(w, OpeningKind::DoorAjar, rng.uniform(0.75f, 0.95f), 0, kDoorHeight, rng.uniform(0.1f, 0.25f),
+                kCorridorSide + 0.05f);
+    }
+    if (rng.chance(0.25f)) {
+        Wall& w = anyWall();
+        if (!w.reentrant) {
+            const float top = rng.uniform(1.9f, 2.6f);
+            cut(w, OpeningKind::Alcove, rng.uniform(0.8f, 2.2f), 0, std::min(top, room.eaves - 0.1f),
+                rng.uniform(0.4f, 1.5f), kCorridorSide);
+        }
+    }
+    const int windows = rng.integer(0, 4);
+    for (int i = 0; i < windows; ++i) {
+        Wall& w = anyWall();
+        const bool tall = rng.chance(0.3f);
+        const float z0 = tall ? rng.uniform(0.02f, 0.2f) : rng.uniform(0.5f, 1.3f);
+        const float z1 = std::min(room.eaves - 0.1f, z0 + (tall ? rng.uniform(1.8f, 2.6f) : rng.uniform(0.5f, 1.6f)));
+        cut(w, sky ? OpeningKind::Sky : OpeningKind::LightPanel, rng.uniform(0.4f, 2.6f), z0, z1,
+            rng.uniform(0.12f, 0.45f), 0.2f);
+    }
+    for (int i = rng.integer(0, 2); i > 0; --i) {
+        const float z0 = rng.uniform(0.6f, 1.3f);
+        cut(anyWall(), OpeningKind::Niche, rng.uniform(0.3f, 1.5f), z0, z0 + rng.uniform(0.25f, 1.0f),
+            rng.uniform(0.1f, 0.35f), 0.4f);
+    }
+}
+
+void buildOpening(const Wall& wall, const Opening& o, Draft& draft, Rng& rng, const Palette& palette, ShellLight& light,
+                  int& groups) {
+    const Pen pen(draft, wall.frame);
+    const bool toFloor = o.z0 == 0;
+    reveal(pen, o, o.kind == OpeningKind::Niche ? palette.accentWall : wall.material,
+           toFloor ? palette.floor : palette.trim);
+    draft.freeVolumes.push_back({wall.frame, {o.u0, -o.depth - 0.001f, o.z0}, {o.u1, 0, o.z1}});
+    const auto group = [&](int& g) { return g >= 0 ? g : (g = groups++); };
+    switch (o.kind) {
+        case OpeningKind::Sky:
+            windowFrame(pen, o, rng, palette, rng.chance(0.2f));
+            light.skyArea += (o.u1 - o.u0) * (o.z1 - o.z0);
+            light.skyWindowOut = wall.frame.vector({0, -1, 0});
+            break;
+        case OpeningKind::LightPanel:
+            windowFrame(pen, o, rng, palette, rng.chance(0.15f));
+            pen.quadLight({(o.u0 + o.u1) / 2, -o.depth, (o.z0 + o.z1) / 2}, {0, 0, (o.z1 - o.z0) / 2},
+                          {(o.u1 - o.u0) / 2, 0, 0}, group(light.panelGroup), palette.lightBody);
+            break;
+        case OpeningKind::Niche: {
+            wallQuad(pen, o.u0, o.u1, o.z0, o.z1, -o.depth, palette.accentWall);
+            pen.surface({(o.u0 + o.u1) / 2, -o.depth / 2, o.z0}, (o.u1 - o.u0) / 2 - 0.02f, o.depth / 2 - 0.02f,
+                        o.z1 - o.z0 - 0.06f);
+            if (rng.chance(0.5f)) {
+                pen.quadLight({(o.u0 + o.u1) / 2, -o.depth / 2, o.z1 - 0.01f}, {0, o.depth * 0.3f, 0},
+                              {(o.u1 - o.u0) * 0.35f, 0, 0}, group(light.nicheGroup), palette.lightBody);
+            }
+            break;
+        }
+        case OpeningKind::Alcove:
+            wallQuad(pen, o.u0, o.u1, o.z0, o.z1, -o.depth, palette.accentWall);
+            break;
+        case OpeningKind::DoorAjar:
+            corridor(pen, o, rng, palette, group(light.corridorGroup));
+            break;
+    }
+}
+
+// Floor and ceiling reach a little beyond the walls: no ray slips through the seam.
+void floorAndCeiling(const Room& room, const Pen& pen, const Palette& palette) {
+    constexpr float kLap = 0.02f;
+    for (const Room::Rect& r : room.rects) {
+        const float x0 = r.x0 - kLap, x1 = r.x1 + kLap, y0 = r.y0 - kLap, y1 = r.y1 + kLap;
+        pen.quad({x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}, palette.floor);
+        std::vector<float> xs{x0, x1};
+        const float ridge = room.width / 2;
+        if (room.ceiling == CeilingKind::Gable && ridge > x0 && ridge < x1) xs.insert(xs.begin() + 1, ridge);
+        for (size_t i = 0; i + 1 < xs.size(); ++i) {
+            const float a = xs[i], b = xs[i + 1], za = room.ceilingAt(a), zb = room.ceilingAt(b);
+            pen.quad({a, y1, za}, {b, y1, zb}, {b, y0, zb}, {a, y0, za}, palette.ceiling);
+        }
+    }
+}
+
+// What the wall needs above the eaves, under a slanted ceiling.
+void gableEnd(const Room& room, const Wall& wall, const Pen& pen) {
+    if (room.ceiling == CeilingKind::Flat) return;
+    std::vector<float> us{0, wall.length};
+    if (wall.frame.cosYaw != 0 && room.ceiling == CeilingKind::Gable) {
+        const float u = (room.width / 2 - wall.frame.origin.x) * wall.frame.cosYaw;
+        if (u > 0 && u < wall.length) us.insert(us.begin() + 1, u);
+    }
+    for (size_t i = 0; i + 1 < us.size(); ++i) {
+        const float a = us[i], b = us[i + 1];
+        const float za = room.ceilingAt(wall.frame.point({a, 0, 0}).x),
+                    zb = room.ceilingAt(wall.frame.point({b, 0, 0}).x);
+        // A triangle where the ceiling meets the eaves.
+        if (zb - room.eaves < 1e-4f && za - room.eaves < 1e-4f) continue;
+        if (za - room.eaves < 1e-4f) {
+            pen.triangle({b, 0, room.eaves}, {a, 0, room.eaves}, {b, 0, zb}, wall.material);
+        } else if (zb - room.eaves < 1e-4f) {
+            pen.triangle({b, 0, room.eaves}, {a, 0, room.eaves}, {a, 0, za}, wall.material);
+        } else {
+            pen.quad({b, 0, room.eaves}, {a, 0, room.eaves}, {a, 0, za}, {b, 0, zb}, wall.material);
+        }
+    }
+}
+
+void skirting(const Room& room, Draft& draft, Rng& rng, const Palette& palette) {
+    const float height = rng.uniform(0.05f, 0.16f), thickness = rng.uniform(0.008f, 0.02f);
+    for (const Wall& w : room.walls) {
+        if (std::any_of(w.openings.begin(), w.openings.end(), [&](const Opening& o) { return o.z0 < height; }))
+            continue;
+        Pen(draft, w.frame).box({0, -0.001f, -0.001f}, {w.length, thickness, height}, palette.trim);
+    }
+}
+
+void pillarsAndBeams(const Room& room, Draft& draft, Rng& rng, const Palette& palette) {
+    const Pen pen(draft, {});
+    const int material = rng.chance(0.5f) ? palette.wall : rng.pick(palette.furniture);
+    if (rng.chance(0.25f)) {
+        for (int i = rng.integer(1, 4); i > 0; --i) {
+            const float x = rng.uniform(0.4f, room.width - 0.4f), y = rng.uniform(0.4f, room.depth - 0.4f),
+                        r = rng.uniform(0.1f, 0.25f);
+            if (!room.contains(x, y, r + 0.3f)) continue;
+            const float top = room.ceilingAt(x) + (room.rise > 0 ? 0.3f : 0);
+            if (rng.chance(0.5f)) {
+                pen.box({x - r, y - r, 0}, {x + r, y + r, top}, material);
+            } else {
+                pen.cylinder({x, y, 0}, r, top, material);
+            }
+            draft.footprints.push_back({{}, {x - r, y - r, 0}, {x + r, y + r, top}});
+        }
+    }
+    if (room.ceiling == CeilingKind::Flat && rng.chance(0.2f)) {
+        const int count = rng.integer(2, 6);
+        for (int i = 0; i < count; ++i) {
+            const float y = room.depth * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+            pen.box({-0.01f, y - 0.08f, room.eaves - 0.2f}, {room.width + 0.01f, y + 0.08f, room.eaves + 0.01f},
+                    material);
+        }
+    }
+}
+
+// What there is to see outside: ground, and at times a building across the street.
+void outside(const Room& room, Draft& draft, Rng& rng, const Palette& palette) {
+    const Pen pen(draft, {});
+    const float level = -rng.uniform(0.3f, 9);
+    const size_t solids = draft.solids.size();
+    pen.quad({-60, -60, level}, {60, -60, level}, {60, 60, level}, {-60, 60, level}, palette.ground);
+    for (const Wall& w : room.walls) {
+        if (!rng.chance(0.35f)) continue;
+        const float away = rng.uniform(4, 15), half = rng.uniform(2, 9);
+        Pen(draft, w.frame)
+            .box({w.length / 2 - half, -away - 3, level}, {w.length / 2 + half, -away, rng.uniform(1, 9)},
+                 palette.accentWall);
+    }
+    draft.solids.resize(solids);
+}
+
+}  // namespace
+
+bool Wall::isFree(const Use& use) const {
+    return std::none_of(uses.begin(), uses.end(),
+                        [&](const Use& o) { return use.u0 < o.u1 && o.u0 < use.u1 && use.z0 < o.z1 && o.z0 < use.z1; });
+}
+
+std::optional<float> Wall::reserve(Rng& rng, float width, float z0, float z1, float margin) {
+    if (width + 2 * margin > length) return {};
+    for (int attempt = 0; attempt < 12; ++attempt) {
+        const float u = rng.uniform(margin, length - width - margin);
+        if (!isFree({u - margin, u + width + margin, z0, z1})) continue;
+        uses.push_back({u, u + width, z0, z1});
+        return u;
+    }
+    return {};
+}
+
+float Room::ceilingAt(float x) const {
+    switch (ceiling) {
+        case CeilingKind::Flat:
+            return eaves;
+        case CeilingKind::Shed:
+            return eaves + rise * x / width;
+        case CeilingKind::Gable:
+            return eaves + rise * (1 - std::abs(2 * x / width - 1));
+    }
+    return eaves;
+}
+
+bool Room::contains(float x, float y, float margin) const {
+    for (const float dx : {-margin, margin}) {
+        for (const float dy : {-margin, margin}) {
+            const float px = x + dx, py = y + dy;
+            if (std::none_of(rects.begin(), rects.end(),
+                             [&](const Rect& r) { return px >= r.x0 && px <= r.x1 && py >= r.y0 && py <= r.y1; }))
+                return false;
+        }
+    }
+    return true;
+}
+
+float Room::floorArea() const {
+    float area = 0;
+    for (const Rect& r : rects) area += (r.x1 - r.x0) * (r.y1 - r.y0);
+    return area;
+}
+
+float Room::surfaceArea() const {
+    float area = 2 * floorArea();
+    for (const Wall& w : walls) area += w.length * (eaves + rise / 2);
+    return area;
+}
+
+float Room::hit(const Vec3& origin, const Vec3& direction) const {
+    float nearest = kInfinity;
+    const float top = eaves + rise / 2;
+    if (direction.z < -1e-6f) nearest = -origin.z / direction.z;
+    if (direction.z > 1e-6f) nearest = (top - origin.z) / direction.z;
+    for (const Wall& w : walls) {
+        const Vec3 o = w.frame.toLocal(origin);
+        const Vec3 d = w.frame.toLocal(w.frame.origin + direction);
+        if (d.y >= -1e-6f || o.y <= 0) continue;
+        const float t = -o.y / d.y, u = o.x + t * d.x;
+        if (u >= 0 && u <= w.length) nearest = std::min(nearest, t);
+    }
+    return nearest;
+}
+
+Room makeRoom(Rng& rng, const Palette& palette) {
+    Room r;
+    r.width = rng.uniform(2.5f, 7.5f);
+    r.depth = rng.uniform(2.5f, 7.5f);
+    if (rng.chance(0.15f)) r.depth = rng.uniform(7, 9);
+    if (rng.chance(0.1f)) r.width = 2.5f * rng.uniform(0.7f, 1);
+    r.eaves = rng.chance(0.75f) ? rng.uniform(2.3f, 3) : rng.uniform(3, 4.2f);
+    const float kind = rng.uniform();
+    if (kind > 0.7f) {
+        r.ceiling = kind > 0.85f ? CeilingKind::Gable : CeilingKind::Shed;
+        r.eaves = rng.uniform(2.2f, 2.7f);
+        r.rise = rng.uniform(0.3f, 1.8f);
+    }
+    std::vector<Vec2> plan;
+    const float w = r.width, d = r.depth;
+    const bool isL = w > 3.2f && d > 3.2f && rng.chance(0.5f);
+    if (isL) {
+        const float cw = w * rng.uniform(0.25f, 0.55f), cd = d * rng.uniform(0.25f, 0.55f);
+        plan = {{0, 0}, {w, 0}, {w, d - cd}, {w - cw, d - cd}, {w - cw, d}, {0, d}};
+        r.rects = {{0, 0, w, d - cd}, {0, d - cd, w - cw, d}};
+    } else {
+        plan = {{0, 0}, {w, 0}, {w, d}, {0, d}};
+        r.rects = {{0, 0, w, d}};
+    }
+    const bool accent = rng.chance(0.4f);
+    const int accentWall = rng.integer(0, static_cast<int>(plan.size()) - 1);
+    for (size_t i = 0; i < plan.size(); ++i) {
+        const int material = accent && static_cast<int>(i) == accentWall ? palette.accentWall : palette.wall;
+        r.walls.push_back(makeWall(plan[i], plan[(i + 1) % plan.size()], material));
+        r.walls.back().reentrant = isL && (i == 2 || i == 3);
+        // At the inner corner of an L a lap would stick out into the room.
+        r.walls.back().endLap = isL && i == 2 ? 0 : 0.02f;
+        r.walls.back().startLap = isL && i == 3 ? 0 : 0.02f;
+    }
+    return r;
+}
+
+ShellLight buildShell(Room& room, Draft& draft, Rng& rng, const Palette& palette, int& groups) {
+    ShellLight light;
+    const bool sky = rng.chance(0.6f);
+    chooseOpenings(room, rng, sky);
+    const Pen pen(draft, {});
+    floorAndCeiling(room, pen, palette);
+    for (const Room::Rect& r : room.rects) {
+        draft.freeVolumes.push_back({{}, {r.x0, r.y0, 0}, {r.x1, r.y1, room.eaves + room.rise}});
+    }
+    for (const Wall& w : room.walls) {
+        const Pen wallPen(draft, w.frame);
+        perforatedWall(wallPen, w.openings, -w.startLap, w.length + w.endLap, 0, room.eaves, 0, w.material, true);
+        gableEnd(room, w, wallPen);
+        for (const Opening& o : w.openings) buildOpening(w, o, draft, rng, palette, light, groups);
+    }
+    if (rng.chance(0.7f)) skirting(room, draft, rng, palette);
+    pillarsAndBeams(room, draft, rng, palette);
+    if (light.skyArea > 0) outside(room, draft, rng, palette);
+    return light;
+}
+
+}  // namespace drc::interior

@@ -1,0 +1,31 @@
+// The U-Net of neural/unet_shape.h as a libtorch module, and its weights as the renderer's.
+#pragma once
+#include <torch/torch.h>
+
+#include <memory>
+#include <vector>
+
+#include "neural/unet_weights.h"
+
+namespace drc {
+
+class ModelImpl : public torch::nn::Module {
+  public:
+    // He initialisation for LeakyReLU; the last layer starts near the mean of a target. Uses torch's global generator.
+    explicit ModelImpl(const UNetShape& shape);
+
+    // [B][7][S][S] -> [B][3][S][S]. Without the final ReLU while it learns: where a ReLU is closed nothing can be
+    // learnt, and as targets are never negative, closing it later only brings an output nearer to its target.
+    torch::Tensor forward(torch::Tensor x);
+
+    const UNetShape& shape() const { return shape_; }
+    void setWeights(const UNetWeights& weights);
+    std::shared_ptr<const UNetWeights> weights() const;
+
+  private:
+    UNetShape shape_;
+    std::vector<torch::nn::Conv2d> convs_;  // as shape_.convs()
+};
+TORCH_MODULE(Model);
+
+}  // namespace drc

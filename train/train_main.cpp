@@ -1,0 +1,225 @@
+// drc-train: learns the radiance-map network from shards of examples and writes the weights that drc loads.
+#include <fmt/core.h>
+#include <torch/torch.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "base/error.h"
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "dataset.h"
+#include "training.h"
+#include "validation.h"
+
+namespace drc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+    std::vector<std::string> data, validationScenes;
+    std::string output, curve, checkpoint, init, commit, command, targetMean = "own";
+    int width = 32, levels = 4, threads = 0;
+    int64_t reportEvery = 20000;
+    size_t validationExamples = 512;
+    double validationFraction = 0.1;
+    TrainingOptions training;
+};
+
+void parse(CLI::App& app, Options& o) {
+    app.description("Learns the network of Deep Radiance Caching from the shards that `drc reference` writes.");
+    app.footer(
+        "Example:\n"
+        "  drc-train --data data/train --examples 500000 --width 32 --output models/drc.safetensors \\\n"
+        "            --checkpoint out/train.ckpt --curve out/train.csv\n"
+        "An interrupted run goes on from its checkpoint when the same command is given again.\n"
+        "Where other programs use the processor too, set OMP_WAIT_POLICY=passive.");
+    TrainingOptions& t = o.training;
+    app.add_option("--data", o.data, "Directories of *.safetensors shards, or shards")->required();
+    app.add_option("-o,--output", o.output, "The weights file to write");
+    app.add_option("--init", o.init, "Weights to start from; with --examples 0 they are only evaluated");
+    app.add_option("--examples", t.examples, "Examples to draw in total")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
+    app.add_option("--batch", t.batch, "Examples a step")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--width", o.width, "Channels of the first level")->capture_default_str()->check(CLI::Range(1, 512));
+    app.add_option("--levels", o.levels, "Levels of the network")->capture_default_str()->check(CLI::Range(1, 6));
+    app.add_option("--lr", t.learningRate, "Peak learning rate")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--clip", t.clipNorm, "Largest norm of the gradient; 0: any")->capture_default_str();
+    app.add_option("--average", t.averageDecay, "Decay of the weights' running average")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--seed", t.seed, "Seed of all random numbers")->capture_default_str();
+    app.add_option("--target-mean", o.targetMean, "Whose mean scales a target")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"own", "input"}));
+    app.add_option("--validation-scenes", o.validationScenes, "Scenes to validate on (comma-separated)")
+        ->delimiter(',');
+    app.add_option("--validation-fraction", o.validationFraction,
+                   "Else the share of scenes, chosen by their names' hash")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 0.9));
+    app.add_option("--validation-examples", o.validationExamples, "At most so many, spread evenly")
+        ->capture_default_str();
+    app.add_option("--report-every", o.reportEvery, "Examples between two validations")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--curve", o.curve, "CSV file of the losses over time");
+    app.add_option("--checkpoint", o.checkpoint, "File to save the state to each minute, and to resume from");
+    app.add_option("--threads", o.threads, "Threads; 0: all")->capture_default_str()->check(CLI::NonNegativeNumber);
+    app.add_option("--commit", o.commit, "Commit of the source, noted in the weights");
+    app.add_flag("--bf16", t.bf16, "Train in bf16 where that is possible");
+}
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// An evenly spaced choice, as neighbours in a shard are alike.
+std::vector<size_t> thinned(const std::vector<size_t>& indices, size_t most) {
+    if (indices.size() <= most) return indices;
+    std::vector<size_t> some;
+    for (size_t i = 0; i < most; ++i) some.push_back(indices[i * indices.size() / most]);
+    return some;
+}
+
+// The curve of an interrupted run is continued: rows beyond the checkpoint are dropped.
+std::ofstream openCurve(const std::string& path, int64_t resumedAt) {
+    std::string kept = "examples,seconds,learning_rate,train_log_l1,val_log_l1,val_intensity_l1\n";
+    if (resumedAt > 0) {
+        std::ifstream old(path);
+        std::string line;
+        std::getline(old, line);
+        while (std::getline(old, line))
+            if (std::atoll(line.c_str()) <= resumedAt) kept += line + "\n";
+    }
+    std::ofstream out(path);
+    if (!out) throw Error(SourceLocation{path}, "cannot write");
+    out << kept;
+    return out;
+}
+
+void exportWeights(const Options& o, const Training& training, Model& model, const Dataset& dataset,
+                   const Validation& v) {
+    const StringMap provenance{{"projection", projectionName(dataset.projection())},
+                               {"target_mean", o.targetMean},
+                               {"data", fmt::format("{} examples of {} scenes, content {}", dataset.size(),
+                                                    dataset.scenes().size(), dataset.contentHash())},
+                               {"examples_drawn", std::to_string(training.done() * o.training.batch)},
+                               {"seed", std::to_string(o.training.seed)},
+                               {"validation", fmt::format("log L1 {:.5f}, noisy {:.5f}, Gaussian {:.5f}", v.network.log,
+                                                          v.none.log, v.gaussian.log)},
+                               {"command", o.command},
+                               {"commit", o.commit}};
+    model->weights()->save(o.output, provenance);
+    logInfo(fmt::format("wrote {}", o.output));
+}
+
+int run(Options o) {
+    o.training.targetMean = parseTargetMean(o.targetMean);
+    at::set_num_threads(o.threads > 0 ? o.threads : int(std::max(1u, std::thread::hardware_concurrency())));
+    if (o.output.empty() && o.training.examples > 0) throw Error("--output is missing: where to write the weights?");
+
+    const Dataset dataset(o.data);
+    const Split split = splitByScene(dataset, o.validationScenes, o.validationFraction);
+    const auto validation = thinned(split.validation, o.validationExamples);
+    logInfo(fmt::format("{} examples of {} scenes ({} shards skipped): {} to learn from, {} to validate on ({} used)",
+                        dataset.size(), dataset.scenes().size(), dataset.skippedShards(), split.training.size(),
+                        split.validation.size(), validation.size()));
+
+    UNetShape shape;
+    shape.width = o.width;
+    shape.levels = o.levels;
+    shape.size = dataset.mapSize();
+    std::shared_ptr<const UNetWeights> init;
+    if (!o.init.empty()) {
+        init = UNetWeights::load(o.init);
+        shape = init->shape();
+        if (shape.size != dataset.mapSize())
+            throw Error(SourceLocation{o.init}, fmt::format("for maps of {}x{}, the data have {}x{}", shape.size,
+                                                            shape.size, dataset.mapSize(), dataset.mapSize()));
+    }
+    if (shape.size % (1 << (shape.levels - 1)) != 0)
+        throw Error(
+            fmt::format("maps of {0}x{0} cannot be halved {1} times: lower --levels", shape.size, shape.levels - 1));
+    Training training(shape, dataset, split.training, o.training);
+    if (init) training.startFrom(*init);
+    if (!o.checkpoint.empty() && std::filesystem::exists(o.checkpoint)) {
+        training.load(o.checkpoint);
+        logInfo(fmt::format("resumed at example {}", training.done() * o.training.batch));
+    }
+
+    const auto check = [&] { return validate(training.average(), dataset, validation, o.training.targetMean); };
+    Validation v = check();
+    if (!validation.empty())
+        logInfo(fmt::format(
+            "validation, log L1 (intensity L1): noisy {:.4f} ({:.3f}), Gaussian {:.4f} ({:.3f}), "
+            "network {:.4f} ({:.3f})",
+            v.none.log, v.none.intensity, v.gaussian.log, v.gaussian.intensity, v.network.log, v.network.intensity));
+    if (o.training.examples == 0) {
+        if (!o.output.empty()) exportWeights(o, training, training.average(), dataset, v);
+        return 0;
+    }
+
+    std::ofstream curve;
+    if (!o.curve.empty()) curve = openCurve(o.curve, training.done() * o.training.batch);
+    installInterruptHandler();
+    const int64_t steps = o.training.steps(), reportSteps = std::max<int64_t>(1, o.reportEvery / o.training.batch);
+    const auto start = Clock::now();
+    auto lastSave = start;
+    double lossSum = 0, trainingSeconds = 0;
+    int64_t lossCount = 0, stepsHere = 0;
+    while (training.done() < steps && !interruptToken().cancelled()) {
+        const double rate = training.learningRate();
+        const auto stepStart = Clock::now();
+        lossSum += training.step();
+        trainingSeconds += secondsSince(stepStart);
+        ++lossCount, ++stepsHere;
+        if (training.done() % reportSteps == 0 || training.done() == steps) {
+            v = check();
+            const int64_t examples = training.done() * o.training.batch;
+            const double perSecond = double(stepsHere) * o.training.batch / trainingSeconds;
+            logInfo(
+                fmt::format("{:>9} examples, {:.0f}/s, {:.0f} min left: train {:.4f}, validation {:.4f} "
+                            "(noisy {:.4f}, Gaussian {:.4f}), intensity {:.3f} (noisy {:.3f}, Gaussian {:.3f})",
+                            examples, perSecond, double(steps - training.done()) * o.training.batch / perSecond / 60,
+                            lossSum / double(lossCount), v.network.log, v.none.log, v.gaussian.log, v.network.intensity,
+                            v.none.intensity, v.gaussian.intensity));
+            if (curve.is_open())
+                curve << fmt::format("{},{:.1f},{:.3g},{:.6f},{:.6f},{:.6f}\n", examples, secondsSince(start), rate,
+                                     lossSum / double(lossCount), v.network.log, v.network.intensity)
+                      << std::flush;
+            lossSum = 0, lossCount = 0;
+        }
+        if (!o.checkpoint.empty() && secondsSince(lastSave) >= 60) {
+            training.save(o.checkpoint);
+            lastSave = Clock::now();
+        }
+    }
+    if (!o.checkpoint.empty()) training.save(o.checkpoint);
+    if (interruptToken().cancelled()) {
+        logInfo(fmt::format("interrupted at example {}", training.done() * o.training.batch));
+        v = check();
+    }
+    exportWeights(o, training, training.average(), dataset, v);
+    return 0;
+}
+
+}  // namespace
+}  // namespace drc
+
+int main(int argc, char** argv) {
+    CLI::App app;
+    drc::Options options;
+    for (int i = 0; i < argc; ++i) options.command += (i ? " " : "") + std::string(i ? argv[i] : "drc-train");
+    drc::parse(app, options);
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return drc::run(options);
+    } catch (const std::exception& error) {
+        drc::logError(error.what());
+        return 1;
+    }
+}

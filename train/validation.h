@@ -1,0 +1,26 @@
+// How good a network is on examples it has not learnt from, and how good doing nothing or a blur would have been.
+#pragma once
+#include <torch/torch.h>
+
+#include "batch.h"
+#include "model.h"
+
+namespace drc {
+
+// Mean absolute errors. `log`: on the network's scale, which is what the training minimises. `intensity`: of the final
+// radiance, each map divided by its own mean (energy is matched after the network, so that only the shape counts).
+struct L1 {
+    double log = 0, intensity = 0;
+};
+
+struct Validation {
+    L1 network, none, gaussian;  // none: the noisy map as it is; gaussian: blurred, sigma 1 texel
+    size_t examples = 0;
+};
+
+Validation validate(Model& model, const Dataset& dataset, const std::vector<size_t>& indices, TargetMean mean);
+
+// Each channel blurred with a Gaussian of `sigma` texels; texels outside the map have no weight.
+torch::Tensor gaussianBlur(const torch::Tensor& maps, double sigma);
+
+}  // namespace drc
