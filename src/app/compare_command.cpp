@@ -82,9 +82,7 @@ void addCompareCommand(CLI::App& app) {
                       "Print one JSON object: ssim, flip, relmse, mse, l1, mean_ratio [R, G, B], png_kb [REF, TEST]");
     command->add_option("--diff", options->diff,
                         "Write a PNG: reference | test | 4 |difference| | red where brighter, blue where darker");
-    command
-        ->add_option("--exposure", options->exposure,
-                     "Stops by which both are brightened for SSIM, FLIP and PNGs")
+    command->add_option("--exposure", options->exposure, "Stops by which both are brightened for SSIM, FLIP and PNGs")
         ->capture_default_str()
         ->check(CLI::Range(-100.f, 100.f));
     command->footer(

@@ -1,4 +1,5 @@
-// Files that are either written whole or not at all: a crash, a full disk or Ctrl-C leaves the old file, if any, as it was.
+// Files that are either written whole or not at all: a crash, a full disk or Ctrl-C leaves the old file, if any, as it
+// was.
 #pragma once
 #include <string>
 #include <string_view>

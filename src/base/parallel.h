@@ -22,10 +22,10 @@ class CancelToken {
 void setThreadCount(int count);
 int threadCount();
 
-// Calls body(b, e) for the pieces [b, e) of [begin, end), in any order and on any thread. The pieces are begin + k * grain
-// to begin + (k + 1) * grain whatever the number of threads, so that results kept per piece do not depend on it. The
-// first exception that a body throws ends the loop and is thrown here. Loops may be nested. Once `cancel` is raised, no
-// further piece is begun.
+// Calls body(b, e) for the pieces [b, e) of [begin, end), in any order and on any thread. The pieces are begin + k *
+// grain to begin + (k + 1) * grain whatever the number of threads, so that results kept per piece do not depend on it.
+// The first exception that a body throws ends the loop and is thrown here. Loops may be nested. Once `cancel` is
+// raised, no further piece is begun.
 void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body,
                  const CancelToken* cancel = nullptr);
 

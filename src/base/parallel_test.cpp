@@ -41,7 +41,11 @@ TEST(Parallel, PiecesDoNotDependOnTheThreadCount) {
 }
 
 TEST(Parallel, ThrowsWhatTheBodyThrows) {
-    EXPECT_THROW(parallelFor(0, 100, 1, [](int b, int) { if (b == 42) throw Error("x"); }), Error);
+    EXPECT_THROW(parallelFor(0, 100, 1,
+                             [](int b, int) {
+                                 if (b == 42) throw Error("x");
+                             }),
+                 Error);
     EXPECT_THROW(parallelFor(0, 1, 1, [](int, int) { throw std::out_of_range("x"); }), std::out_of_range);
 }
 
@@ -57,7 +61,12 @@ TEST(Parallel, StopsWhenCancelled) {
     setThreadCount(1);
     CancelToken cancel;
     int calls = 0;
-    parallelFor(0, 100, 1, [&](int, int) { if (++calls == 3) cancel.cancel(); }, &cancel);
+    parallelFor(
+        0, 100, 1,
+        [&](int, int) {
+            if (++calls == 3) cancel.cancel();
+        },
+        &cancel);
     EXPECT_EQ(calls, 3);
     setThreadCount(0);
 }

@@ -11,7 +11,7 @@ namespace drc {
 namespace {
 
 constexpr int kBarWidth = 30;
-constexpr int64_t kBarInterval = 100'000'000;       // nanoseconds
+constexpr int64_t kBarInterval = 100'000'000;  // nanoseconds
 constexpr int64_t kLineInterval = 10'000'000'000;
 
 }  // namespace
@@ -25,7 +25,10 @@ std::string formatDuration(double seconds) {
 }
 
 Progress::Progress(std::string title, int64_t total, ProgressMode mode, std::ostream* out)
-    : title_(std::move(title)), total_(std::max<int64_t>(total, 0)), mode_(mode), out_(out ? out : &std::cerr),
+    : title_(std::move(title)),
+      total_(std::max<int64_t>(total, 0)),
+      mode_(mode),
+      out_(out ? out : &std::cerr),
       start_(Clock::now()) {
     if (mode_ == ProgressMode::Auto) mode_ = !out && isatty(STDERR_FILENO) ? ProgressMode::Bar : ProgressMode::Lines;
     // A job shorter than the interval prints no line until its end.

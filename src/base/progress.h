@@ -1,10 +1,10 @@
 // Shows how far a long job is, on standard error.
 #pragma once
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <iosfwd>
 #include <mutex>
-#include <atomic>
 #include <string>
 
 namespace drc {

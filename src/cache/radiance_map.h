@@ -48,7 +48,7 @@ class RadianceMap {
     Rgb lookup(const Vec3& local) const;
 
     MapLayout layout_{Projection::EqualArea, 32};
-    Vec3 origin_;
+    Vec3 origin_{0.f};
     Frame frame_;
     std::vector<half> radiance_;     // [N*N][3], divided by scale_ so that it fits a half
     std::vector<half> distance_;     // [N*N], in units of distanceScale_; negative: escaped

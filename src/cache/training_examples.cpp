@@ -30,8 +30,8 @@ Example makeExample(const PathTracer& tracer, const ExampleSettings& settings, i
     if (hit.bsdf.hasNonSpecularTransmission() && sampler.get1D() < 0.5f) n = -n;
     const Frame frame = mapFrame(n, scene.camera->up());
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
-        CaptureSettings capture{settings.layout, samples};
-        captureMap(tracer, capture, hit.surface.p, hit.surface.ng, frame, hit.surface.footprint,
+        const CaptureSettings once{settings.layout, samples};
+        captureMap(tracer, once, hit.surface.p, hit.surface.ng, frame, hit.surface.footprint,
                    hashCombine(hashCombine(settings.seed, stream), uint64_t(index)), map);
     };
     capture(settings.targetSamples, kTarget, example.target);

@@ -72,8 +72,8 @@ Opponent filterByContrastSensitivity(const Opponent& in, float pixelsPerDegree) 
     out[1] = convolve(in[1], redGreen, redGreen);
     // A sum of two Gaussians is not separable; each of them is.
     out[2] = Plane(in[2].width, in[2].height);
-    const float total = termWeight(kBlueYellowCsf[0], pixelsPerDegree, radius) +
-                        termWeight(kBlueYellowCsf[1], pixelsPerDegree, radius);
+    const float total =
+        termWeight(kBlueYellowCsf[0], pixelsPerDegree, radius) + termWeight(kBlueYellowCsf[1], pixelsPerDegree, radius);
     for (const CsfTerm& term : kBlueYellowCsf) {
         const Kernel kernel = csfKernel(term.b, pixelsPerDegree, radius);
         const Plane part = convolve(in[2], kernel, kernel);
@@ -90,9 +90,7 @@ Vec3 huntLab(const Rgb& c) {
 }
 
 // Distance for large colour differences: city block between lightness and chroma, Euclidean within chroma.
-float hyab(const Vec3& a, const Vec3& b) {
-    return std::abs(a.x - b.x) + std::sqrt(sqr(a.y - b.y) + sqr(a.z - b.z));
-}
+float hyab(const Vec3& a, const Vec3& b) { return std::abs(a.x - b.x) + std::sqrt(sqr(a.y - b.y) + sqr(a.z - b.z)); }
 
 float colorDifference(const Vec3& a, const Vec3& b) {
     static const float kLargest = std::pow(hyab(huntLab(Rgb(0, 1, 0)), huntLab(Rgb(0, 0, 1))), kColorExponent);
@@ -114,8 +112,7 @@ struct Features {
 Plane gradientMagnitude(const Plane& luminance, const Kernel& derivative, const Kernel& smooth) {
     Plane result = convolve(luminance, derivative, smooth);
     const Plane alongY = convolve(luminance, smooth, derivative);
-    for (size_t i = 0; i < result.values.size(); ++i)
-        result.values[i] = std::hypot(result.values[i], alongY.values[i]);
+    for (size_t i = 0; i < result.values.size(); ++i) result.values[i] = std::hypot(result.values[i], alongY.values[i]);
     return result;
 }
 

@@ -77,8 +77,8 @@ std::string encodeExr(const std::vector<ExrLayer>& layers, const ExrMetadata& me
             const void* data = layer.half ? static_cast<const void*>(halves.back().data() + c)
                                           : static_cast<const void*>(image.data().data() + c);
             header.channels().insert(name, Imf::Channel(type));
-            frame.insert(name, Imf::Slice::Make(type, data, header.dataWindow(), size * channels,
-                                                size * channels * rows));
+            frame.insert(name,
+                         Imf::Slice::Make(type, data, header.dataWindow(), size * channels, size * channels * rows));
         }
     }
     MemoryStream stream;

@@ -103,8 +103,14 @@ TEST_F(ImageIoTest, ExrPartOfAPicture) {
 
 TEST_F(ImageIoTest, ExrRefusesLayersThatDoNotFit) {
     const Image a = makeImage(4, 3, 0), b = makeImage(3, 4, 0), empty;
-    EXPECT_THAT(errorOf([&] { writeExr(path("a.exr"), {{"", &a}, {"x", &b}}); }), HasSubstr("\"x\" is 3x4, the first is 4x3"));
-    EXPECT_THAT(errorOf([&] { writeExr(path("a.exr"), {{"", &a}, {"", &a}}); }), HasSubstr("two channels are called R"));
+    EXPECT_THAT(errorOf([&] {
+                    writeExr(path("a.exr"), {{"", &a}, {"x", &b}});
+                }),
+                HasSubstr("\"x\" is 3x4, the first is 4x3"));
+    EXPECT_THAT(errorOf([&] {
+                    writeExr(path("a.exr"), {{"", &a}, {"", &a}});
+                }),
+                HasSubstr("two channels are called R"));
     EXPECT_THAT(errorOf([&] { writeExr(path("a.exr"), empty); }), HasSubstr("is empty"));
     EXPECT_THAT(errorOf([&] { writeExr(path("a.exr"), a, {{"dataWindow", "x"}}); }), StartsWith("cannot write"));
     EXPECT_TRUE(fs::is_empty(dir_));

@@ -1,5 +1,5 @@
-// Portable float map: "PF" (RGB) or "Pf" (grey), width, height, a scale whose sign tells the byte order, then 32-bit floats
-// from the bottom row up.
+// Portable float map: "PF" (RGB) or "Pf" (grey), width, height, a scale whose sign tells the byte order, then 32-bit
+// floats from the bottom row up.
 #pragma once
 #include <string>
 #include <string_view>

@@ -43,8 +43,7 @@ double ssim(const Image& reference, const Image& test) {
             const double mr = meanR.at(x, y), mt = meanT.at(x, y);
             const double varR = meanRR.at(x, y) - mr * mr, varT = meanTT.at(x, y) - mt * mt;
             const double covariance = meanRT.at(x, y) - mr * mt;
-            sum += (2 * mr * mt + kC1) * (2 * covariance + kC2) /
-                   ((mr * mr + mt * mt + kC1) * (varR + varT + kC2));
+            sum += (2 * mr * mt + kC1) * (2 * covariance + kC2) / ((mr * mr + mt * mt + kC1) * (varR + varT + kC2));
         }
     }
     return sum / (double(r.width - 2 * kRadius) * double(r.height - 2 * kRadius));

@@ -1,5 +1,5 @@
-// Structural similarity: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error Visibility to Structural
-// Similarity", IEEE Transactions on Image Processing 13(4), 2004.
+// Structural similarity: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error Visibility to
+// Structural Similarity", IEEE Transactions on Image Processing 13(4), 2004.
 #pragma once
 #include "image/image.h"
 

@@ -10,9 +10,10 @@ inline Image waves(float phase, float amplitude) {
     Image image(48, 40);
     for (int y = 0; y < 40; ++y) {
         for (int x = 0; x < 48; ++x) {
-            image.setRgb(x, y, Rgb(.5f + .5f * std::sin(.30f * float(x) + .11f * float(y) + phase),
-                                   .5f + amplitude * std::cos(.17f * float(x) - .23f * float(y)),
-                                   (x / 6 + y / 5) % 2 == 0 ? .8f : .1f));
+            image.setRgb(x, y,
+                         Rgb(.5f + .5f * std::sin(.30f * float(x) + .11f * float(y) + phase),
+                             .5f + amplitude * std::cos(.17f * float(x) - .23f * float(y)),
+                             (x / 6 + y / 5) % 2 == 0 ? .8f : .1f));
         }
     }
     return image;
