@@ -55,6 +55,19 @@ Rgb PathTracer::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf) c
     return sum;
 }
 
+bool PathTracer::shadowed(const SurfaceInteraction& at, const LightSample& light) const {
+    const Vec3 o = offsetOrigin(at.p, at.ng, light.wi);
+    if (std::isinf(light.distance)) return accel_.occluded(o, light.wi, kInfinity);
+    // From the origin as it was moved, and short of the light, whose own surface must not hide it: by a share of the
+    // distance, and by what rounding can move its position.
+    const Vec3 target = at.p + light.wi * light.distance;
+    const Vec3 d = target - o;
+    const float distance = length(d);
+    const float rounding = 1e-6f * std::max({std::abs(target.x), std::abs(target.y), std::abs(target.z)});
+    const float tMax = distance * 0.9999f - rounding;
+    return tMax > 0 && accel_.occluded(o, d * (1 / distance), tMax);
+}
+
 Rgb PathTracer::lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, LobeFlags mask, Sampler& sampler) const {
     const float uLight = sampler.get1D();
     const Vec2 u = sampler.get2D();
@@ -64,10 +77,7 @@ Rgb PathTracer::lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, Lobe
     if (!s || !(s->pdf > 0) || isBlack(s->radiance)) return Rgb(0.f);
     const Rgb f = bsdf.f(at.wo, s->wi, mask);
     if (isBlack(f)) return Rgb(0.f);
-    const Vec3 o = offsetOrigin(at.p, at.ng, s->wi);
-    // Stops short of the light, whose own surface must not hide it.
-    const float tMax = std::isinf(s->distance) ? kInfinity : s->distance * 0.9999f;
-    if (accel_.occluded(o, s->wi, tMax)) return Rgb(0.f);
+    if (shadowed(at, *s)) return Rgb(0.f);
     const float pdf = s->pdf * choice.probability;
     const float weight = s->delta ? 1 : powerHeuristic(pdf, bsdf.pdf(at.wo, s->wi, mask));
     return f * s->radiance * (absDot(s->wi, bsdf.frame().n) * weight / pdf);

@@ -63,6 +63,8 @@ class PathTracer {
     Rgb trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first) const;
     // Nearest surface that has a material or emits; passes through the others.
     bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;
+    // Whether anything stands between a point and the light point that was sampled for it.
+    bool shadowed(const SurfaceInteraction& at, const LightSample& light) const;
     // Light sample at a non-specular vertex, weighted against the BSDF's density for `mask`.
     Rgb lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, LobeFlags mask, Sampler& sampler) const;
     // Emission met by a ray that the BSDF sampled with the given density, weighted against light sampling.
