@@ -18,5 +18,6 @@ ProcessInfo& processInfo();
 void addRenderCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addReferenceCommand(CLI::App& app);
+void addEvaluateCommand(CLI::App& app);
 
 }  // namespace drc

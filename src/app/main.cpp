@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     drc::addCompareCommand(app);
     drc::addInfoCommand(app);
     drc::addReferenceCommand(app);
+    drc::addEvaluateCommand(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

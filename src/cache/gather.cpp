@@ -15,7 +15,7 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
            uint32_t firstIndex) {
     const SurfaceInteraction& at = hit.surface;
     const Vec3 normal = faceForward(at.ng, at.wo);
-    const bool transmits = hit.bsdf.hasNonSpecularTransmission();
+    const bool transmits = hit.bsdf.hasWideTransmission();
     const Vec3& shading = hit.bsdf.frame().n;
     float total = 0;
     for (const WeightedSite& s : sites) total += s.weight;
@@ -25,7 +25,7 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
         if (map == nullptr) return Rgb(0.f);
         // Directions between the shading and the geometric horizon, which paths never sample, are none of ours either.
         if (bsdfPdf <= 0) return Rgb(0.f);
-        const Rgb f = hit.bsdf.f(at.wo, d, LobeFlags::NonSpecular);
+        const Rgb f = hit.bsdf.f(at.wo, d, LobeFlags::Wide);
         return isBlack(f) ? Rgb(0.f) : f * map->radianceAt(at.p, d) * (absDot(d, shading) / (mapPdf + bsdfPdf));
     };
 
@@ -44,10 +44,10 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
         if (fromMap.pdf > 0) {
             const float mapPdf = transmits ? sides.pdf(fromMap.d) : fromMap.pdf;
             sum += contribution(sides, fromMap.d, mapPdf,
-                                hit.bsdf.pdf(at.wo, fromMap.d, LobeFlags::NonSpecular));
+                                hit.bsdf.pdf(at.wo, fromMap.d, LobeFlags::Wide));
         }
         const float uLobe = sampler.get1D();
-        const auto fromBsdf = hit.bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
+        const auto fromBsdf = hit.bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::Wide);
         if (fromBsdf && fromBsdf->pdf > 0)
             sum += contribution(sides, fromBsdf->wi, sides.pdf(fromBsdf->wi), fromBsdf->pdf);
     }

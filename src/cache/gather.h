@@ -12,7 +12,8 @@ struct WeightedSite {
     float weight = 0;      // > 0; need not be normalised
 };
 
-// Estimate of the integral over the sphere of f R cos, f the non-specular lobes, R the mean of the maps by weight.
+// Estimate of the integral over the sphere of f R cos, f the wide lobes (narrow ones are traced: see
+// PathTracer::indirectNarrow), R the mean of the maps by weight.
 // samples: pairs of one direction from a map and one from the BSDF, balance heuristic. Sample s of pixel `stream` has
 // the index firstIndex + s, so that passes continue one sequence. `sites` must not be empty.
 Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int samples, uint64_t stream,

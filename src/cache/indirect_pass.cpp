@@ -3,14 +3,13 @@
 #include <atomic>
 #include <chrono>
 
-#include "cache/gather.h"
 
 namespace drc {
 namespace {
 
 // Purposes of random numbers: streams that must not meet.
 constexpr uint64_t kPrimary = 0x1001, kGather = 0x1002, kCapture = 0x1003, kOffset = 0x1004, kFill = 0x1005,
-                   kFallback = 0x1006;
+                   kFallback = 0x1006, kNarrow = 0x1007;
 // Path-traced samples of a pixel that no map serves.
 constexpr int kFallbackSamples = 2;
 constexpr int kRowsPerTask = 1;
@@ -71,12 +70,14 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
             Sampler sampler(hashCombine(stream, 1), 0);
             const Vec2 uLens = sampler.get2D();
             PrimaryHit hit;
-            if (!tracer_.primaryHit(scene.camera->generateRay(site.film, uLens, sampler.get1D()), sampler, hit)) continue;
+            if (!tracer_.primaryHit(scene.camera->generateRay(site.film, uLens, sampler.get1D()), sampler, hit) ||
+                !hit.bsdf.hasWithin(LobeFlags::Wide))
+                continue;
             site.p = hit.surface.p;
             site.n = faceForward(hit.surface.ng, hit.surface.wo);
             uint8_t& n = counts[size_t(i)];
             found[size_t(i)][n++] = {&site, false, hit.surface.ng, hit.surface.footprint, hashCombine(stream, 2)};
-            if (hit.bsdf.hasNonSpecularTransmission())
+            if (hit.bsdf.hasWideTransmission())
                 found[size_t(i)][n++] = {&site, true, hit.surface.ng, hit.surface.footprint, hashCombine(stream, 3)};
         }
     });
@@ -155,7 +156,7 @@ bool IndirectPass::run(int pass, float spacing,
         site.n = faceForward(hit.surface.ng, hit.surface.wo);
         site.film = position;
         site.pixelSize = hit.surface.footprint;
-        site.transmits = hit.bsdf.hasNonSpecularTransmission();
+        site.transmits = hit.bsdf.hasWideTransmission();
         return site;
     };
 
@@ -168,7 +169,7 @@ bool IndirectPass::run(int pass, float spacing,
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!primaryHit(x, y, pass, position, weight, hit)) continue;
+                if (!primaryHit(x, y, pass, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) continue;
                 pixel.site = pixelSite(hit, position);
                 pixel.coverage = 0;
                 forEachGridSite(pixel.site, [&](const MapSite&, float w) { pixel.coverage += w; });
@@ -238,17 +239,9 @@ bool IndirectPass::run(int pass, float spacing,
                 };
                 forEachGridSite(pixel, keep);
                 for (const FillLevel& level : fill) forEachFillSite(level, pixel, keep);
-                Rgb value(0.f);
-                if (sum >= 0.25f * settings_.minCoverage) {
-                    const auto n = uint32_t(settings_.gatherSamples);
-                    value = gather(hit, around, settings_.gatherSamples, pixelStream(x, y, kGather), uint32_t(pass) * n);
-                } else {
-                    fallbacks.fetch_add(1, std::memory_order_relaxed);
-                    for (int s = 0; s < kFallbackSamples; ++s) {
-                        Sampler sampler(pixelStream(x, y, kFallback), uint32_t(pass * kFallbackSamples + s));
-                        value += tracer_.indirect(hit, sampler) * (1.f / kFallbackSamples);
-                    }
-                }
+                if (sum < 0.25f * settings_.minCoverage) around.clear();
+                if (around.empty() && hit.bsdf.hasWithin(LobeFlags::Wide)) fallbacks.fetch_add(1, std::memory_order_relaxed);
+                const Rgb value = shade(hit, around, x, y, pass);
                 add(x, y, value * hit.throughput, weight);
             }
     });
@@ -257,6 +250,26 @@ bool IndirectPass::run(int pass, float spacing,
         stats_->timer("gather").add(std::chrono::steady_clock::now() - start);
     }
     return !cancelled();
+}
+
+Rgb IndirectPass::shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int pass) const {
+    Rgb value(0.f);
+    if (!hit.bsdf.hasWithin(LobeFlags::Wide) || !sites.empty()) {
+        if (hit.bsdf.has(LobeFlags::Narrow)) {
+            Sampler sampler(pixelStream(x, y, kNarrow), uint32_t(pass));
+            value = tracer_.indirectNarrow(hit, sampler);
+        }
+        if (!sites.empty()) {
+            const auto n = uint32_t(settings_.gatherSamples);
+            value += gather(hit, sites, settings_.gatherSamples, pixelStream(x, y, kGather), uint32_t(pass) * n);
+        }
+        return value;
+    }
+    for (int s = 0; s < kFallbackSamples; ++s) {
+        Sampler sampler(pixelStream(x, y, kFallback), uint32_t(pass * kFallbackSamples + s));
+        value += tracer_.indirect(hit, sampler) * (1.f / kFallbackSamples);
+    }
+    return value;
 }
 
 bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add,
@@ -277,6 +290,10 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
                     add(x, y, Rgb(0.f), weight);
                     continue;
                 }
+                if (!hit.bsdf.hasWithin(LobeFlags::Wide)) {
+                    add(x, y, shade(hit, {}, x, y, pass) * hit.throughput, weight);
+                    continue;
+                }
                 MapSite site;
                 site.p = hit.surface.p;
                 site.n = faceForward(hit.surface.ng, hit.surface.wo);
@@ -289,11 +306,9 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
                     return RadianceMap(captured[0], layout);
                 };
                 site.front = capture(site.n, 0);
-                if (hit.bsdf.hasNonSpecularTransmission()) site.back = capture(-site.n, 1);
+                if (hit.bsdf.hasWideTransmission()) site.back = capture(-site.n, 1);
                 const WeightedSite one{&site, 1};
-                const auto n = uint32_t(settings_.gatherSamples);
-                const Rgb value = gather(hit, {&one, 1}, settings_.gatherSamples, pixelStream(x, y, kGather),
-                                         uint32_t(pass) * n);
+                const Rgb value = shade(hit, {&one, 1}, x, y, pass);
                 add(x, y, value * hit.throughput, weight);
             }
     }, cancel);

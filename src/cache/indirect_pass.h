@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/stats.h"
 #include "cache/enhancer.h"
+#include "cache/gather.h"
 #include "cache/interpolation.h"
 #include "cache/map_grid.h"
 
@@ -39,6 +40,8 @@ class IndirectPass {
     struct FillLevel;
     void captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel);
     bool runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add, const CancelToken* cancel);
+    // Indirect radiance of a pixel: wide lobes from the maps, narrow ones traced, all of them traced without a map.
+    Rgb shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int pass) const;
     // The pixel's primary point in this pass: the same each time it is asked for.
     bool primaryHit(int x, int y, int pass, Vec2& film, float& weight, PrimaryHit& hit) const;
     uint64_t pixelStream(int x, int y, uint64_t purpose) const;

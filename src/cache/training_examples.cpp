@@ -27,7 +27,7 @@ Example makeExample(const PathTracer& tracer, const ExampleSettings& settings, i
     if (!tracer.primaryHit(ray, sampler, hit)) return example;
     Vec3 n = faceForward(hit.surface.ng, hit.surface.wo);
     // What is seen through the surface is as good an example as what is seen in front of it.
-    if (hit.bsdf.hasNonSpecularTransmission() && sampler.get1D() < 0.5f) n = -n;
+    if (hit.bsdf.hasWideTransmission() && sampler.get1D() < 0.5f) n = -n;
     const Frame frame = mapFrame(n, scene.camera->up());
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
         const CaptureSettings once{settings.layout, samples};

@@ -238,4 +238,18 @@ Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler) const {
     return s->f * incident(ray, sampler) * (absDot(s->wi, hit.bsdf.frame().n) / s->pdf);
 }
 
+Rgb PathTracer::indirectNarrow(const PrimaryHit& hit, Sampler& sampler) const {
+    const SurfaceInteraction& at = hit.surface;
+    const float uLobe = sampler.get1D();
+    const auto s = hit.bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
+    if (!s || !(s->pdf > 0)) return Rgb(0.f);
+    // The density is that of all lobes: what it samples for the wide ones' sake has little weight here.
+    const Rgb narrow = clampNonNegative(s->f - hit.bsdf.f(at.wo, s->wi, LobeFlags::Wide));
+    const Rgb weight = narrow * (absDot(s->wi, hit.bsdf.frame().n) / s->pdf);
+    const float survival = std::min(1.f, maxComponent(weight));
+    if (!(sampler.get1D() < survival)) return Rgb(0.f);
+    const Ray ray = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
+    return weight * incident(ray, sampler) * (1 / survival);
+}
+
 }  // namespace drc

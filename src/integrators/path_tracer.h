@@ -55,6 +55,9 @@ class PathTracer {
     // One sample of the non-specular lobes' share of indirect light at a primary point: f R cos / pdf.
     Rgb indirect(const PrimaryHit& hit, Sampler& sampler) const;
 
+    // The same for the narrow lobes alone, which radiance maps cannot resolve. Paths of little weight are not traced.
+    Rgb indirectNarrow(const PrimaryHit& hit, Sampler& sampler) const;
+
     const Scene& scene() const { return scene_; }
     const PathSettings& settings() const { return settings_; }
 

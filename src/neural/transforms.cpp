@@ -43,7 +43,13 @@ float encodeInput(const float* radiance, const float* normal, const float* dista
         normals[i] = std::isfinite(normal[i]) ? std::clamp(normal[i], -1.f, 1.f) : 0.f;
 
     float* distances = planes + 6 * texels;
-    const auto shifted = [](float z) { return std::isfinite(z) && z > -1 ? z + 1 : 0.f; };
+    // In units of the mean distance of what was hit: a scene in centimetres is the same scene in metres.
+    double hitSum = 0;
+    size_t hits = 0;
+    for (size_t i = 0; i < texels; ++i)
+        if (std::isfinite(distance[i]) && distance[i] > 0) hitSum += distance[i], ++hits;
+    const float unit = hits > 0 ? float(hitSum / double(hits)) : 1.f;
+    const auto shifted = [unit](float z) { return std::isfinite(z) && z >= 0 ? z / unit + 1 : 0.f; };
     double sum = 0;
     for (size_t i = 0; i < texels; ++i) sum += shifted(distance[i]);
     const float inverseDistance = inverseScale(texels ? float(sum / double(texels)) : 0.f);

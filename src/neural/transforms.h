@@ -2,6 +2,7 @@
 // and the trainer. All arrays are planar; m is the mean of a map over its texels and channels.
 //   radiance d -> ln(1 + d/(10 m)) - 0.1          distance z -> ln(1 + (z+1)/(10 (mean z + 1))) - 0.1
 //   target   p -> ln(1 + p/(10 m))                normals as they are
+// Distances are in units of the mean distance of what the map hit, so that nothing depends on the scene's units.
 // (Jiang & Kainz, "Deep Radiance Caching: Convolutional Autoencoders Deeper in Ray Tracing", section on the network.)
 #pragma once
 #include <cstddef>

@@ -21,14 +21,17 @@ TEST(Transforms, FollowTheFormulas) {
     distance[7] = -1;
     double m = 0, z = 0;
     for (float v : radiance) m += v / (3.0 * kTexels);
-    for (float v : distance) z += v / double(kTexels);
+    double hit = 0;
+    for (float v : distance) hit += v > 0 ? v / double(kTexels - 1) : 0;
+    const auto inUnits = [hit](float v) { return v < 0 ? -1 : v / hit; };
+    for (float v : distance) z += inUnits(v) / double(kTexels);
     EXPECT_NEAR(encodeInput(radiance.data(), normal.data(), distance.data(), kTexels, planes.data()), m, 1e-6 * m);
     for (size_t i = 0; i < 3 * kTexels; ++i) {
         EXPECT_NEAR(planes[i], std::log1p(radiance[i] / (10 * m)) - 0.1, 1e-6);
         EXPECT_EQ(planes[3 * kTexels + i], 0.5f);
     }
     for (size_t i = 0; i < kTexels; ++i)
-        EXPECT_NEAR(planes[6 * kTexels + i], std::log1p((distance[i] + 1) / (10 * (z + 1))) - 0.1, 1e-6);
+        EXPECT_NEAR(planes[6 * kTexels + i], std::log1p((inUnits(distance[i]) + 1) / (10 * (z + 1))) - 0.1, 1e-6);
     EXPECT_FLOAT_EQ(planes[6 * kTexels + 7], -0.1f);
 }
 
@@ -78,6 +81,18 @@ TEST(Transforms, DoNotDependOnBrightness) {
     for (float& v : radiance) v *= 4096;
     encodeInput(radiance.data(), normal.data(), distance.data(), kTexels, b.data());
     EXPECT_EQ(a, b);
+}
+
+TEST(Transforms, DoNotDependOnTheUnitOfLength) {
+    std::vector<float> radiance(3 * kTexels, 1.f), normal(3 * kTexels), metres(kTexels), centimetres(kTexels),
+        a(7 * kTexels), b(7 * kTexels);
+    for (size_t i = 0; i < kTexels; ++i) {
+        metres[i] = i % 7 ? 0.5f + 0.01f * float(i) : -1;
+        centimetres[i] = metres[i] < 0 ? -1 : 100 * metres[i];
+    }
+    encodeInput(radiance.data(), normal.data(), metres.data(), kTexels, a.data());
+    encodeInput(radiance.data(), normal.data(), centimetres.data(), kTexels, b.data());
+    for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-5f);
 }
 
 }  // namespace

@@ -49,15 +49,15 @@ bool Bsdf::has(LobeFlags flags) const {
     return false;
 }
 
-bool Bsdf::hasNonSpecular() const {
+bool Bsdf::hasWithin(LobeFlags mask) const {
     for (int i = 0; i < count_; ++i)
-        if (!isSpecular(flags_[i])) return true;
+        if (matches(flags_[i], mask)) return true;
     return false;
 }
 
-bool Bsdf::hasNonSpecularTransmission() const {
+bool Bsdf::hasWideTransmission() const {
     for (int i = 0; i < count_; ++i)
-        if (!isSpecular(flags_[i]) && any(flags_[i] & LobeFlags::Transmission)) return true;
+        if (matches(flags_[i], LobeFlags::Wide) && any(flags_[i] & LobeFlags::Transmission)) return true;
     return false;
 }
 

@@ -40,9 +40,11 @@ class Bsdf {
 
     // True if any lobe has all of these flags.
     bool has(LobeFlags flags) const;
-    bool hasNonSpecular() const;
+    // True if any lobe lies within the mask.
+    bool hasWithin(LobeFlags mask) const;
+    bool hasNonSpecular() const { return hasWithin(LobeFlags::NonSpecular); }
     // Light that arrives from behind is seen as more than what a specular path brings.
-    bool hasNonSpecularTransmission() const;
+    bool hasWideTransmission() const;
     bool hasSpecular() const { return has(LobeFlags::Specular); }
     int size() const { return count_; }
 

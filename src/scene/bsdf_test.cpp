@@ -26,14 +26,14 @@ TEST(Bsdf, Flags) {
     EXPECT_EQ(bsdf.size(), 6);
     EXPECT_TRUE(bsdf.hasNonSpecular());
     EXPECT_TRUE(bsdf.hasSpecular());
-    EXPECT_TRUE(bsdf.hasNonSpecularTransmission());
+    EXPECT_TRUE(bsdf.hasWideTransmission());
     EXPECT_TRUE(bsdf.has(LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Specular));
     EXPECT_FALSE(bsdf.has(LobeFlags::Diffuse | LobeFlags::Glossy));
 
     Bsdf mirror(kFrame, kFrame.n);
     mirror.add(SpecularTransmission(Rgb(1.f), 1, 1));
     EXPECT_FALSE(mirror.hasNonSpecular());
-    EXPECT_FALSE(mirror.hasNonSpecularTransmission());
+    EXPECT_FALSE(mirror.hasWideTransmission());
     EXPECT_TRUE(mirror.hasSpecular());
 }
 

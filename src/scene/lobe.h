@@ -27,8 +27,11 @@ enum class LobeFlags : uint8_t {
     Diffuse = 4,
     Glossy = 8,
     Specular = 16,
-    NonSpecular = Reflection | Transmission | Diffuse | Glossy,
-    All = Reflection | Transmission | Diffuse | Glossy | Specular,
+    // A glossy lobe narrower than the texels of a radiance map resolve.
+    Narrow = 32,
+    Wide = Reflection | Transmission | Diffuse | Glossy,
+    NonSpecular = Wide | Narrow,
+    All = NonSpecular | Specular,
 };
 constexpr LobeFlags operator|(LobeFlags a, LobeFlags b) { return LobeFlags(uint8_t(a) | uint8_t(b)); }
 constexpr LobeFlags operator&(LobeFlags a, LobeFlags b) { return LobeFlags(uint8_t(a) & uint8_t(b)); }

@@ -99,7 +99,7 @@ TEST(Glass, Rough) {
     p.uRoughness = number(0.05f);
     p.vRoughness = number(0.2f);
     checkMaterial(makeGlass(p));
-    EXPECT_TRUE(bsdfOf(makeGlass(p)).hasNonSpecularTransmission());
+    EXPECT_TRUE(bsdfOf(makeGlass(p)).hasWideTransmission());
     p.eta = number(1);
     EXPECT_NEAR(weightAtNormal(makeGlass(p)), 1, 1e-5f);
 }
@@ -145,7 +145,7 @@ TEST(Translucent, Bsdf) {
     checkMaterial(makeTranslucent({}));
     const Bsdf bsdf = bsdfOf(makeTranslucent({}));
     EXPECT_EQ(bsdf.size(), 4);
-    EXPECT_TRUE(bsdf.hasNonSpecularTransmission());
+    EXPECT_TRUE(bsdf.hasWideTransmission());
     constexpr LobeFlags kDiffuse = LobeFlags::Diffuse | LobeFlags::Transmission;
     EXPECT_NEAR(meanWeight(bsdf, bsdf.frame().n, kDiffuse).value.x, 0.125f, 1e-5f);
 }

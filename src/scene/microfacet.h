@@ -29,7 +29,11 @@ class TrowbridgeReitz {
     // Its density, per solid angle of wh; wh must face wo.
     float pdf(const Vec3& wo, const Vec3& wh) const { return d(wh) * g1(wo) * absDot(wo, wh) / std::abs(wo.z); }
 
+    // Narrower than what 32x32 texels over a hemisphere, 4.5 degrees each, and a network's blur leave of a reflection.
+    bool isNarrow() const { return std::max(alphaX_, alphaY_) < kNarrowAlpha; }
+
   private:
+    static constexpr float kNarrowAlpha = 0.2f;
     float alphaX_, alphaY_;
 };
 

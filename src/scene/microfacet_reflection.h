@@ -11,7 +11,9 @@ class MicrofacetReflection {
     MicrofacetReflection(const Rgb& reflectance, const TrowbridgeReitz& distribution, const Fresnel& fresnel)
         : reflectance_(reflectance), distribution_(distribution), fresnel_(fresnel) {}
 
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Glossy; }
+    LobeFlags flags() const {
+        return LobeFlags::Reflection | LobeFlags::Glossy | (distribution_.isNarrow() ? LobeFlags::Narrow : LobeFlags::None);
+    }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;

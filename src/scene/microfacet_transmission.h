@@ -13,7 +13,9 @@ class MicrofacetTransmission {
     MicrofacetTransmission(const Rgb& transmittance, const TrowbridgeReitz& distribution, float etaA, float etaB)
         : transmittance_(transmittance), distribution_(distribution), etaA_(etaA), etaB_(etaB) {}
 
-    static constexpr LobeFlags flags() { return LobeFlags::Transmission | LobeFlags::Glossy; }
+    LobeFlags flags() const {
+        return LobeFlags::Transmission | LobeFlags::Glossy | (distribution_.isNarrow() ? LobeFlags::Narrow : LobeFlags::None);
+    }
     Rgb f(const Vec3& wo, const Vec3& wi) const { return f(wo, wi, TransportMode::Radiance); }
     Rgb f(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;

@@ -1,0 +1,219 @@
+#include "cache/map_evaluation.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "image/color.h"
+#include "image/ssim.h"
+#include "neural/safetensors.h"
+
+namespace drc {
+namespace {
+
+constexpr int kBatch = 8;
+constexpr int kNormalsAside = 8;
+constexpr double kWhitePercentile = 0.99;
+constexpr double kIrradianceEpsilon = 0.01;
+constexpr int64_t kMaxSize = 256;
+
+// Solid angle of a texel as a share of the hemisphere.
+std::vector<double> texelWeights(const MapLayout& layout) {
+    std::vector<double> weights;
+    double sum = 0;
+    for (int i = 0; i < layout.texels(); ++i) sum += weights.emplace_back(layout.solidAngle(i / layout.size()));
+    for (double& w : weights) w /= sum;
+    return weights;
+}
+
+// Luminance times `exposure`.
+Image greyPicture(std::span<const float> radiance, const MapLayout& layout, float exposure) {
+    const auto texels = size_t(layout.texels());
+    Image picture(layout.size(), layout.size(), {"Y"});
+    for (size_t i = 0; i < texels; ++i)
+        picture.data()[i] = exposure * luminance(Rgb(radiance[i], radiance[texels + i], radiance[2 * texels + i]));
+    return picture;
+}
+
+// What makes the target's 99th percentile white. Where less than a hundredth of the map is lit, its brightest texel is.
+float exposureOf(std::span<const float> target, const MapLayout& layout) {
+    std::vector<float> values = greyPicture(target, layout, 1).data();
+    std::sort(values.begin(), values.end());
+    const float white = values[size_t(kWhitePercentile * double(values.size() - 1))];
+    return 1 / (white > 0 ? white : values.back());
+}
+
+// Irradiance over pi at each normal: [normals][3].
+std::vector<double> irradiances(std::span<const float> radiance, const MapLayout& layout,
+                                std::span<const double> weights) {
+    const MapLayout normals(Projection::EqualArea, kNormalsAside);
+    const auto texels = size_t(layout.texels());
+    const Vec2 centre(0.5f, 0.5f);
+    std::vector<Vec3> directions;
+    for (int i = 0; i < layout.texels(); ++i)
+        directions.push_back(layout.direction(i % layout.size(), i / layout.size(), centre));
+    std::vector<double> result;
+    for (int k = 0; k < normals.texels(); ++k) {
+        const Vec3 n = normals.direction(k % kNormalsAside, k / kNormalsAside, centre);
+        double sum[3] = {};
+        for (size_t i = 0; i < texels; ++i) {
+            const double w = weights[i] * std::max(0.f, dot(n, directions[i]));
+            for (size_t c = 0; c < 3; ++c) sum[c] += w * radiance[c * texels + i];
+        }
+        // The hemisphere's 2 pi, over pi.
+        for (const double s : sum) result.push_back(2 * s);
+    }
+    return result;
+}
+
+MapScores mean(std::span<const ExampleScores> scores, MapScores ExampleScores::*which) {
+    MapScores sum;
+    for (const ExampleScores& s : scores) {
+        sum.l1 += (s.*which).l1;
+        sum.ssim += (s.*which).ssim;
+        sum.irradiance += (s.*which).irradiance;
+    }
+    const auto n = double(scores.size());
+    return {sum.l1 / n, sum.ssim / n, sum.irradiance / n};
+}
+
+// The part of `all` that belongs to element `index`.
+std::vector<float> slice(const std::vector<float>& all, size_t index, size_t length) {
+    const auto from = all.begin() + std::ptrdiff_t(index * length);
+    return {from, from + std::ptrdiff_t(length)};
+}
+
+bool allFinite(const std::vector<float>& values) {
+    return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
+}
+
+bool isRadiance(const std::vector<float>& values) {
+    return allFinite(values) && std::all_of(values.begin(), values.end(), [](float v) { return v >= 0; });
+}
+
+}  // namespace
+
+double hemisphereMean(std::span<const float> radiance, const MapLayout& layout) {
+    const std::vector<double> weights = texelWeights(layout);
+    double sum = 0;
+    for (size_t i = 0; i < radiance.size(); ++i) sum += weights[i % weights.size()] * radiance[i];
+    return sum / 3;
+}
+
+std::vector<float> withMeanOf(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout) {
+    std::vector<float> result(radiance.begin(), radiance.end());
+    const double have = hemisphereMean(radiance, layout), want = hemisphereMean(target, layout);
+    if (have > 0)
+        for (float& r : result) r = float(r * (want / have));
+    return result;
+}
+
+MapScores scoreMap(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout) {
+    const std::vector<double> weights = texelWeights(layout);
+    const double unit = hemisphereMean(target, layout);
+    MapScores scores;
+    for (size_t i = 0; i < radiance.size(); ++i)
+        scores.l1 += weights[i % weights.size()] * std::abs(double(radiance[i]) - double(target[i])) / (3 * unit);
+    const float exposure = exposureOf(target, layout);
+    scores.ssim = ssim(greyPicture(target, layout, exposure), greyPicture(radiance, layout, exposure));
+    const std::vector<double> e = irradiances(radiance, layout, weights), t = irradiances(target, layout, weights);
+    for (size_t i = 0; i < e.size(); ++i) {
+        const double error = (e[i] - t[i]) / unit, reference = t[i] / unit;
+        scores.irradiance += error * error / (reference * reference + kIrradianceEpsilon) / double(e.size());
+    }
+    return scores;
+}
+
+ExampleFile readExampleFile(const std::string& path) {
+    const SafetensorsFile file(path);
+    const auto fail = [&](const std::string& message) { throw Error(SourceLocation{path}, message); };
+    if (file.metadata("format", "") != "drc-examples-1") fail("not a file of examples as `drc reference` writes them");
+    const std::vector<int64_t> shape = file.tensor("radiance").shape;
+    if (shape.size() != 5 || shape[0] < 1 || shape[1] < 1 || shape[2] != 3 || shape[3] < 1 || shape[3] > kMaxSize ||
+        shape[4] != shape[3] || shape[0] * shape[1] > std::numeric_limits<int>::max())
+        fail("tensor 'radiance': its shape is not [examples][inputs][3][N][N]");
+    const int64_t n = shape[0], inputs = shape[1], size = shape[3];
+    const auto read = [&](const char* name, const std::vector<int64_t>& wanted) {
+        if (file.tensor(name).shape != wanted)
+            fail(fmt::format("tensor '{}': its shape does not fit 'radiance'", name));
+        return file.tensor(name).toFloat();
+    };
+    ExampleFile result{.layout = MapLayout(projectionFromName(file.metadata("projection", "")), int(size)),
+                       .count = int(n),
+                       .inputs = int(inputs),
+                       .radiance = read("radiance", shape),
+                       .normal = read("normal", shape),
+                       .distance = read("distance", {n, inputs, 1, size, size}),
+                       .target = read("target", {n, 3, size, size})};
+    if (!isRadiance(result.radiance) || !isRadiance(result.target)) fail("radiance that is negative, infinite or NaN");
+    if (!allFinite(result.normal) || !allFinite(result.distance)) fail("normals or distances that are infinite or NaN");
+    const auto length = size_t(3 * result.layout.texels());
+    for (int i = 0; i < result.count; ++i)
+        if (!(hemisphereMean({&result.target[size_t(i) * length], length}, result.layout) > 0))
+            fail(fmt::format("the target of example {} is black", i));
+    return result;
+}
+
+std::vector<ExampleScores> evaluateEnhancer(const ExampleFile& examples, const Enhancer& enhancer, int inputs) {
+    inputs = std::min(inputs, examples.inputs);
+    const MapLayout& layout = examples.layout;
+    const auto texels = size_t(layout.texels());
+    std::vector<ExampleScores> perInput(size_t(examples.count) * size_t(inputs));
+    parallelFor(0, int(perInput.size()), kBatch, [&](int begin, int end) {
+        std::vector<CapturedMap> maps;
+        for (int i = begin; i < end; ++i) {
+            const auto map = size_t(i / inputs) * size_t(examples.inputs) + size_t(i % inputs);
+            CapturedMap& captured = maps.emplace_back();
+            captured.radiance = slice(examples.radiance, map, 3 * texels);
+            captured.normal = slice(examples.normal, map, 3 * texels);
+            captured.distance = slice(examples.distance, map, texels);
+        }
+        enhancer.enhance(maps, layout);
+        for (int i = begin; i < end; ++i) {
+            const std::vector<float>& radiance = maps[size_t(i - begin)].radiance;
+            const std::span<const float> target(&examples.target[size_t(i / inputs) * 3 * texels], 3 * texels);
+            perInput[size_t(i)] = {scoreMap(radiance, target, layout),
+                                   scoreMap(withMeanOf(radiance, target, layout), target, layout)};
+        }
+    });
+    std::vector<ExampleScores> result;
+    for (int i = 0; i < examples.count; ++i) {
+        const std::span<const ExampleScores> own(&perInput[size_t(i) * size_t(inputs)], size_t(inputs));
+        result.push_back({mean(own, &ExampleScores::asRendered), mean(own, &ExampleScores::equalEnergy)});
+    }
+    return result;
+}
+
+PairedComparison compareSmaller(std::span<const double> a, std::span<const double> b) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> differences;
+    size_t smaller = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        const double d = b[i] - a[i];
+        if (std::isnan(d)) return {kNaN, kNaN};
+        smaller += d > 0;
+        if (d != 0) differences.push_back(d);
+    }
+    const double better = a.empty() ? 0 : double(smaller) / double(a.size());
+    if (differences.empty()) return {1, better};
+    std::sort(differences.begin(), differences.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+
+    const auto n = double(differences.size());
+    double positiveRanks = 0, ties = 0;
+    for (size_t i = 0, j = 0; i < differences.size(); i = j) {
+        while (j < differences.size() && std::abs(differences[j]) == std::abs(differences[i])) ++j;
+        const double rank = 0.5 * double(i + 1 + j);
+        for (size_t k = i; k < j; ++k) positiveRanks += differences[k] > 0 ? rank : 0;
+        const auto tied = double(j - i);
+        ties += tied * tied * tied - tied;
+    }
+    const double expected = n * (n + 1) / 4, variance = n * (n + 1) * (2 * n + 1) / 24 - ties / 48;
+    return {std::erfc(std::abs(positiveRanks - expected) / std::sqrt(2 * variance)), better};
+}
+
+}  // namespace drc

@@ -1,0 +1,63 @@
+// How close an enhancer's maps come to converged ones: the measures of one map, the examples they are taken over, and
+// the test that tells a difference between two enhancers from chance.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cache/enhancer.h"
+
+namespace drc {
+
+// Of one map against its target. Both are divided by the target's mean, so that bright and dark examples weigh alike.
+struct MapScores {
+    double l1 = 0;          // mean absolute difference over the hemisphere and the three channels
+    double ssim = 0;        // see scoreMap; NaN if the map is smaller than SSIM's window
+    double irradiance = 0;  // relative squared error of the irradiance, mean over 64 normals and three channels
+};
+
+// Mean over texels, weighted by solid angle, and channels. Planar [3][N*N], as all radiance here.
+double hemisphereMean(std::span<const float> radiance, const MapLayout& layout);
+
+// `radiance` scaled to the mean of `target`. A black map stays black.
+std::vector<float> withMeanOf(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout);
+
+// The target's mean must be positive.
+// SSIM is that of `drc compare` between the luminances of the two maps, shown as grey pictures under one exposure: the
+// target's 99th percentile is white, what is brighter is clipped, the rest sRGB-encoded. The window is 11 x 11 texels.
+// Irradiance is sampled at the normals of an 8 x 8 equal-area map of the hemisphere; light below the map's horizon
+// counts as none. Its error is (e - t)^2 / (t^2 + 0.01), e and t irradiances over pi in units of the target's mean.
+MapScores scoreMap(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout);
+
+// Both ways to look at the energy of an example's maps.
+struct ExampleScores {
+    MapScores asRendered;   // with the energy that the enhancer leaves it: that of the captured map
+    MapScores equalEnergy;  // with the target's mean: what is wrong with the shape alone
+};
+
+// One file of `drc reference`, read whole. Arrays as ExampleSet's.
+struct ExampleFile {
+    MapLayout layout{Projection::EqualArea, 32};
+    int count = 0, inputs = 0;
+    std::vector<float> radiance, normal, distance, target;
+};
+
+// Throws Error that begins with the file's name if the file is no such file, or if it holds what no capture yields:
+// NaN, infinity, negative or missing light.
+ExampleFile readExampleFile(const std::string& path);
+
+// Runs the enhancer over the first `inputs` realisations of each example (at most those there are), eight maps at a
+// time on all threads. One entry an example: the mean over its realisations, which are not independent of each other.
+std::vector<ExampleScores> evaluateEnhancer(const ExampleFile& examples, const Enhancer& enhancer, int inputs);
+
+struct PairedComparison {
+    double p = 1;       // two-sided: chance of so clear a difference between methods that are alike
+    double better = 0;  // share of pairs in which `a` is smaller
+};
+
+// Wilcoxon's signed-rank test of pairs (Wilcoxon, "Individual Comparisons by Ranking Methods", 1945), by its normal
+// approximation: for some twenty pairs and more. Equal pairs are left out, equal differences share their ranks. NaN if
+// a score is NaN. The sizes must be equal.
+PairedComparison compareSmaller(std::span<const double> a, std::span<const double> b);
+
+}  // namespace drc

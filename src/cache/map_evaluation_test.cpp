@@ -1,0 +1,210 @@
+#include "cache/map_evaluation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "base/error.h"
+#include "cache/training_examples.h"
+#include "neural/safetensors.h"
+
+namespace drc {
+namespace {
+
+using Radiance = std::vector<float>;
+
+Radiance noise(const MapLayout& layout, unsigned seed) {
+    std::mt19937 rng{seed};
+    std::exponential_distribution<float> e(1);
+    Radiance radiance(size_t(3 * layout.texels()));
+    for (float& r : radiance) r = e(rng);
+    return radiance;
+}
+
+Radiance scaled(Radiance radiance, float factor) {
+    for (float& r : radiance) r *= factor;
+    return radiance;
+}
+
+const MapLayout kSmall(Projection::EqualArea, 2);
+const MapLayout kFull(Projection::EqualArea, 32);
+const MapLayout kLatLong(Projection::LatLong, 32);
+
+TEST(MapEvaluation, L1IsInUnitsOfTheTargetsMean) {
+    // Target: 2 everywhere. Map: one texel of four off by 4 in one channel of three. (4 / 2) / 12.
+    Radiance target(12, 2.f), map(12, 2.f);
+    map[5] = 6;
+    EXPECT_NEAR(scoreMap(map, target, kSmall).l1, 2.0 / 12, 1e-7);
+}
+
+TEST(MapEvaluation, L1WeighsTexelsBySolidAngle) {
+    // A row of a latlong map is worth (cos top - cos bottom) / 2 of the hemisphere.
+    const MapLayout layout(Projection::LatLong, 3);
+    Radiance target(27, 1.f), map(27, 1.f);
+    for (size_t c = 0; c < 3; ++c)
+        for (size_t column = 0; column < 3; ++column) map[c * 9 + column] = 3;
+    EXPECT_NEAR(scoreMap(map, target, layout).l1, 2 * (1 - 0.5) / 2, 1e-6);
+}
+
+TEST(MapEvaluation, APerfectMapHasNoError) {
+    for (const MapLayout& layout : {kFull, kLatLong}) {
+        const Radiance target = noise(layout, 1);
+        const MapScores scores = scoreMap(target, target, layout);
+        EXPECT_EQ(scores.l1, 0);
+        EXPECT_NEAR(scores.ssim, 1, 1e-9);
+        EXPECT_EQ(scores.irradiance, 0);
+    }
+}
+
+TEST(MapEvaluation, ScoresDoNotDependOnTheScenesUnits) {
+    const Radiance target = noise(kFull, 1), map = noise(kFull, 2);
+    const MapScores a = scoreMap(map, target, kFull), b = scoreMap(scaled(map, 1024), scaled(target, 1024), kFull);
+    EXPECT_NEAR(a.l1, b.l1, 1e-6);
+    EXPECT_NEAR(a.ssim, b.ssim, 1e-5);
+    EXPECT_NEAR(a.irradiance, b.irradiance, 1e-6);
+}
+
+TEST(MapEvaluation, EqualEnergyForgivesAFactorAndNothingElse) {
+    const Radiance target = noise(kFull, 1);
+    EXPECT_GT(scoreMap(scaled(target, 3), target, kFull).l1, 1.9);
+    EXPECT_NEAR(scoreMap(withMeanOf(scaled(target, 3), target, kFull), target, kFull).l1, 0, 1e-6);
+    EXPECT_NEAR(scoreMap(withMeanOf(scaled(target, 3), target, kFull), target, kFull).ssim, 1, 1e-6);
+    const Radiance other = noise(kFull, 2);
+    EXPECT_NEAR(hemisphereMean(withMeanOf(other, target, kFull), kFull), hemisphereMean(target, kFull), 1e-6);
+    EXPECT_GT(scoreMap(withMeanOf(other, target, kFull), target, kFull).l1, 0.5);
+}
+
+TEST(MapEvaluation, ABlackMapStaysBlackAndIsWrongByTheTarget) {
+    const Radiance target = noise(kFull, 1), black(target.size(), 0.f);
+    const Radiance same = withMeanOf(black, target, kFull);
+    EXPECT_EQ(same, black);
+    EXPECT_NEAR(scoreMap(same, target, kFull).l1, 1, 1e-6);
+}
+
+TEST(MapEvaluation, UniformErrorOfTheIrradianceFollowsFromItsFormula) {
+    // Uniform light of 1: a normal tilted by theta receives (1 + cos theta) / 2 of pi. The map has twice the light.
+    const Radiance target(size_t(3 * kFull.texels()), 1.f);
+    double expected = 0;
+    const MapLayout normals(Projection::EqualArea, 8);
+    for (int i = 0; i < 64; ++i) {
+        const double t = 0.5 * (1 + double(normals.direction(i % 8, i / 8, Vec2(0.5f, 0.5f)).z));
+        expected += t * t / (t * t + 0.01) / 64;
+    }
+    EXPECT_NEAR(scoreMap(scaled(target, 2), target, kFull).irradiance, expected, 1e-3);
+}
+
+TEST(MapEvaluation, BlurredNoiseIsMoreSimilarThanNoise) {
+    const Radiance target(size_t(3 * kFull.texels()), 1.f);
+    std::vector<CapturedMap> maps(1);
+    maps[0].radiance = noise(kFull, 1);
+    const double noisy = scoreMap(maps[0].radiance, target, kFull).ssim;
+    makeGaussianEnhancer(1)->enhance(maps, kFull);
+    EXPECT_GT(scoreMap(maps[0].radiance, target, kFull).ssim, noisy + 0.01);
+    EXPECT_LT(noisy, 0.5);
+}
+
+TEST(MapEvaluation, MapsBelowTheWindowHaveNoSsim) {
+    EXPECT_TRUE(std::isnan(scoreMap(Radiance(12, 1.f), Radiance(12, 1.f), kSmall).ssim));
+}
+
+TEST(MapEvaluation, ADarkMapWithOneLitTexelHasAnExposure) {
+    Radiance target(size_t(3 * kFull.texels()), 0.f);
+    target[500] = 1e-3f;
+    EXPECT_NEAR(scoreMap(target, target, kFull).ssim, 1, 1e-9);
+}
+
+TEST(MapEvaluation, WilcoxonAgreesWithAKnownExample) {
+    // Darwin's maize: differences of height of 15 pairs. The smaller sum of ranks is 24, expected 60 with the variance
+    // 310: z = -2.0447.
+    const std::vector<double> difference{6, 8, 14, 16, 23, 24, 28, 29, 41, -48, 49, 56, 60, -67, 75}, zero(15, 0.0);
+    const PairedComparison result = compareSmaller(zero, difference);
+    EXPECT_NEAR(result.p, 0.0409, 1e-4);
+    EXPECT_NEAR(result.better, 13.0 / 15, 1e-12);
+    EXPECT_NEAR(compareSmaller(difference, zero).p, result.p, 1e-12);
+}
+
+TEST(MapEvaluation, WilcoxonSharesRanksOfTiesAndLeavesOutEqualPairs) {
+    // With differences of one size it is the sign test: z = (4 - 1) / sqrt(5).
+    const std::vector<double> a(7, 0.0), b{1, 1, -1, 0, 1, 1, 0};
+    EXPECT_NEAR(compareSmaller(a, b).p, std::erfc(3 / std::sqrt(5.0) / std::sqrt(2.0)), 1e-12);
+    EXPECT_NEAR(compareSmaller(a, b).better, 4.0 / 7, 1e-12);
+    EXPECT_EQ(compareSmaller(a, a).p, 1);
+    const std::vector<double> broken{1, NAN}, fine{2, 3};
+    EXPECT_TRUE(std::isnan(compareSmaller(broken, fine).p));
+}
+
+// Two examples with three inputs each.
+class ExampleFiles : public testing::Test {
+  protected:
+    ExampleFiles() {
+        settings_.inputs = 3;
+        set_.count = 2;
+        for (unsigned i = 0; i < 6; ++i) append(set_.radiance, noise(kFull, i));
+        set_.normal.assign(set_.radiance.size(), 0.5f);
+        set_.distance.assign(set_.radiance.size() / 3, 1.f);
+        // The first example's target is its second input, the second's is its first.
+        append(set_.target, noise(kFull, 1));
+        append(set_.target, noise(kFull, 3));
+    }
+    ~ExampleFiles() override { std::filesystem::remove(path_); }
+    static void append(Radiance& to, const Radiance& from) { to.insert(to.end(), from.begin(), from.end()); }
+    void write() const { writeExamples(path_, set_, settings_, "test"); }
+
+    const std::string path_ = testing::TempDir() + "/map_evaluation_test.safetensors";
+    ExampleSettings settings_;
+    ExampleSet set_;
+};
+
+TEST_F(ExampleFiles, EachInputMeetsItsOwnTarget) {
+    write();
+    const ExampleFile file = readExampleFile(path_);
+    EXPECT_EQ(file.count, 2);
+    EXPECT_EQ(file.inputs, 3);
+    const auto none = makeIdentityEnhancer();
+    const auto first = evaluateEnhancer(file, *none, 1), all = evaluateEnhancer(file, *none, 100);
+    ASSERT_EQ(first.size(), 2u);
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_GT(first[0].asRendered.l1, 0.5);
+    EXPECT_EQ(first[1].asRendered.l1, 0);
+    const double a = scoreMap(noise(kFull, 0), noise(kFull, 1), kFull).l1;
+    const double b = scoreMap(noise(kFull, 2), noise(kFull, 1), kFull).l1;
+    EXPECT_NEAR(first[0].asRendered.l1, a, 1e-9);
+    EXPECT_NEAR(all[0].asRendered.l1, (a + b) / 3, 1e-9);
+}
+
+TEST_F(ExampleFiles, WhatNoCaptureYieldsIsRefused) {
+    const auto expectError = [&](const char* message) {
+        write();
+        try {
+            readExampleFile(path_);
+            ADD_FAILURE() << "no error: " << message;
+        } catch (const Error& e) {
+            EXPECT_THAT(e.what(), testing::StartsWith(path_));
+            EXPECT_THAT(e.what(), testing::HasSubstr(message));
+        }
+    };
+    const ExampleSet good = set_;
+    set_.radiance[100] = NAN;
+    expectError("negative, infinite or NaN");
+    set_ = good;
+    set_.target[100] = -1;
+    expectError("negative, infinite or NaN");
+    set_ = good;
+    std::fill(set_.target.begin() + 3 * kFull.texels(), set_.target.end(), 0.f);
+    expectError("example 1 is black");
+}
+
+TEST_F(ExampleFiles, OtherSafetensorsFilesAreRefused) {
+    const float one = 1;
+    writeSafetensors(path_, {{"radiance", {1}, &one}}, {});
+    EXPECT_THROW(readExampleFile(path_), Error);
+    writeSafetensors(path_, {{"radiance", {1}, &one}}, {{"format", "drc-examples-1"}});
+    EXPECT_THROW(readExampleFile(path_), Error);
+    EXPECT_THROW(readExampleFile("no-such-file.safetensors"), Error);
+}
+
+}  // namespace
+}  // namespace drc
