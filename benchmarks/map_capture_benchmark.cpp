@@ -89,14 +89,19 @@ std::vector<Site> findSites(const Scene& scene, const PathTracer& tracer) {
     for (uint32_t i = 0; i < 64 * kMaps && sites.size() < kMaps; ++i) {
         Sampler sampler(kSeed, i);
         const Vec2 u = sampler.get2D();
-        const Vec2 film(float(region.x0) + u.x * float(region.width()), float(region.y0) + u.y * float(region.height()));
+        const Vec2 film(float(region.x0) + u.x * float(region.width()),
+                        float(region.y0) + u.y * float(region.height()));
         const Vec2 uLens = sampler.get2D();
         PrimaryHit hit;
         if (!tracer.primaryHit(scene.camera->generateRay(film, uLens, sampler.get1D()), sampler, hit)) continue;
         if (!hit.bsdf.hasNonSpecular()) continue;
         const SurfaceInteraction& at = hit.surface;
-        sites.push_back({at.p, at.ng, mapFrame(faceForward(at.ng, at.wo), scene.camera->up()), at.footprint,
-                         hashCombine(kSeed, i), {}});
+        sites.push_back({at.p,
+                         at.ng,
+                         mapFrame(faceForward(at.ng, at.wo), scene.camera->up()),
+                         at.footprint,
+                         hashCombine(kSeed, i),
+                         {}});
     }
     return sites;
 }
@@ -196,8 +201,8 @@ int main(int argc, char** argv) {
     try {
         const auto scene = drc::pbrt::loadPbrtFile(drc::scenePath());
         benchmark::AddCustomContext("scene", drc::scenePath());
-        benchmark::RegisterBenchmark(
-            "mapCapture", [&](benchmark::State& state) { drc::captureAndReplay(state, *scene); })
+        benchmark::RegisterBenchmark("mapCapture",
+                                     [&](benchmark::State& state) { drc::captureAndReplay(state, *scene); })
             ->Unit(benchmark::kMillisecond)
             ->UseManualTime();
         benchmark::RunSpecifiedBenchmarks();

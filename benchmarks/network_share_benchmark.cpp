@@ -29,7 +29,7 @@ using PeakLoop = double (*)();
 __attribute__((target("avx2,fma"))) double multiplyAddAvx2() {
     __m256 sum[kSums];
     __m256 a = _mm256_set1_ps(0.5f), b = _mm256_set1_ps(1.f);
-    asm volatile("" : "+x"(a), "+x"(b));   // not known to the compiler
+    asm volatile("" : "+x"(a), "+x"(b));  // not known to the compiler
     for (__m256& s : sum) s = b;
     for (int i = 0; i < kRounds; ++i) {
 #pragma GCC unroll 16
@@ -77,10 +77,14 @@ PeakLoop peakLoop(Precision precision) {
 double referenceShare(int width, Precision precision) {
     const bool bf16 = precision == Precision::Bf16;
     switch (width) {
-        case 16: return bf16 ? 0.87 : 0.93;
-        case 32: return bf16 ? 0.95 : 0.93;
-        case 64: return bf16 ? 0.91 : 0.92;
-        default: return 0;
+        case 16:
+            return bf16 ? 0.87 : 0.93;
+        case 32:
+            return bf16 ? 0.95 : 0.93;
+        case 64:
+            return bf16 ? 0.91 : 0.92;
+        default:
+            return 0;
     }
 }
 

@@ -180,6 +180,9 @@ std::string toJson(const Evaluation& e) {
     return json.dump() + "\n";
 }
 
+// Beyond the range of numbers p is not nought.
+std::string pValue(double p) { return p < 1e-300 ? "< 1e-300" : fmt::format("{:.2g}", p); }
+
 // A row of the table: a name and a cell a column.
 template <typename F>
 std::string row(const std::string& name, F&& cell) {
@@ -203,7 +206,7 @@ std::string toTable(const Evaluation& e) {
         table += fmt::format("\n{} against {}\n", a.enhancer->name(), b.enhancer->name());
         table += row("  better in",
                      [&](const Column& c) { return fmt::format("{:.1f} %", 100 * compareMethods(a, b, c).better); });
-        table += row("  p", [&](const Column& c) { return fmt::format("{:.2g}", compareMethods(a, b, c).p); });
+        table += row("  p", [&](const Column& c) { return pValue(compareMethods(a, b, c).p); });
     }
     return table;
 }

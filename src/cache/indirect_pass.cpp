@@ -14,7 +14,10 @@ constexpr uint64_t kPrimary = 0x1001, kGather = 0x1002, kCapture = 0x1003, kOffs
 constexpr int kFallbackSamples = 2;
 constexpr int kRowsPerTask = 1;
 // Blocks in which fewer than this share of the pixels lack maps are left to the fallback: a map costs a thousand paths.
-constexpr float kFillShare = 0.04f;
+constexpr float kFillShare = 0.1f;
+// Maps that one level may fill in, as a share of the grid's: a pass must cost about what its spacing says, also in a
+// scene that is all edges. What remains is left to the fallback and to later, denser passes.
+constexpr float kFillBudget = 0.5f;
 constexpr float kSmallestFill = 2.5f;   // pixels
 
 }  // namespace
@@ -184,6 +187,11 @@ bool IndirectPass::run(int pass, float spacing,
         // One map for each block of the level's size that lacks enough, at one of the pixels that lack it.
         const int block = std::max(2, int(radius));
         FillLevel next{{}, FilmBuckets(region, radius), radius};
+        struct Block {
+            Vec2 film;
+            int lacking;
+        };
+        std::vector<Block> blocks;
         for (int by = region.y0; by < region.y1; by += block)
             for (int bx = region.x0; bx < region.x1; bx += block) {
                 int lacking = 0;
@@ -201,12 +209,18 @@ bool IndirectPass::run(int pass, float spacing,
                         }
                     }
                 if (lacking == 0 || float(lacking) < kFillShare * float(block * block)) continue;
-                MapSite site;
-                site.film = chosen;
-                site.radius = radius;
-                next.buckets.add(chosen, int(next.sites.size()));
-                next.sites.push_back(std::move(site));
+                blocks.push_back({chosen, lacking});
             }
+        // Those that lack most come first.
+        std::stable_sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.lacking > b.lacking; });
+        if (const auto most = size_t(kFillBudget * float(grid.count())) + 1; blocks.size() > most) blocks.resize(most);
+        for (const Block& b : blocks) {
+            MapSite site;
+            site.film = b.film;
+            site.radius = radius;
+            next.buckets.add(b.film, int(next.sites.size()));
+            next.sites.push_back(std::move(site));
+        }
         captureSites(next.sites, uint64_t(pass), uint64_t(level), cancel);
         if (cancelled()) return false;
         parallelFor(0, int(pixels.size()), 4096, [&](int begin, int end) {
