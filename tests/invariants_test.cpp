@@ -13,12 +13,13 @@ namespace {
 using test::Estimate;
 using test::Pipeline;
 
-void expectSame(const Estimate& a, const Estimate& b, const std::string& what) {
+// correlated: pixels share maps, so that few of the z values are independent and their mean square scatters more.
+void expectSame(const Estimate& a, const Estimate& b, const std::string& what, bool correlated = false) {
     const test::ZResult z = test::zTest(a, b);
     EXPECT_GT(z.tests, 100) << what << ": nothing was compared";
     EXPECT_LT(z.worst, z.bound) << what;
     EXPECT_LT(z.meanDifference, 4) << what << ": the pictures' means differ";
-    EXPECT_LT(z.meanSquare, 1.5) << what;
+    EXPECT_LT(z.meanSquare, correlated ? 2.5 : 1.5) << what;
 }
 
 Estimate constantEstimate(size_t size, double value) {
@@ -53,9 +54,9 @@ TEST_P(Furnace, RadianceIsOneInEveryPixel) {
         std::string(c.enhancer) == "gaussian" ? makeGaussianEnhancer(1) : makeIdentityEnhancer();
     const Estimate direct =
         test::estimate(pipeline.pixels(), 1024, 16, [&](int p, int i) { return pipeline.direct(p, i); });
-    const Estimate indirect = pipeline.cachedIndirect(*enhancer, settings, c.spacing, 24);
+    const Estimate indirect = pipeline.cachedIndirect(*enhancer, settings, c.spacing, 48);
     const Estimate sum = direct + indirect;
-    expectSame(sum, constantEstimate(sum.mean.size(), 1), c.name);
+    expectSame(sum, constantEstimate(sum.mean.size(), 1), c.name, c.spacing > 1);
     double mean = 0;
     for (const double m : sum.mean) mean += m / double(sum.mean.size());
     EXPECT_NEAR(mean, 1, 0.004);

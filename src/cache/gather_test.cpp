@@ -95,7 +95,7 @@ Rgb smooth(const Vec3& d) { return Rgb(1 + 0.6f * d.x + 0.3f * d.y * d.z); }
 TEST(Gather, IsTheIntegralForEachKindOfLobe) {
     const std::pair<const char*, MaterialPtr> materials[] = {{"matte", makeMatte({})},
                                                              {"plastic", makePlastic({})},
-                                                             {"metal", makeMetal({})},
+                                                             {"metal", makeMetal({nullptr, nullptr, std::make_shared<ConstantTexture<float>>(0.3f), nullptr, nullptr, true, nullptr})},
                                                              {"translucent", makeTranslucent({})}};
     for (const auto& [name, material] : materials) {
         Case s;

@@ -31,8 +31,9 @@ Vec2 MapLayout::coordinates(const Vec3& d) const {
         const Vec2 uv = hemisphereToSquare(d);
         return Vec2(uv.x * n, uv.y * n);
     }
-    const float theta = std::acos(std::clamp(d.y, -1.f, 1.f));
-    const float phi = std::atan2(std::max(d.z, 0.f), d.x);
+    const float z = std::max(d.z, 0.f);
+    const float theta = std::atan2(std::sqrt(d.x * d.x + z * z), d.y);
+    const float phi = std::atan2(z, d.x);
     return Vec2(phi * kInvPi * n, theta * kInvPi * n);
 }
 

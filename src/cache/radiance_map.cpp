@@ -28,7 +28,6 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
     distanceScale_ = maxDistance > 0 ? maxDistance / 1024.f : 1.f;
 
     double meanLuminance = 0, inverseDistance = 0, weight = 0;
-    double cosine[3] = {0, 0, 0};
     for (int row = 0; row < n; ++row) {
         const double solidAngle = layout.solidAngle(row);
         for (int column = 0; column < n; ++column) {
@@ -40,16 +39,13 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
             }
             const float d = captured.distance[i];
             distance_[i] = half(d < 0 ? -1.f : d / distanceScale_);
-            const double cosTheta = layout.direction(column, row, Vec2(0.5f, 0.5f)).z;
             meanLuminance += luminance(value) * solidAngle;
             weight += solidAngle;
             if (d > 0) inverseDistance += solidAngle / d;
-            for (int c = 0; c < 3; ++c) cosine[c] += value[c] * solidAngle * cosTheta;
         }
     }
     meanLuminance /= weight;
     harmonicMeanDistance_ = inverseDistance > 0 ? float(weight / inverseDistance) : kInfinity;
-    cosineMean_ = Rgb(float(cosine[0]), float(cosine[1]), float(cosine[2])) * kInvPi;
 
     double sum = 0;
     std::vector<double> cumulative(texels);

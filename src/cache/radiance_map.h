@@ -36,9 +36,6 @@ class RadianceMap {
     DirectionSample sample(const Vec2& u) const;
     float pdf(const Vec3& d) const;
 
-    // Mean radiance weighted by cosine / pi: the irradiance that a surface along normal() receives, divided by pi.
-    Rgb cosineMean() const { return cosineMean_; }
-
   private:
     Rgb texel(int index) const {
         const half* t = &radiance_[size_t(index) * 3];
@@ -56,7 +53,6 @@ class RadianceMap {
     float scale_ = 1;
     float distanceScale_ = 1;
     float harmonicMeanDistance_ = kInfinity;
-    Rgb cosineMean_{0.f};
 };
 
 }  // namespace drc

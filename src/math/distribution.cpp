@@ -17,12 +17,19 @@ Distribution1D::Distribution1D(std::span<const float> f) {
     integral_ = total / static_cast<double>(n);
     for (size_t i = 1; i <= n; ++i)
         cdf_[i] = total > 0 ? cdf_[i] / total : static_cast<double>(i) / static_cast<double>(n);
+    guide_.resize(n);
+    for (size_t k = 0, i = 0; k < n; ++k) {
+        while (cdf_[i + 1] <= static_cast<double>(k) / static_cast<double>(n)) ++i;
+        guide_[k] = static_cast<int>(i);
+    }
 }
 
 int Distribution1D::find(float u) const {
     // The cell whose upper end is the first beyond u has a positive width, so that empty cells are never chosen.
     const double x = std::clamp(u, 0.f, kOneMinusEpsilon);
-    return static_cast<int>(std::upper_bound(cdf_.begin(), cdf_.end(), x) - cdf_.begin()) - 1;
+    int i = guide_[static_cast<size_t>(x * size())];
+    while (cdf_[i + 1] <= x) ++i;
+    return i;
 }
 
 Sample1D Distribution1D::sampleContinuous(float u) const {

@@ -53,6 +53,9 @@ class Distribution1D {
     int find(float u) const;
 
     std::vector<double> cdf_;  // size() + 1 values, from 0 to 1
+    // For each of size() equal parts of [0,1): the cell that its lower end falls in, where a search can start
+    // (Chen and Asau, "On Generating Random Variates from an Empirical Distribution", 1974).
+    std::vector<int> guide_;
     double integral_ = 0;
 };
 

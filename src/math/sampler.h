@@ -12,24 +12,76 @@ namespace drc {
 
 inline uint64_t hashCombine(uint64_t a, uint64_t b) { return mixBits(a ^ (mixBits(b) + 0x9e3779b97f4a7c15ull)); }
 
+namespace detail {
+
+inline uint32_t reverseBits(uint32_t x) {
+    x = __builtin_bswap32(x);
+    x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
+    x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
+    return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+}
+
+// A hash in which every bit depends only on lower bits: on a bit-reversed number it is a nested uniform scramble.
+inline uint32_t laineKarras(uint32_t x, uint32_t seed) {
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return x;
+}
+
+// Second dimension of the Sobol sequence. Its generator matrix is Pascal's triangle modulo 2, where entry (i, j) is odd
+// if the bits of i are a subset of those of j (Lucas): a sum over supersets, done for each of the five bits at once.
+// The result is bit-reversed, least significant digit first.
+inline uint32_t sobolSecondDimensionReversed(uint32_t index) {
+    uint32_t v = index;
+    v ^= v >> 16;
+    v ^= (v & 0xff00ff00u) >> 8;
+    v ^= (v & 0xf0f0f0f0u) >> 4;
+    v ^= (v & 0xccccccccu) >> 2;
+    v ^= (v & 0xaaaaaaaau) >> 1;
+    return v;
+}
+
+inline float toUnit(uint32_t x) { return float(x >> 8) * 0x1p-24f; }
+
+}  // namespace detail
+
 class Sampler {
   public:
     Sampler(uint64_t stream, uint32_t index) { start(stream, index); }
 
     void start(uint64_t stream, uint32_t index) {
         stream_ = mixBits(stream);
-        index_ = index;
+        reversedIndex_ = detail::reverseBits(index);
         dimension_ = 0;
     }
     // Numbers in [0, 1).
-    float get1D();
-    Vec2 get2D();
+    float get1D() {
+        const uint64_t h = mixBits(stream_ + 0x9e3779b97f4a7c15ull * ++dimension_);
+        return radicalInverse(shuffled(h), uint32_t(h >> 32));
+    }
+    Vec2 get2D() {
+        const uint64_t h = mixBits(stream_ + 0x9e3779b97f4a7c15ull * ++dimension_);
+        const uint64_t h2 = mixBits(h ^ 0xd1342543de82ef95ull);
+        const uint32_t i = shuffled(h);
+        const uint32_t y = detail::laineKarras(detail::sobolSecondDimensionReversed(i), uint32_t(h2));
+        return Vec2(radicalInverse(i, uint32_t(h >> 32)), detail::toUnit(detail::reverseBits(y)));
+    }
     // A sampler for a sub-problem, independent of this one and of other splits.
     Sampler split(uint32_t index) { return Sampler(hashCombine(stream_, 0x51ed270b0a1f39c1ull + dimension_++), index); }
 
   private:
+    // A nested uniform scramble reverses the bits, hashes and reverses again; reversals that meet are left out.
+    uint32_t shuffled(uint64_t h) const { return detail::reverseBits(detail::laineKarras(reversedIndex_, uint32_t(h))); }
+    // First dimension: the index's own bits reversed, and then scrambled.
+    static float radicalInverse(uint32_t i, uint32_t seed) {
+        return detail::toUnit(detail::reverseBits(detail::laineKarras(i, seed)));
+    }
+
     uint64_t stream_ = 0;
-    uint32_t index_ = 0;
+    uint32_t reversedIndex_ = 0;
     uint32_t dimension_ = 0;
 };
 

@@ -32,14 +32,14 @@ class InfiniteLight final : public Light {
     std::optional<LightSample> sample(const Vec3&, const Vec2& u) const override {
         const Sample2D s = distribution_.sample(u);
         // Uniform in solid angle within the texel; uniform in (u, v) would crowd the poles.
-        const float h = lerp(s.local.y, oneMinusCos(s.y), oneMinusCos(s.y + 1));
+        const float h = lerp(s.local.y, oneMinusCos_[s.y], oneMinusCos_[s.y + 1]);
         const float phi = 2 * kPi * (s.x + s.local.x) / width_;
         const float sinTheta = safeSqrt(h * (2 - h));
         const Vec3 local(sinTheta * std::cos(phi), sinTheta * std::sin(phi), 1 - h);
         LightSample r;
         r.wi = normalize(lightToWorld_.vector(local));
         r.pdf = s.pdf * rowDensity_[s.y] * stretch(worldToLight_.vector(r.wi));
-        r.radiance = escaped(r.wi);
+        r.radiance = lookup(Vec2((s.x + s.local.x) / width_, std::atan2(sinTheta, 1 - h) * kInvPi));
         r.distance = kInfinity;
         if (!(r.pdf > 0) || isBlack(r.radiance)) return {};
         return r;
@@ -48,15 +48,7 @@ class InfiniteLight final : public Light {
     Rgb power(float sceneRadius) const override { return mean_ * (kPi * sqr(sceneRadius)); }
     bool isInfinite() const override { return true; }
 
-    Rgb escaped(const Vec3& wi) const override {
-        const Vec2 uv = mapCoordinates(worldToLight_.vector(wi));
-        // Texel centres are at half-integers; the map repeats both ways, as pbrt's does.
-        const float x = uv.x * width_ - 0.5f, y = uv.y * height_ - 0.5f;
-        const float x0 = std::floor(x), y0 = std::floor(y);
-        const int i = int(x0), j = int(y0);
-        return lerp(y - y0, lerp(x - x0, texel(i, j), texel(i + 1, j)),
-                    lerp(x - x0, texel(i, j + 1), texel(i + 1, j + 1)));
-    }
+    Rgb escaped(const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_.vector(wi))); }
 
     float pdfEscaped(const Vec3& wi) const override {
         const Vec3 w = worldToLight_.vector(wi);
@@ -75,16 +67,20 @@ class InfiniteLight final : public Light {
         return Vec2(std::min(phi * (0.5f * kInvPi), kOneMinusEpsilon), theta * kInvPi);
     }
 
+    // Bilinear.
+    Rgb lookup(const Vec2& uv) const {
+        // Texel centres are at half-integers; the map repeats both ways, as pbrt's does.
+        const float x = uv.x * width_ - 0.5f, y = uv.y * height_ - 0.5f;
+        const float x0 = std::floor(x), y0 = std::floor(y);
+        const int i = int(x0), j = int(y0);
+        return lerp(y - y0, lerp(x - x0, texel(i, j), texel(i + 1, j)),
+                    lerp(x - x0, texel(i, j + 1), texel(i + 1, j + 1)));
+    }
+
     const Rgb& texel(int x, int y) const {
         x %= width_;
         y %= height_;
         return texels_[size_t(y < 0 ? y + height_ : y) * width_ + (x < 0 ? x + width_ : x)];
-    }
-
-    // 1 - cos(theta) at the upper edge of a row.
-    float oneMinusCos(int row) const {
-        const double s = std::sin(std::numbers::pi * row / (2.0 * height_));
-        return float(2 * s * s);
     }
 
     // Solid angle in light space over that in world space, about the direction whose light-space vector is w: 1 for
@@ -99,6 +95,8 @@ class InfiniteLight final : public Light {
         // it is left out and none is over-sampled by much.
         std::vector<float> f(texels_.size());
         rowDensity_.resize(height_);
+        for (int row = 0; row <= height_; ++row)
+            oneMinusCos_.push_back(float(1 - std::cos(std::numbers::pi * row / height_)));
         double weights = 0;
         double mean[3] = {0, 0, 0};
         std::vector<float> rows(size_t(width_) * 3);
@@ -133,6 +131,7 @@ class InfiniteLight final : public Light {
     std::vector<Rgb> texels_;  // scaled
     Distribution2D distribution_;
     std::vector<float> rowDensity_;  // by row: 1 / (4 pi) where texels are as large as they are on average
+    std::vector<float> oneMinusCos_;  // 1 - cos(theta) at the upper edge of each row, and of the map's lower edge
     Rgb mean_;                       // over the sphere
     float determinant_ = 1;          // of worldToLight, absolute
 };
