@@ -23,7 +23,7 @@ void expectSame(const Estimate& a, const Estimate& b, const std::string& what, b
 }
 
 Estimate constantEstimate(size_t size, double value) {
-    return {std::vector<double>(size, value), std::vector<double>(size, 0)};
+    return {std::vector<double>(size, value), std::vector<double>(size, 0), std::vector<double>(size, 1)};
 }
 
 // Invariant 1. Radiance is 1 everywhere in a furnace, and no projection, interpolation, gather or enhancer may change
@@ -83,7 +83,9 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
     const Pipeline pipeline(test::room(material, 12, 8));
     IndirectSettings settings;
     settings.gatherSamples = 64;
-    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, 16);
+    // Light through rough glass comes in rare bright paths: few passes are too skewed for a t-test.
+    const int passes = name == "rough_glass" ? 80 : 16;
+    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, passes);
     const Estimate traced =
         test::estimate(pipeline.pixels(), 8192, 64, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
     expectSame(oracle, traced, name);

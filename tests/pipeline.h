@@ -65,8 +65,10 @@ struct Pipeline {
 // Sum of two independent estimates.
 inline Estimate operator+(Estimate a, const Estimate& b) {
     for (size_t i = 0; i < a.mean.size(); ++i) {
+        const auto [variance, freedom] = combine(a, b, i);
         a.mean[i] += b.mean[i];
-        a.variance[i] += b.variance[i];
+        a.variance[i] = variance;
+        a.freedom[i] = freedom;
     }
     return a;
 }

@@ -10,10 +10,20 @@
 
 namespace drc::test {
 
-// Mean and variance of the mean for each pixel and channel.
+// Mean and variance of the mean for each pixel and channel, and how many degrees of freedom the variance has.
 struct Estimate {
-    std::vector<double> mean, variance;   // [pixels * 3]
+    std::vector<double> mean, variance, freedom;   // [pixels * 3]
 };
+
+// Variance of a sum or difference, and its degrees of freedom (Welch and Satterthwaite).
+struct Combined {
+    double variance, freedom;
+};
+inline Combined combine(const Estimate& a, const Estimate& b, size_t i) {
+    const double va = a.variance[i], vb = b.variance[i], v = va + vb;
+    const double d = va * va / a.freedom[i] + vb * vb / b.freedom[i];
+    return {v, d > 0 ? v * v / d : 1e9};
+}
 
 // Runs sample(pixel, i) for i in [0, samples) at every pixel. `groups` consecutive samples are averaged before the
 // variance is taken, so that samples that are stratified among themselves are judged by what they achieve.
@@ -21,6 +31,7 @@ inline Estimate estimate(int pixels, int samples, int group, const std::function
     Estimate e;
     e.mean.resize(size_t(pixels) * 3);
     e.variance.resize(size_t(pixels) * 3);
+    e.freedom.assign(size_t(pixels) * 3, samples / group - 1);
     parallelFor(0, pixels, 1, [&](int begin, int end) {
         for (int p = begin; p < end; ++p) {
             double sum[3] = {}, squares[3] = {};
@@ -55,12 +66,14 @@ inline ZResult zTest(const Estimate& a, const Estimate& b) {
     ZResult r;
     double difference = 0, variance = 0;
     for (size_t i = 0; i < a.mean.size(); ++i) {
-        const double v = a.variance[i] + b.variance[i], d = a.mean[i] - b.mean[i];
+        const auto [v, freedom] = combine(a, b, i);
+        const double d = a.mean[i] - b.mean[i];
         difference += d;
         variance += v;
         if (v <= 1e-14) continue;
-        const double z = d / std::sqrt(v);
-        r.worst = std::max(r.worst, std::abs(z));
+        // d / sqrt(v) follows Student's t; the normal deviate of the same rarity, by Wallace's approximation (1959).
+        const double z = (8 * freedom + 1) / (8 * freedom + 3) * std::sqrt(freedom * std::log1p(d * d / (v * freedom)));
+        r.worst = std::max(r.worst, z);
         r.meanSquare += z * z;
         ++r.tests;
     }
