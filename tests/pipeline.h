@@ -43,7 +43,14 @@ struct Pipeline {
         if (!tracer.primaryHit(ray, s, hit)) return Rgb(0.f);
         return hit.throughput * tracer.indirect(hit, s);
     }
-    // The indirect layer by radiance maps: the mean and variance over independent passes of the same spacing.
+    Rgb narrowIndirect(int pixel, int i) const {
+        Sampler s = sampler(4, pixel, i);
+        const Ray ray = cameraRay(pixel, s);
+        Rgb narrow(0.f);
+        tracer.direct(ray, s, &narrow);
+        return narrow;
+    }
+    // The indirect layer by radiance maps, wide lobes alone: the mean and variance over independent passes of the same spacing.
     Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing, int passes) const {
         const PixelRegion region = scene->settings.region();
         std::vector<std::vector<Rgb>> values(size_t(passes), std::vector<Rgb>(region.count()));

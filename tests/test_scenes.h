@@ -12,6 +12,8 @@ inline std::vector<std::pair<std::string, std::string>> allMaterials() {
         {"matte", R"(Material "matte" "rgb Kd" [0.7 0.4 0.3])"},
         {"oren_nayar", R"(Material "matte" "rgb Kd" [0.6 0.6 0.5] "float sigma" 40)"},
         {"plastic", R"(Material "plastic" "rgb Kd" [0.2 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.15)"},
+        {"smooth_plastic", R"(Material "plastic" "rgb Kd" [0.2 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.01)"},
+        {"smooth_metal", R"(Material "metal" "float roughness" 0.005)"},
         {"metal", R"(Material "metal" "float roughness" 0.1)"},
         {"mirror", R"(Material "mirror" "rgb Kr" [0.8 0.9 0.8])"},
         {"glass", R"(Material "glass" "float index" 1.5)"},

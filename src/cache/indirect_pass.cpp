@@ -9,9 +9,7 @@ namespace {
 
 // Purposes of random numbers: streams that must not meet.
 constexpr uint64_t kPrimary = 0x1001, kGather = 0x1002, kCapture = 0x1003, kOffset = 0x1004, kFill = 0x1005,
-                   kFallback = 0x1006, kNarrow = 0x1007;
-// Path-traced samples of a pixel that no map serves.
-constexpr int kFallbackSamples = 2;
+                   kFallback = 0x1006;
 constexpr int kRowsPerTask = 1;
 // Blocks in which fewer than this share of the pixels lack maps are left to the fallback: a map costs a thousand paths.
 constexpr float kFillShare = 0.1f;
@@ -42,9 +40,9 @@ uint64_t IndirectPass::pixelStream(int x, int y, uint64_t purpose) const {
     return hashCombine(settings_.seed, hashCombine(purpose, (uint64_t(uint32_t(y)) << 32) | uint32_t(x)));
 }
 
-bool IndirectPass::primaryHit(int x, int y, int pass, Vec2& film, float& weight, PrimaryHit& hit) const {
+bool IndirectPass::primaryHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const {
     const Scene& scene = tracer_.scene();
-    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(pass));
+    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(index));
     const FilterSample f = scene.settings.filter->sample(sampler.get2D());
     film = Vec2(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
     weight = f.weight;
@@ -136,20 +134,21 @@ bool IndirectPass::run(int pass, float spacing,
     captureSites(sites, uint64_t(pass), 0, cancel);
     if (cancelled()) return false;
 
-    const auto forEachGridSite = [&](const PixelSite& pixel, auto&& f) {
+    using Weight = float (*)(const PixelSite&, const MapSite&);
+    const auto forEachGridSite = [&](const PixelSite& pixel, Weight geometry, auto&& f) {
         const int corner = grid.cell(pixel.film);
         for (const int i : {corner, corner + 1, corner + grid.columns(), corner + grid.columns() + 1}) {
             const MapSite& site = sites[size_t(i)];
             const float tent = tentWeight(pixel.film, site.film, spacing);
-            const float w = tent > 0 ? tent * geometryWeight(pixel, site) : 0;
+            const float w = tent > 0 ? tent * geometry(pixel, site) : 0;
             if (w > 0) f(site, w);
         }
     };
-    const auto forEachFillSite = [](const FillLevel& level, const PixelSite& pixel, auto&& f) {
+    const auto forEachFillSite = [](const FillLevel& level, const PixelSite& pixel, Weight geometry, auto&& f) {
         level.buckets.forEachNear(pixel.film, [&](int id) {
             const MapSite& site = level.sites[size_t(id)];
             const float radial = radialWeight(pixel.film, site.film, level.radius);
-            const float w = radial > 0 ? radial * geometryWeight(pixel, site) : 0;
+            const float w = radial > 0 ? radial * geometry(pixel, site) : 0;
             if (w > 0) f(site, w);
         });
     };
@@ -172,10 +171,10 @@ bool IndirectPass::run(int pass, float spacing,
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!primaryHit(x, y, pass, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) continue;
+                if (!primaryHit(x, y, pass * settings_.primarySamples, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) continue;
                 pixel.site = pixelSite(hit, position);
                 pixel.coverage = 0;
-                forEachGridSite(pixel.site, [&](const MapSite&, float w) { pixel.coverage += w; });
+                forEachGridSite(pixel.site, geometryWeight, [&](const MapSite&, float w) { pixel.coverage += w; });
             }
     });
     if (cancelled()) return false;
@@ -226,7 +225,7 @@ bool IndirectPass::run(int pass, float spacing,
         parallelFor(0, int(pixels.size()), 4096, [&](int begin, int end) {
             for (auto i = size_t(begin); i < size_t(end); ++i)
                 if (pixels[i].coverage >= 0)
-                    forEachFillSite(next, pixels[i].site, [&](const MapSite&, float w) { pixels[i].coverage += w; });
+                    forEachFillSite(next, pixels[i].site, geometryWeight, [&](const MapSite&, float w) { pixels[i].coverage += w; });
         });
         fill.push_back(std::move(next));
     }
@@ -236,26 +235,31 @@ bool IndirectPass::run(int pass, float spacing,
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         std::vector<WeightedSite> around;
         for (int y = begin; y < end && !cancelled(); ++y)
-            for (int x = region.x0; x < region.x1; ++x) {
+            for (int x = region.x0; x < region.x1; ++x)
+            for (int sample = 0; sample < settings_.primarySamples; ++sample) {
+                const int index = pass * settings_.primarySamples + sample;
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!primaryHit(x, y, pass, position, weight, hit)) {
+                if (!primaryHit(x, y, index, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) {
                     add(x, y, Rgb(0.f), weight);
                     continue;
                 }
                 const PixelSite pixel = pixelSite(hit, position);
-                around.clear();
-                float sum = 0;
-                const auto keep = [&](const MapSite& site, float w) {
-                    around.push_back({&site, w});
-                    sum += w;
+                const auto collect = [&](Weight geometry) {
+                    around.clear();
+                    float sum = 0;
+                    const auto keep = [&](const MapSite& site, float w) {
+                        around.push_back({&site, w});
+                        sum += w;
+                    };
+                    forEachGridSite(pixel, geometry, keep);
+                    for (const FillLevel& level : fill) forEachFillSite(level, pixel, geometry, keep);
+                    return sum;
                 };
-                forEachGridSite(pixel, keep);
-                for (const FillLevel& level : fill) forEachFillSite(level, pixel, keep);
-                if (sum < 0.25f * settings_.minCoverage) around.clear();
-                if (around.empty() && hit.bsdf.hasWithin(LobeFlags::Wide)) fallbacks.fetch_add(1, std::memory_order_relaxed);
-                const Rgb value = shade(hit, around, x, y, pass);
+                if (collect(geometryWeight) < 0.25f * settings_.minCoverage) collect(relaxedWeight);
+                if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
+                const Rgb value = shade(hit, around, x, y, index);
                 add(x, y, value * hit.throughput, weight);
             }
     });
@@ -266,24 +270,13 @@ bool IndirectPass::run(int pass, float spacing,
     return !cancelled();
 }
 
-Rgb IndirectPass::shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int pass) const {
-    Rgb value(0.f);
-    if (!hit.bsdf.hasWithin(LobeFlags::Wide) || !sites.empty()) {
-        if (hit.bsdf.has(LobeFlags::Narrow)) {
-            Sampler sampler(pixelStream(x, y, kNarrow), uint32_t(pass));
-            value = tracer_.indirectNarrow(hit, sampler);
-        }
-        if (!sites.empty()) {
-            const auto n = uint32_t(settings_.gatherSamples);
-            value += gather(hit, sites, settings_.gatherSamples, pixelStream(x, y, kGather), uint32_t(pass) * n);
-        }
-        return value;
+Rgb IndirectPass::shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const {
+    if (!sites.empty()) {
+        const auto n = uint32_t(settings_.gatherSamples);
+        return gather(hit, sites, settings_.gatherSamples, pixelStream(x, y, kGather), uint32_t(index) * n);
     }
-    for (int s = 0; s < kFallbackSamples; ++s) {
-        Sampler sampler(pixelStream(x, y, kFallback), uint32_t(pass * kFallbackSamples + s));
-        value += tracer_.indirect(hit, sampler) * (1.f / kFallbackSamples);
-    }
-    return value;
+    Sampler sampler(pixelStream(x, y, kFallback), uint32_t(index));
+    return tracer_.indirect(hit, sampler, LobeFlags::Wide);
 }
 
 bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add,
@@ -295,23 +288,21 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         std::vector<CapturedMap> captured(1);
         for (int y = begin; y < end; ++y)
-            for (int x = region.x0; x < region.x1; ++x) {
+            for (int x = region.x0; x < region.x1; ++x)
+            for (int sample = 0; sample < settings_.primarySamples; ++sample) {
+                const int index = pass * settings_.primarySamples + sample;
                 if (cancel && cancel->cancelled()) return;
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!primaryHit(x, y, pass, position, weight, hit)) {
+                if (!primaryHit(x, y, index, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) {
                     add(x, y, Rgb(0.f), weight);
-                    continue;
-                }
-                if (!hit.bsdf.hasWithin(LobeFlags::Wide)) {
-                    add(x, y, shade(hit, {}, x, y, pass) * hit.throughput, weight);
                     continue;
                 }
                 MapSite site;
                 site.p = hit.surface.p;
                 site.n = faceForward(hit.surface.ng, hit.surface.wo);
-                const uint64_t stream = hashCombine(pixelStream(x, y, kCapture), uint64_t(pass));
+                const uint64_t stream = hashCombine(pixelStream(x, y, kCapture), uint64_t(index));
                 const auto capture = [&](const Vec3& n, uint64_t side) {
                     captureMap(tracer_, settings_.capture, site.p, hit.surface.ng, mapFrame(n, up),
                                hit.surface.footprint, hashCombine(stream, side), captured[0]);
@@ -322,7 +313,7 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
                 site.front = capture(site.n, 0);
                 if (hit.bsdf.hasWideTransmission()) site.back = capture(-site.n, 1);
                 const WeightedSite one{&site, 1};
-                const Rgb value = shade(hit, {&one, 1}, x, y, pass);
+                const Rgb value = shade(hit, {&one, 1}, x, y, index);
                 add(x, y, value * hit.throughput, weight);
             }
     }, cancel);

@@ -15,7 +15,8 @@ namespace drc {
 
 struct IndirectSettings {
     CaptureSettings capture;
-    int gatherSamples = 8;         // pairs of samples a pixel and pass, split over its maps
+    int primarySamples = 4;        // camera samples a pixel and pass
+    int gatherSamples = 3;         // pairs of directions that each of them gathers, split over its maps
     float minCoverage = 0.1f;      // of a pixel's weights, below which maps are filled in
     int fillLevels = 3;            // halvings of the spacing that fill in
     uint64_t seed = 0;
@@ -26,8 +27,8 @@ class IndirectPass {
     // All arguments must outlive the pass. stats may be null.
     IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings, Stats* stats);
 
-    // Estimates the indirect radiance of every pixel of the film: add(x, y, value) is called once for each pixel, from
-    // any thread. `value` includes the pixel filter's weight. Grid spacing of one pixel or less: a map at each pixel,
+    // Estimates the indirect radiance of every pixel of the film, narrow lobes left out (PathTracer::direct gives theirs):
+    // add(x, y, value, weight) is called primarySamples times for each pixel, from any thread. `value` includes the pixel filter's weight. Grid spacing of one pixel or less: a map at each pixel,
     // seen from there alone. False: cancelled, and some pixels have no value.
     bool run(int pass, float spacing, const std::function<void(int x, int y, const Rgb& value, float weight)>& add,
              const CancelToken* cancel = nullptr);
@@ -40,10 +41,10 @@ class IndirectPass {
     struct FillLevel;
     void captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel);
     bool runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add, const CancelToken* cancel);
-    // Indirect radiance of a pixel: wide lobes from the maps, narrow ones traced, all of them traced without a map.
-    Rgb shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int pass) const;
-    // The pixel's primary point in this pass: the same each time it is asked for.
-    bool primaryHit(int x, int y, int pass, Vec2& film, float& weight, PrimaryHit& hit) const;
+    // Indirect radiance of the wide lobes: from the maps, or traced where there is none. index: of the camera sample.
+    Rgb shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const;
+    // The primary point of a pixel's camera sample `index`: the same each time it is asked for.
+    bool primaryHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const;
     uint64_t pixelStream(int x, int y, uint64_t purpose) const;
 
     const PathTracer& tracer_;

@@ -12,19 +12,35 @@ float radialWeight(const Vec2& film, const Vec2& site, float radius) {
     return std::max(0.f, 1 - std::sqrt(d.x * d.x + d.y * d.y) / radius);
 }
 
-float geometryWeight(const PixelSite& pixel, const MapSite& site) {
-    if (!site.hasFront || (pixel.transmits && !site.hasBack)) return 0;
-    const float cosine = dot(pixel.n, site.n);
-    if (cosine <= 0) return 0;
+namespace {
+
+bool serves(const PixelSite& pixel, const MapSite& site) {
+    return site.hasFront && (!pixel.transmits || site.hasBack) && dot(pixel.n, site.n) > 0;
+}
+
+// Distance off the plane of either, in units of half the map's reach: a depth edge, or a step.
+float step(const PixelSite& pixel, const MapSite& site) {
     const Vec3 d = site.p - pixel.p;
-    // Off the plane of either: a depth edge, or a step.
-    const float reach = 0.5f * std::max(site.radius, 2.f) * pixel.pixelSize;
-    const float height = std::max(absDot(pixel.n, d), absDot(site.n, d));
-    if (height >= reach) return 0;
-    // Light changes over the distance at which the map sees surfaces; beyond that the parallax correction cannot know
-    // what the map did not see.
-    const float split = length(d) / site.front.harmonicMeanDistance();
-    return sqr(cosine) * (1 - height / reach) / (1 + 4 * sqr(split));
+    return std::max(absDot(pixel.n, d), absDot(site.n, d)) / (0.5f * std::max(site.radius, 2.f) * pixel.pixelSize);
+}
+
+// Light changes over the distance at which the map sees surfaces; beyond that the parallax correction cannot know what
+// the map did not see.
+float split(const PixelSite& pixel, const MapSite& site) {
+    return 1 / (1 + 4 * sqr(length(site.p - pixel.p) / site.front.harmonicMeanDistance()));
+}
+
+}  // namespace
+
+float geometryWeight(const PixelSite& pixel, const MapSite& site) {
+    if (!serves(pixel, site)) return 0;
+    const float s = step(pixel, site);
+    return s < 1 ? sqr(dot(pixel.n, site.n)) * (1 - s) * split(pixel, site) : 0;
+}
+
+float relaxedWeight(const PixelSite& pixel, const MapSite& site) {
+    if (!serves(pixel, site)) return 0;
+    return sqr(dot(pixel.n, site.n)) * split(pixel, site) / (1 + sqr(step(pixel, site)));
 }
 
 }  // namespace drc

@@ -33,4 +33,8 @@ float radialWeight(const Vec2& film, const Vec2& site, float radius);
 // tangent plane by more than half its reach, and for a map that lacks a side that the pixel needs.
 float geometryWeight(const PixelSite& pixel, const MapSite& site);
 
+// The same for a pixel that no map serves well: maps off its plane count, the less the farther. A smooth error of a few
+// pixels at an edge is less seen than the noise of a few paths.
+float relaxedWeight(const PixelSite& pixel, const MapSite& site);
+
 }  // namespace drc

@@ -76,6 +76,15 @@ TEST(Interpolation, AMapBehindADepthEdgeDoesNotCount) {
     EXPECT_GT(geometryWeight(pixel, siteAt(Vec3(0.5f, 0, 0), kUp)), 0.9f) << "far along the plane is no edge";
 }
 
+TEST(Interpolation, RelaxedWeightsFadeOffThePlaneButKeepTheSides) {
+    const PixelSite pixel = pixelAt(Vec3(0, 0, 0), kUp);
+    const float near = relaxedWeight(pixel, siteAt(Vec3(0, 0, 0.11f), kUp));
+    const float far = relaxedWeight(pixel, siteAt(Vec3(0, 0, 0.5f), kUp));
+    EXPECT_GT(near, far);
+    EXPECT_GT(far, 0);
+    EXPECT_EQ(relaxedWeight(pixel, siteAt(Vec3(0, 0, 0), -kUp)), 0);
+}
+
 TEST(Interpolation, AMapInACornerReachesLessFar) {
     const PixelSite pixel = pixelAt(Vec3(0, 0, 0), kUp);
     EXPECT_LT(geometryWeight(pixel, siteAt(Vec3(0.2f, 0, 0), kUp, 0.1f)),

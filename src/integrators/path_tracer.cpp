@@ -148,7 +148,7 @@ Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) cons
     return trace(ray, sampler, Emission::SkippedAtFirst, first);
 }
 
-Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler) const {
+Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, Rgb* narrowIndirect) const {
     Ray ray = cameraRay;
     Rgb sum(0.f), throughput(1.f);
     SurfaceInteraction hit;
@@ -183,6 +183,8 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler) const {
                 }
             }
         }
+        if (narrowIndirect && bsdf.has(LobeFlags::Narrow))
+            *narrowIndirect += throughput * indirectNarrow(hit, bsdf, sampler);
         if (!bsdf.hasSpecular()) break;
         const float uLobe = sampler.get1D();
         const auto s = bsdf.sample(hit.wo, uLobe, sampler.get2D(), kSpecularLobes);
@@ -230,22 +232,21 @@ bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& 
     return false;
 }
 
-Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler) const {
+Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobes) const {
     const float uLobe = sampler.get1D();
-    const auto s = hit.bsdf.sample(hit.surface.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
+    const auto s = hit.bsdf.sample(hit.surface.wo, uLobe, sampler.get2D(), lobes);
     if (!s || !(s->pdf > 0) || isBlack(s->f)) return Rgb(0.f);
     const Ray ray = hit.surface.spawnRay(s->wi, spreadAfter(*s, hit.surface.coneSpread));
     return s->f * incident(ray, sampler) * (absDot(s->wi, hit.bsdf.frame().n) / s->pdf);
 }
 
-Rgb PathTracer::indirectNarrow(const PrimaryHit& hit, Sampler& sampler) const {
-    const SurfaceInteraction& at = hit.surface;
+Rgb PathTracer::indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const {
     const float uLobe = sampler.get1D();
-    const auto s = hit.bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
+    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
     if (!s || !(s->pdf > 0)) return Rgb(0.f);
     // The density is that of all lobes: what it samples for the wide ones' sake has little weight here.
-    const Rgb narrow = clampNonNegative(s->f - hit.bsdf.f(at.wo, s->wi, LobeFlags::Wide));
-    const Rgb weight = narrow * (absDot(s->wi, hit.bsdf.frame().n) / s->pdf);
+    const Rgb narrow = clampNonNegative(s->f - bsdf.f(at.wo, s->wi, LobeFlags::Wide));
+    const Rgb weight = narrow * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     const float survival = std::min(1.f, maxComponent(weight));
     if (!(sampler.get1D() < survival)) return Rgb(0.f);
     const Ray ray = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));

@@ -46,17 +46,18 @@ class PathTracer {
     Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const;
 
     // Emission seen through the specular chain, and one bounce of light at each non-specular hit along it: D.
-    Rgb direct(const Ray& ray, Sampler& sampler) const;
+    // narrowIndirect, if not null, receives what indirectNarrow() gives at the same points: light that maps cannot hold.
+    Rgb direct(const Ray& ray, Sampler& sampler, Rgb* narrowIndirect = nullptr) const;
 
     // The primary point of a camera ray. Where a surface has both kinds of lobes, one is chosen at random. False: none
     // (the ray escaped, or was absorbed).
     bool primaryHit(const Ray& ray, Sampler& sampler, PrimaryHit& hit) const;
 
     // One sample of the non-specular lobes' share of indirect light at a primary point: f R cos / pdf.
-    Rgb indirect(const PrimaryHit& hit, Sampler& sampler) const;
+    Rgb indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobes = LobeFlags::NonSpecular) const;
 
     // The same for the narrow lobes alone, which radiance maps cannot resolve. Paths of little weight are not traced.
-    Rgb indirectNarrow(const PrimaryHit& hit, Sampler& sampler) const;
+    Rgb indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
 
     const Scene& scene() const { return scene_; }
     const PathSettings& settings() const { return settings_; }

@@ -6,6 +6,8 @@ namespace drc {
 namespace {
 
 constexpr uint64_t kSampleStream = 0x2001;
+// Pixels. Below it more passes serve better than more maps in one.
+constexpr float kFinestInTime = 3;
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -15,7 +17,7 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
                    Stats* stats)
     : scene_(scene), params_(params), accel_(scene), lights_(scene), tracer_(scene, accel_, lights_, params.path),
       enhancer_(std::move(enhancer)), stats_(stats), samples_(scene.settings.region()),
-      indirect_(scene.settings.region()), start_(Clock::now()) {
+      narrow_(scene.settings.region()), indirect_(scene.settings.region()), start_(Clock::now()) {
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
 }
 
@@ -31,15 +33,28 @@ bool Renderer::nextIsPass(float& spacing) const {
                double(passesDone_) / params_.passes <= double(samplesDone_) / params_.spp;
     }
     if (passesDone_ == 0 || samplesDone_ == 0) return samplesDone_ > 0;
-    const double left = seconds(*params_.deadline - Clock::now());
     const double total = sampleSeconds_ + passSeconds_;
-    // The next pass must end in time: one with fewer maps if need be, none if it would be much coarser.
-    const double cost = lastPass_ * sqr(lastSpacing_ / spacing);
-    if (cost > left) {
-        if (lastPass_ * 0.5 > left) return false;
-        spacing = lastSpacing_ * float(std::sqrt(lastPass_ / (0.9 * left)));
+    spacing = spacingInTime();
+    return spacing > 0 && sampleSeconds_ > params_.directShare * total;
+}
+
+float Renderer::spacingInTime() const {
+    const double left = seconds(*params_.deadline - Clock::now());
+    // The first pass is cheap and makes the picture whole. The next goes as fine as lets four passes, each with the
+    // usual 1.26 times the maps of the one before, fill what is left of their share.
+    constexpr double kPassesInTime = 4;
+    const double growth = 1 / sqr(kSpacingFactor);
+    double cost = lastPass_ * growth;
+    if (passesDone_ == 1) {
+        const double sum = (std::pow(growth, kPassesInTime) - 1) / (growth - 1);
+        cost = std::max(cost, (1 - params_.directShare) * left / sum);
     }
-    return sampleSeconds_ > params_.directShare * total;
+    // It must end in time: with fewer maps if need be, not at all if it would be much coarser.
+    if (cost > 0.9 * left) {
+        if (0.5 * lastPass_ > left) return 0;
+        cost = 0.9 * left;
+    }
+    return std::max(kFinestInTime, float(lastSpacing_ * std::sqrt(lastPass_ / cost)));
 }
 
 bool Renderer::step(const CancelToken* cancel) {
@@ -56,7 +71,7 @@ bool Renderer::step(const CancelToken* cancel) {
 bool Renderer::sampleStep(const CancelToken* cancel) {
     const auto start = Clock::now();
     const PixelRegion& region = samples_.region();
-    const bool path = params_.integrator == Integrator::Path;
+    const bool path = params_.integrator == Integrator::Path, drc = params_.integrator == Integrator::Drc;
     parallelFor(region.y0, region.y1, 1, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
             for (int x = region.x0; x < region.x1; ++x) {
@@ -66,7 +81,10 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
                 const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
                 const Vec2 uLens = sampler.get2D();
                 const Ray ray = scene_.camera->generateRay(film, uLens, sampler.get1D());
-                samples_.add(x, y, path ? tracer_.radiance(ray, sampler) : tracer_.direct(ray, sampler), f.weight);
+                Rgb narrow(0.f);
+                samples_.add(x, y, path ? tracer_.radiance(ray, sampler) : tracer_.direct(ray, sampler, drc ? &narrow : nullptr),
+                             f.weight);
+                if (drc) narrow_.add(x, y, narrow, f.weight);
             }
     }, cancel);
     ++samplesDone_;
@@ -79,8 +97,9 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
 bool Renderer::passStep(float spacing, const CancelToken* cancel) {
     const auto start = Clock::now();
     IndirectPass pass(tracer_, *enhancer_, params_.indirect, stats_);
-    // A pass counts by its maps: each has 1.26 times the say of the one before, and the first ones fade.
-    const double importance = 1 / (double(spacing) * double(spacing));
+    // By the square of its maps: noise falls with their number, and what interpolation smears with their spacing. Each
+    // pass has 1.58 times the say of the one before, and the first ones fade.
+    const double importance = std::pow(double(spacing), -4.0);
     const bool whole = pass.run(passesDone_, spacing, [&](int x, int y, const Rgb& value, float filterWeight) {
         indirect_.add(x, y, value, filterWeight, importance);
     }, cancel);
@@ -120,6 +139,8 @@ RenderedImage Renderer::image() const {
     if (params_.integrator != Integrator::Drc) return result;
     result.direct = result.beauty;
     result.indirect = indirect_.image(scale);
+    const Image narrow = narrow_.image(scale);
+    for (size_t i = 0; i < narrow.data().size(); ++i) result.indirect->data()[i] += narrow.data()[i];
     for (size_t i = 0; i < result.beauty.data().size(); ++i) result.beauty.data()[i] += result.indirect->data()[i];
     return result;
 }

@@ -21,7 +21,7 @@ struct RenderParams {
     float firstSpacing = kFirstSpacing;   // of the first pass, as a share of the frame's height
     // With a deadline spp and passes are ignored: steps are made until it.
     std::optional<std::chrono::steady_clock::time_point> deadline;
-    float directShare = 0.35f;     // of the time before a deadline that the direct layer gets
+    float directShare = 0.5f;     // of the time before a deadline that the direct layer gets
 };
 
 struct RenderedImage {
@@ -52,6 +52,8 @@ class Renderer {
     bool sampleStep(const CancelToken* cancel);
     bool passStep(float spacing, const CancelToken* cancel);
     bool nextIsPass(float& spacing) const;
+    // Before a deadline: the spacing of the next pass, from what the last one cost.
+    float spacingInTime() const;
 
     const Scene& scene_;
     RenderParams params_;
@@ -61,7 +63,8 @@ class Renderer {
     std::shared_ptr<const Enhancer> enhancer_;
     Stats* stats_;
     FilmLayer samples_;            // paths, or the direct layer
-    FilmLayer indirect_;
+    FilmLayer narrow_;             // indirect light of lobes that maps cannot hold: with the samples
+    FilmLayer indirect_;           // of all others: with the passes
     int samplesDone_ = 0, passesDone_ = 0;
     Clock::time_point start_;
     double sampleSeconds_ = 0, passSeconds_ = 0;
