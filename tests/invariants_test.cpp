@@ -51,8 +51,7 @@ TEST_P(Furnace, RadianceIsOneInEveryPixel) {
     settings.capture.layout = MapLayout(c.projection, 16);
     settings.gatherSamples = 16;
     settings.primarySamples = 1;
-    const auto enhancer =
-        std::string(c.enhancer) == "gaussian" ? makeGaussianEnhancer(1) : makeIdentityEnhancer();
+    const auto enhancer = std::string(c.enhancer) == "gaussian" ? makeGaussianEnhancer(1) : makeIdentityEnhancer();
     const Estimate direct =
         test::estimate(pipeline.pixels(), 1024, 16, [&](int p, int i) { return pipeline.direct(p, i); });
     const Estimate indirect = pipeline.cachedIndirect(*enhancer, settings, c.spacing, 48);
@@ -72,8 +71,10 @@ TEST_P(EveryMaterial, DirectPlusTracedIndirectIsThePathTracer) {
     const auto [name, material] = test::allMaterials()[GetParam()];
     const Pipeline pipeline(test::room(material, 12, 8));
     const int samples = 4096, group = 64;
-    const Estimate path = test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.path(p, i); });
-    const Estimate direct = test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.direct(p, i); });
+    const Estimate path =
+        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.path(p, i); });
+    const Estimate direct =
+        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.direct(p, i); });
     const Estimate indirect =
         test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
     expectSame(direct + indirect, path, name);
@@ -96,7 +97,8 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
 }
 
 // Invariant 4.
-std::vector<float> renderWith(int threads, const std::string& integrator, const std::shared_ptr<const Enhancer>& enhancer) {
+std::vector<float> renderWith(int threads, const std::string& integrator,
+                              const std::shared_ptr<const Enhancer>& enhancer) {
     setThreadCount(threads);
     const auto scene = pbrt::loadPbrtString(test::room(test::allMaterials()[12].second, 40, 30));
     RenderParams params;

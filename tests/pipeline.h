@@ -18,7 +18,8 @@ struct Pipeline {
     Ray cameraRay(int pixel, Sampler& sampler) const {
         const PixelRegion region = scene->settings.region();
         const Vec2 u = sampler.get2D();
-        const Vec2 film(float(region.x0 + pixel % region.width()) + u.x, float(region.y0 + pixel / region.width()) + u.y);
+        const Vec2 film(float(region.x0 + pixel % region.width()) + u.x,
+                        float(region.y0 + pixel / region.width()) + u.y);
         const Vec2 uLens = sampler.get2D();
         return scene->camera->generateRay(film, uLens, sampler.get1D());
     }
@@ -50,8 +51,10 @@ struct Pipeline {
         tracer.direct(ray, s, &narrow);
         return narrow;
     }
-    // The indirect layer by radiance maps, wide lobes alone: the mean and variance over independent passes of the same spacing.
-    Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing, int passes) const {
+    // The indirect layer by radiance maps, wide lobes alone: the mean and variance over independent passes of the same
+    // spacing.
+    Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing,
+                            int passes) const {
         const PixelRegion region = scene->settings.region();
         std::vector<std::vector<Rgb>> values(size_t(passes), std::vector<Rgb>(region.count()));
         for (int pass = 0; pass < passes; ++pass) {
@@ -60,7 +63,8 @@ struct Pipeline {
                 values[size_t(pass)][region.index(x, y)] = value * weight;
             });
         }
-        return estimate(int(region.count()), passes, 1, [&](int pixel, int i) { return values[size_t(i)][size_t(pixel)]; });
+        return estimate(int(region.count()), passes, 1,
+                        [&](int pixel, int i) { return values[size_t(i)][size_t(pixel)]; });
     }
 
     std::unique_ptr<Scene> scene;

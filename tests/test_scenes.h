@@ -12,7 +12,8 @@ inline std::vector<std::pair<std::string, std::string>> allMaterials() {
         {"matte", R"(Material "matte" "rgb Kd" [0.7 0.4 0.3])"},
         {"oren_nayar", R"(Material "matte" "rgb Kd" [0.6 0.6 0.5] "float sigma" 40)"},
         {"plastic", R"(Material "plastic" "rgb Kd" [0.2 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.15)"},
-        {"smooth_plastic", R"(Material "plastic" "rgb Kd" [0.2 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.01)"},
+        {"smooth_plastic",
+         R"(Material "plastic" "rgb Kd" [0.2 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.01)"},
         {"smooth_metal", R"(Material "metal" "float roughness" 0.005)"},
         {"metal", R"(Material "metal" "float roughness" 0.1)"},
         {"mirror", R"(Material "mirror" "rgb Kr" [0.8 0.9 0.8])"},
@@ -32,15 +33,16 @@ inline std::vector<std::pair<std::string, std::string>> allMaterials() {
 }
 
 inline std::string quad(const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
-    return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [" + a + " " + b + " " + c + " " + d + "]\n";
+    return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [" + a + " " + b + " " + c + " " + d +
+           "]\n";
 }
 
 // A closed room [-2,2]x[-2,2]x[0,3] (z up) with grey and coloured walls, an area light below the ceiling, a mirror on
 // one wall that shows it, and a quad of `material` on its back and a ball of it, seen by the camera. width x height
 // pixels.
 inline std::string room(const std::string& material, int width, int height) {
-    const std::string size = "\"integer xresolution\" " + std::to_string(width) + " \"integer yresolution\" " +
-                             std::to_string(height);
+    const std::string size =
+        "\"integer xresolution\" " + std::to_string(width) + " \"integer yresolution\" " + std::to_string(height);
     return "LookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70\nFilm \"image\" " + size +
            "\nIntegrator \"path\"\nWorldBegin\n"
            "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]\n" +
@@ -60,8 +62,8 @@ inline std::string room(const std::string& material, int width, int height) {
 inline std::string furnace(float albedo, int width, int height) {
     const auto number = [](float x) { return std::to_string(x); };
     const std::string a = number(albedo), e = number(1 - albedo);
-    const std::string size = "\"integer xresolution\" " + std::to_string(width) + " \"integer yresolution\" " +
-                             std::to_string(height);
+    const std::string size =
+        "\"integer xresolution\" " + std::to_string(width) + " \"integer yresolution\" " + std::to_string(height);
     return "LookAt 0 -1.9 0.3  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" 80\nFilm \"image\" " + size +
            "\nWorldBegin\nMaterial \"matte\" \"rgb Kd\" [" + a + " " + a + " " + a +
            "]\nAreaLightSource \"diffuse\" \"rgb L\" [" + e + " " + e + " " + e + "] \"bool twosided\" \"true\"\n" +

@@ -12,7 +12,7 @@ namespace drc::test {
 
 // Mean and variance of the mean for each pixel and channel, and how many degrees of freedom the variance has.
 struct Estimate {
-    std::vector<double> mean, variance, freedom;   // [pixels * 3]
+    std::vector<double> mean, variance, freedom;  // [pixels * 3]
 };
 
 // Variance of a sum or difference, and its degrees of freedom (Welch and Satterthwaite).
@@ -55,10 +55,10 @@ inline Estimate estimate(int pixels, int samples, int group, const std::function
 }
 
 struct ZResult {
-    double worst = 0;            // largest |z| of a pixel and channel
-    double meanSquare = 0;       // of z: 1 if the variances are right and the expectations the same
-    double meanDifference = 0;   // of the whole picture, in standard deviations
-    double bound = 0;            // for `worst` and `meanDifference`: exceeded by chance in one run of a thousand
+    double worst = 0;           // largest |z| of a pixel and channel
+    double meanSquare = 0;      // of z: 1 if the variances are right and the expectations the same
+    double meanDifference = 0;  // of the whole picture, in standard deviations
+    double bound = 0;           // for `worst` and `meanDifference`: exceeded by chance in one run of a thousand
     int tests = 0;
 };
 

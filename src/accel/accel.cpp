@@ -17,7 +17,7 @@ struct GeometryData {
 
 struct Group {
     RTCScene scene = nullptr;
-    std::vector<std::unique_ptr<GeometryData>> geometries;   // indexed by Embree's geometry id
+    std::vector<std::unique_ptr<GeometryData>> geometries;  // indexed by Embree's geometry id
 };
 
 struct Triangle {
@@ -51,7 +51,6 @@ TriangleUv uvOf(const TriangleMesh& mesh, const Triangle& t) {
 Vec2 interpolate(const TriangleUv& uv, float b1, float b2) {
     return uv.uv[0] * (1 - b1 - b2) + uv.uv[1] * b1 + uv.uv[2] * b2;
 }
-
 
 // The hit in the space of the primitive (world, or an instanced object's).
 void fillTriangle(const Primitive& primitive, uint32_t index, float b1, float b2, SurfaceInteraction& hit) {
@@ -93,7 +92,6 @@ bool fillShape(const Primitive& primitive, const Ray& ray, float tMin, SurfaceIn
     hit.triangle = 0;
     return true;
 }
-
 
 bool isHole(const Primitive& primitive, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
             float t) {
@@ -196,7 +194,7 @@ struct Accel::Impl {
     RTCDevice device = nullptr;
     Group world;
     std::vector<Group> objects;
-    std::vector<const Instance*> instances;   // indexed by the world scene's geometry id; null: not an instance
+    std::vector<const Instance*> instances;  // indexed by the world scene's geometry id; null: not an instance
 
     ~Impl() {
         for (Group& g : objects)
@@ -289,8 +287,7 @@ bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
     rtcIntersect1(impl_->world.scene, &context, &q);
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
 
-    const Instance* instance =
-        q.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? nullptr : impl_->instances[q.hit.instID[0]];
+    const Instance* instance = q.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? nullptr : impl_->instances[q.hit.instID[0]];
     const Group& group = instance ? impl_->objects[size_t(instance->object)] : impl_->world;
     const Primitive& primitive = *group.geometries[q.hit.geomID]->primitive;
     hit.primitive = &primitive;
@@ -301,7 +298,7 @@ bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
         if (instance) {
             const Transform inverse = instance->objectToWorld.inverse();
             local.o = inverse.point(ray.o);
-            local.d = inverse.vector(ray.d);   // not renormalised: t stays the same in both spaces
+            local.d = inverse.vector(ray.d);  // not renormalised: t stays the same in both spaces
         }
         local.tMax = q.ray.tfar * 1.00001f;
         if (!fillShape(primitive, local, q.ray.tfar * 0.99999f, hit)) return false;

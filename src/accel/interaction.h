@@ -8,13 +8,13 @@ namespace drc {
 
 struct SurfaceInteraction {
     Vec3 p{0.f};
-    Vec3 wo{0.f};          // unit, back along the ray
-    Vec3 ng{0.f};          // geometric normal, unit, oriented by the shape (emitters shine on this side)
-    Vec3 ns{0.f};          // shading normal, unit, on the side of ng; not bump-mapped
+    Vec3 wo{0.f};  // unit, back along the ray
+    Vec3 ng{0.f};  // geometric normal, unit, oriented by the shape (emitters shine on this side)
+    Vec3 ns{0.f};  // shading normal, unit, on the side of ng; not bump-mapped
     Vec2 uv{0.f};
     Vec3 dpdu{0.f}, dpdv{0.f};
-    float t = 0;           // distance along the ray
-    float footprint = 0;   // width of the ray's cone at p
+    float t = 0;          // distance along the ray
+    float footprint = 0;  // width of the ray's cone at p
     float coneSpread = 0;
     uint32_t triangle = 0;
     const Primitive* primitive = nullptr;

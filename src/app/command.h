@@ -1,5 +1,5 @@
-// What the subcommands share. Each subcommand is a pair of files that registers itself with CLI11; its callback does the
-// work and throws drc::Error for whatever the user can mend.
+// What the subcommands share. Each subcommand is a pair of files that registers itself with CLI11; its callback does
+// the work and throws drc::Error for whatever the user can mend.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <chrono>

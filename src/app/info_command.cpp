@@ -34,7 +34,8 @@ void printInfo(const std::string& path) {
     fmt::print("  film        {} x {} pixels", s.film.width, s.film.height);
     if (int(region.count()) != s.film.width * s.film.height)
         fmt::print(", of which [{}, {}) x [{}, {}) is rendered", region.x0, region.x1, region.y0, region.y1);
-    fmt::print("\n  integrator  {} (maxdepth {}), {} spp, sampler {}\n", s.integrator, s.maxDepth, s.samplesPerPixel, s.sampler);
+    fmt::print("\n  integrator  {} (maxdepth {}), {} spp, sampler {}\n", s.integrator, s.maxDepth, s.samplesPerPixel,
+               s.sampler);
     fmt::print("  geometry    {} triangles in {} meshes, {} other shapes, {} with alpha\n", scene->triangleCount(),
                scene->primitives.size() - shapes, shapes, masked);
     fmt::print("  objects     {}, {} instances\n", scene->objects.size(), scene->instances.size());

@@ -25,8 +25,9 @@ std::string findWeights(const std::string& weights) {
         if (fs::exists(candidate, ignored)) return candidate.string();
         tried += "\n  " + candidate.string();
     }
-    throw Error("the network's weights were not found; name them with --weights, or render with --enhancer gaussian. Tried:" +
-                tried);
+    throw Error(
+        "the network's weights were not found; name them with --weights, or render with --enhancer gaussian. Tried:" +
+        tried);
 }
 
 }  // namespace drc

@@ -42,7 +42,7 @@ void writeReferences(const ReferenceOptions& options) {
     for (const std::string& path : options.scenes) {
         const std::string name = sceneName(path);
         const std::string shard = options.directory + "/" + name + ".safetensors";
-        if (std::filesystem::exists(shard)) {   // an interrupted run goes on where it was
+        if (std::filesystem::exists(shard)) {  // an interrupted run goes on where it was
             progress.add(settings.viewpoints);
             continue;
         }
@@ -71,12 +71,21 @@ void addReferenceCommand(CLI::App& app) {
     auto* command = app.add_subcommand("reference", "Write examples for the network to learn from");
     auto o = std::make_shared<ReferenceOptions>();
     command->add_option("SCENE", o->scenes, "Scene files, pbrt-v3")->required();
-    command->add_option("-o,--output", o->directory, "Folder for one safetensors file a scene; those there are kept")->required();
-    command->add_option("--viewpoints", o->examples.viewpoints, "Maps a scene")->capture_default_str()->check(CLI::PositiveNumber);
-    command->add_option("--spp", o->examples.targetSamples, "Samples a texel of the target")->capture_default_str()->check(CLI::PositiveNumber);
-    command->add_option("--inputs", o->examples.inputs, "One-sample realisations of each map")->capture_default_str()->check(CLI::PositiveNumber);
+    command->add_option("-o,--output", o->directory, "Folder for one safetensors file a scene; those there are kept")
+        ->required();
+    command->add_option("--viewpoints", o->examples.viewpoints, "Maps a scene")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command->add_option("--spp", o->examples.targetSamples, "Samples a texel of the target")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command->add_option("--inputs", o->examples.inputs, "One-sample realisations of each map")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
     command->add_option("--projection", o->projection, "equal-area or latlong")->capture_default_str();
-    command->add_option("--map-size", o->size, "Texels along each side")->capture_default_str()->check(CLI::Range(4, 256));
+    command->add_option("--map-size", o->size, "Texels along each side")
+        ->capture_default_str()
+        ->check(CLI::Range(4, 256));
     command->add_option("--seed", o->examples.seed, "Seed of all random numbers")->capture_default_str();
     command->add_option("--nthreads", o->threads, "Threads; 0: one a core")->capture_default_str();
     command->add_flag("--quiet", o->quiet, "Say nothing but errors");

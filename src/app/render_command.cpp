@@ -67,7 +67,8 @@ void checkOutput(const std::string& path) {
     outputKind(path);
     const auto folder = std::filesystem::absolute(path).parent_path();
     std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored)) throw Error("-o " + path + ": there is no folder " + folder.string());
+    if (!std::filesystem::is_directory(folder, ignored))
+        throw Error("-o " + path + ": there is no folder " + folder.string());
 }
 
 Integrator chooseIntegrator(const std::string& wanted, const RenderSettings& settings) {
@@ -109,14 +110,16 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
     const Quality* quality = &kQualities[1];
     for (const Quality& q : kQualities)
         if (o.quality == q.name) quality = &q;
-    p.spp = o.spp.value_or(o.integrator == "scene"             ? scene.settings.samplesPerPixel
+    p.spp = o.spp.value_or(o.integrator == "scene"            ? scene.settings.samplesPerPixel
                            : p.integrator == Integrator::Path ? quality->pathSpp
                                                               : quality->spp);
     p.passes = quality->passes;
     if (o.tasks) p.passes = passesForTasks(*o.tasks, scene.settings.film.width, scene.settings.film.height);
     if (o.passes) p.passes = *o.passes;
-    if (o.maxDepth) p.path.maxDepth = *o.maxDepth;
-    else if (o.integrator == "scene") p.path.maxDepth = scene.settings.maxDepth;
+    if (o.maxDepth)
+        p.path.maxDepth = *o.maxDepth;
+    else if (o.integrator == "scene")
+        p.path.maxDepth = scene.settings.maxDepth;
     p.path.clamp = std::min(scene.settings.maxSampleLuminance, o.clamp > 0 ? o.clamp : kInfinity);
     if (o.gatherSamples) p.indirect.gatherSamples = *o.gatherSamples;
     if (o.spacing) p.firstSpacing = *o.spacing / float(scene.settings.film.height);
@@ -131,7 +134,8 @@ double writeSeconds(const RenderOptions& o, size_t pixels, bool layers) {
     return seconds;
 }
 
-void writePictures(const RenderOptions& o, const Scene& scene, const RenderedImage& picture, const ExrMetadata& metadata) {
+void writePictures(const RenderOptions& o, const Scene& scene, const RenderedImage& picture,
+                   const ExrMetadata& metadata) {
     const PixelRegion region = scene.settings.region();
     const ExrWindow window{region.x0, region.y0, scene.settings.film.width, scene.settings.film.height};
     for (const std::string& path : o.outputs) {
@@ -206,7 +210,8 @@ void render(RenderOptions o) {
     stats.timer("write").add(std::chrono::steady_clock::now() - writing);
     std::string names;
     for (const std::string& path : o.outputs) names += (names.empty() ? "" : ", ") + path;
-    logInfo(fmt::format("{}{}: {} in {:.1f} s", interruptToken().cancelled() ? "interrupted; " : "", names, renderer.status(),
+    logInfo(fmt::format("{}{}: {} in {:.1f} s", interruptToken().cancelled() ? "interrupted; " : "", names,
+                        renderer.status(),
                         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()));
     if (o.stats) fmt::print("{}", stats.report());
 }
@@ -217,33 +222,51 @@ void addRenderCommand(CLI::App& app) {
     auto* command = app.add_subcommand("render", "Render a scene");
     auto o = std::make_shared<RenderOptions>();
     command->add_option("SCENE", o->scene, "Scene file, pbrt-v3")->required();
-    command->add_option("-o,--output", o->outputs, "Picture to write, .exr or .png; may be repeated. Default: by the scene's film");
+    command->add_option("-o,--output", o->outputs,
+                        "Picture to write, .exr or .png; may be repeated. Default: by the scene's film");
     command->add_option("--integrator", o->integrator, "drc, path, direct, or scene: what the file asks for")
-        ->capture_default_str()->check(CLI::IsMember({"drc", "path", "direct", "scene"}));
+        ->capture_default_str()
+        ->check(CLI::IsMember({"drc", "path", "direct", "scene"}));
     command->add_option("--quality", o->quality, "draft, standard or high: sets spp and passes")
-        ->capture_default_str()->check(CLI::IsMember({"draft", "standard", "high"}));
-    command->add_option("--time", o->time, "Seconds for the whole run, reading and writing included; overrides spp and passes")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"draft", "standard", "high"}));
+    command
+        ->add_option("--time", o->time,
+                     "Seconds for the whole run, reading and writing included; overrides spp and passes")
         ->check(CLI::PositiveNumber);
     command->add_option("--spp", o->spp, "Samples a pixel, of paths or of direct light")->check(CLI::PositiveNumber);
     command->add_option("--passes", o->passes, "Passes of radiance maps")->check(CLI::NonNegativeNumber);
     command->add_option("--indirect-tasks", o->tasks, "The same in the paper's unit: squares of ten by ten cells")
         ->check(CLI::NonNegativeNumber);
     command->add_option("--resolution", o->resolution, "WIDTHxHEIGHT in pixels, instead of the file's");
-    command->add_option("--crop", o->crop, "x0 x1 y0 y1 in [0,1]: the part of the film to render")->expected(4)->check(CLI::Range(0.0, 1.0));
+    command->add_option("--crop", o->crop, "x0 x1 y0 y1 in [0,1]: the part of the film to render")
+        ->expected(4)
+        ->check(CLI::Range(0.0, 1.0));
     command->add_option("--enhancer", o->enhancer, "network, gaussian, none, or oracle: many samples a texel")
-        ->capture_default_str()->check(CLI::IsMember({"network", "gaussian", "none", "oracle"}));
-    command->add_option("--oracle-spp", o->oracleSamples, "Samples a texel of the oracle")->capture_default_str()->check(CLI::PositiveNumber);
+        ->capture_default_str()
+        ->check(CLI::IsMember({"network", "gaussian", "none", "oracle"}));
+    command->add_option("--oracle-spp", o->oracleSamples, "Samples a texel of the oracle")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
     command->add_option("--weights", o->weights, "Weights of the network, safetensors. Default: the shipped ones");
     command->add_option("--precision", o->precision, "Of the network: auto, fp32 or bf16")
-        ->capture_default_str()->check(CLI::IsMember({"auto", "fp32", "bf16"}));
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "fp32", "bf16"}));
     command->add_option("--projection", o->projection, "Of the maps: equal-area or latlong")
-        ->capture_default_str()->check(CLI::IsMember({"equal-area", "latlong"}));
-    command->add_option("--spacing", o->spacing, "Pixels between the maps of the first pass; 1: a map at each pixel")->check(CLI::Range(1.f, 10000.f));
-    command->add_option("--gather-samples", o->gatherSamples, "Pairs of directions that a pixel gathers from a pass")->check(CLI::PositiveNumber);
-    command->add_option("--max-depth", o->maxDepth, "Longest path, in non-specular bounces")->check(CLI::PositiveNumber);
-    command->add_option("--clamp", o->clamp, "Largest luminance of a path sample (biased); 0: none")->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::IsMember({"equal-area", "latlong"}));
+    command->add_option("--spacing", o->spacing, "Pixels between the maps of the first pass; 1: a map at each pixel")
+        ->check(CLI::Range(1.f, 10000.f));
+    command->add_option("--gather-samples", o->gatherSamples, "Pairs of directions that a pixel gathers from a pass")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--max-depth", o->maxDepth, "Longest path, in non-specular bounces")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--clamp", o->clamp, "Largest luminance of a path sample (biased); 0: none")
+        ->capture_default_str();
     command->add_option("--seed", o->seed, "Seed of all random numbers")->capture_default_str();
-    command->add_option("--nthreads", o->threads, "Threads; 0: one a core")->capture_default_str()->check(CLI::NonNegativeNumber);
+    command->add_option("--nthreads", o->threads, "Threads; 0: one a core")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
     command->add_flag("--stats", o->stats, "Print counts and times when done");
     command->add_flag("--quiet", o->quiet, "Say nothing but warnings and errors");
     command->add_flag("-v,--verbose", o->verbose, "Say more");

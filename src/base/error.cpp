@@ -8,8 +8,7 @@ std::string SourceLocation::str() const {
 }
 
 Error::Error(const SourceLocation& where, const std::string& message, const std::string& excerpt)
-    : std::runtime_error((where.empty() ? "" : where.str() + ": ") + message +
-                         (excerpt.empty() ? "" : "\n" + excerpt)),
+    : std::runtime_error((where.empty() ? "" : where.str() + ": ") + message + (excerpt.empty() ? "" : "\n" + excerpt)),
       where_(where) {}
 
 }  // namespace drc

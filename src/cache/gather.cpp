@@ -5,7 +5,7 @@ namespace {
 
 struct Sides {
     const RadianceMap* front = nullptr;
-    const RadianceMap* back = nullptr;   // null: the pixel does not transmit
+    const RadianceMap* back = nullptr;  // null: the pixel does not transmit
     float pdf(const Vec3& d) const { return back ? 0.5f * (front->pdf(d) + back->pdf(d)) : front->pdf(d); }
 };
 
@@ -43,8 +43,7 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
         const auto fromMap = (transmits && uSide < 0.5f ? site.back : site.front).sample(sampler.get2D());
         if (fromMap.pdf > 0) {
             const float mapPdf = transmits ? sides.pdf(fromMap.d) : fromMap.pdf;
-            sum += contribution(sides, fromMap.d, mapPdf,
-                                hit.bsdf.pdf(at.wo, fromMap.d, LobeFlags::Wide));
+            sum += contribution(sides, fromMap.d, mapPdf, hit.bsdf.pdf(at.wo, fromMap.d, LobeFlags::Wide));
         }
         const float uLobe = sampler.get1D();
         const auto fromBsdf = hit.bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::Wide);

@@ -9,7 +9,7 @@ namespace drc {
 
 struct WeightedSite {
     const MapSite* site = nullptr;
-    float weight = 0;      // > 0; need not be normalised
+    float weight = 0;  // > 0; need not be normalised
 };
 
 // Estimate of the integral over the sphere of f R cos, f the wide lobes (narrow ones are traced: see

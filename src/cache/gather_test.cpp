@@ -83,7 +83,9 @@ double integrate(const PrimaryHit& hit, F&& radiance) {
 
 TEST(Gather, ConstantRadianceOnALambertianSurfaceGivesItsAlbedo) {
     Case s;
-    makeCase(makeMatte({std::make_shared<ConstantTexture<Rgb>>(Rgb(0.5f)), nullptr, nullptr}), [](Vec3) { return Rgb(3.f); }, s);
+    makeCase(
+        makeMatte({std::make_shared<ConstantTexture<Rgb>>(Rgb(0.5f)), nullptr, nullptr}), [](Vec3) { return Rgb(3.f); },
+        s);
     const Mean m = gatherMean(s, 8);
     EXPECT_NEAR(m.value, 1.5, 4 * m.sigma + 1e-3);
     EXPECT_LT(m.sigma, 0.005);
@@ -93,10 +95,12 @@ TEST(Gather, ConstantRadianceOnALambertianSurfaceGivesItsAlbedo) {
 Rgb smooth(const Vec3& d) { return Rgb(1 + 0.6f * d.x + 0.3f * d.y * d.z); }
 
 TEST(Gather, IsTheIntegralForEachKindOfLobe) {
-    const std::pair<const char*, MaterialPtr> materials[] = {{"matte", makeMatte({})},
-                                                             {"plastic", makePlastic({})},
-                                                             {"metal", makeMetal({nullptr, nullptr, std::make_shared<ConstantTexture<float>>(0.3f), nullptr, nullptr, true, nullptr})},
-                                                             {"translucent", makeTranslucent({})}};
+    const std::pair<const char*, MaterialPtr> materials[] = {
+        {"matte", makeMatte({})},
+        {"plastic", makePlastic({})},
+        {"metal", makeMetal({nullptr, nullptr, std::make_shared<ConstantTexture<float>>(0.3f), nullptr, nullptr, true,
+                             nullptr})},
+        {"translucent", makeTranslucent({})}};
     for (const auto& [name, material] : materials) {
         Case s;
         makeCase(material, smooth, s);
@@ -108,8 +112,10 @@ TEST(Gather, IsTheIntegralForEachKindOfLobe) {
 
 TEST(Gather, MapsAreMixedByWeight) {
     Case a, b;
-    makeCase(makeMatte({}), [](Vec3) { return Rgb(1.f); }, a);
-    makeCase(makeMatte({}), [](Vec3) { return Rgb(5.f); }, b);
+    makeCase(
+        makeMatte({}), [](Vec3) { return Rgb(1.f); }, a);
+    makeCase(
+        makeMatte({}), [](Vec3) { return Rgb(5.f); }, b);
     const WeightedSite sites[] = {{&a.site, 0.3f}, {&b.site, 0.1f}};
     double sum = 0;
     for (int i = 0; i < 4000; ++i) sum += gather(a.hit, sites, 4, 5, uint32_t(4 * i)).y / 4000;

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <chrono>
 
-
 namespace drc {
 namespace {
 
@@ -16,14 +15,14 @@ constexpr float kFillShare = 0.1f;
 // Maps that one level may fill in, as a share of the grid's: a pass must cost about what its spacing says, also in a
 // scene that is all edges. What remains is left to the fallback and to later, denser passes.
 constexpr float kFillBudget = 0.5f;
-constexpr float kSmallestFill = 2.5f;   // pixels
+constexpr float kSmallestFill = 2.5f;  // pixels
 
 }  // namespace
 
 // What filling in needs to know of a pixel.
 struct IndirectPass::Pixel {
     PixelSite site;
-    float coverage = -1;   // sum of weights; -1: no primary hit
+    float coverage = -1;  // sum of weights; -1: no primary hit
 };
 
 struct IndirectPass::FillLevel {
@@ -89,36 +88,39 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
     const MapLayout& layout = settings_.capture.layout;
     const Vec3 up = scene.camera->up();
     const int batch = enhancer_.batchSize();
-    parallelFor(0, int(requests.size()), batch, [&](int begin, int end) {
-        if (cancel && cancel->cancelled()) return;
-        std::vector<CapturedMap> maps(size_t(end - begin));
-        using Clock = std::chrono::steady_clock;
-        const auto start = Clock::now();
-        for (int i = begin; i < end; ++i) {
-            const Request& r = requests[size_t(i)];
-            const Frame frame = mapFrame(r.back ? -r.site->n : r.site->n, up);
-            captureMap(tracer_, settings_.capture, r.site->p, r.ng, frame, r.footprint, r.stream,
-                       maps[size_t(i - begin)]);
-        }
-        const auto captured = Clock::now();
-        enhancer_.enhance(maps, layout);
-        const auto enhanced = Clock::now();
-        for (int i = begin; i < end; ++i) {
-            const Request& r = requests[size_t(i)];
-            (r.back ? r.site->back : r.site->front) = RadianceMap(maps[size_t(i - begin)], layout);
-            (r.back ? r.site->hasBack : r.site->hasFront) = true;
-        }
-        if (stats_) {
-            stats_->add("maps captured", end - begin);
-            stats_->timer("map capture").add(captured - start);
-            stats_->timer("map enhancement").add(enhanced - captured);
-        }
-    }, cancel);
+    parallelFor(
+        0, int(requests.size()), batch,
+        [&](int begin, int end) {
+            if (cancel && cancel->cancelled()) return;
+            std::vector<CapturedMap> maps(size_t(end - begin));
+            using Clock = std::chrono::steady_clock;
+            const auto start = Clock::now();
+            for (int i = begin; i < end; ++i) {
+                const Request& r = requests[size_t(i)];
+                const Frame frame = mapFrame(r.back ? -r.site->n : r.site->n, up);
+                captureMap(tracer_, settings_.capture, r.site->p, r.ng, frame, r.footprint, r.stream,
+                           maps[size_t(i - begin)]);
+            }
+            const auto captured = Clock::now();
+            enhancer_.enhance(maps, layout);
+            const auto enhanced = Clock::now();
+            for (int i = begin; i < end; ++i) {
+                const Request& r = requests[size_t(i)];
+                (r.back ? r.site->back : r.site->front) = RadianceMap(maps[size_t(i - begin)], layout);
+                (r.back ? r.site->hasBack : r.site->hasFront) = true;
+            }
+            if (stats_) {
+                stats_->add("maps captured", end - begin);
+                stats_->timer("map capture").add(captured - start);
+                stats_->timer("map enhancement").add(enhanced - captured);
+            }
+        },
+        cancel);
     mapCount_ += int(requests.size());
 }
 
-bool IndirectPass::run(int pass, float spacing,
-                       const std::function<void(int, int, const Rgb&, float)>& add, const CancelToken* cancel) {
+bool IndirectPass::run(int pass, float spacing, const std::function<void(int, int, const Rgb&, float)>& add,
+                       const CancelToken* cancel) {
     mapCount_ = 0;
     if (spacing <= 1) return runPerPixel(pass, add, cancel);
     const auto cancelled = [&] { return cancel && cancel->cancelled(); };
@@ -171,7 +173,9 @@ bool IndirectPass::run(int pass, float spacing,
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!primaryHit(x, y, pass * settings_.primarySamples, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) continue;
+                if (!primaryHit(x, y, pass * settings_.primarySamples, position, weight, hit) ||
+                    !hit.bsdf.hasWithin(LobeFlags::Wide))
+                    continue;
                 pixel.site = pixelSite(hit, position);
                 pixel.coverage = 0;
                 forEachGridSite(pixel.site, geometryWeight, [&](const MapSite&, float w) { pixel.coverage += w; });
@@ -201,7 +205,8 @@ bool IndirectPass::run(int pass, float spacing,
                         const Pixel& pixel = pixels[region.index(x, y)];
                         if (pixel.coverage < 0 || pixel.coverage >= settings_.minCoverage) continue;
                         ++lacking;
-                        const uint64_t order = hashCombine(pixelStream(x, y, kFill), uint64_t(pass) << 8 | uint64_t(level));
+                        const uint64_t order =
+                            hashCombine(pixelStream(x, y, kFill), uint64_t(pass) << 8 | uint64_t(level));
                         if (order < best) {
                             best = order;
                             chosen = pixel.site.film;
@@ -211,7 +216,8 @@ bool IndirectPass::run(int pass, float spacing,
                 blocks.push_back({chosen, lacking});
             }
         // Those that lack most come first.
-        std::stable_sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.lacking > b.lacking; });
+        std::stable_sort(blocks.begin(), blocks.end(),
+                         [](const Block& a, const Block& b) { return a.lacking > b.lacking; });
         if (const auto most = size_t(kFillBudget * float(grid.count())) + 1; blocks.size() > most) blocks.resize(most);
         for (const Block& b : blocks) {
             MapSite site;
@@ -225,7 +231,8 @@ bool IndirectPass::run(int pass, float spacing,
         parallelFor(0, int(pixels.size()), 4096, [&](int begin, int end) {
             for (auto i = size_t(begin); i < size_t(end); ++i)
                 if (pixels[i].coverage >= 0)
-                    forEachFillSite(next, pixels[i].site, geometryWeight, [&](const MapSite&, float w) { pixels[i].coverage += w; });
+                    forEachFillSite(next, pixels[i].site, geometryWeight,
+                                    [&](const MapSite&, float w) { pixels[i].coverage += w; });
         });
         fill.push_back(std::move(next));
     }
@@ -236,32 +243,32 @@ bool IndirectPass::run(int pass, float spacing,
         std::vector<WeightedSite> around;
         for (int y = begin; y < end && !cancelled(); ++y)
             for (int x = region.x0; x < region.x1; ++x)
-            for (int sample = 0; sample < settings_.primarySamples; ++sample) {
-                const int index = pass * settings_.primarySamples + sample;
-                Vec2 position;
-                float weight;
-                PrimaryHit hit;
-                if (!primaryHit(x, y, index, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) {
-                    add(x, y, Rgb(0.f), weight);
-                    continue;
-                }
-                const PixelSite pixel = pixelSite(hit, position);
-                const auto collect = [&](Weight geometry) {
-                    around.clear();
-                    float sum = 0;
-                    const auto keep = [&](const MapSite& site, float w) {
-                        around.push_back({&site, w});
-                        sum += w;
+                for (int sample = 0; sample < settings_.primarySamples; ++sample) {
+                    const int index = pass * settings_.primarySamples + sample;
+                    Vec2 position;
+                    float weight;
+                    PrimaryHit hit;
+                    if (!primaryHit(x, y, index, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) {
+                        add(x, y, Rgb(0.f), weight);
+                        continue;
+                    }
+                    const PixelSite pixel = pixelSite(hit, position);
+                    const auto collect = [&](Weight geometry) {
+                        around.clear();
+                        float sum = 0;
+                        const auto keep = [&](const MapSite& site, float w) {
+                            around.push_back({&site, w});
+                            sum += w;
+                        };
+                        forEachGridSite(pixel, geometry, keep);
+                        for (const FillLevel& level : fill) forEachFillSite(level, pixel, geometry, keep);
+                        return sum;
                     };
-                    forEachGridSite(pixel, geometry, keep);
-                    for (const FillLevel& level : fill) forEachFillSite(level, pixel, geometry, keep);
-                    return sum;
-                };
-                if (collect(geometryWeight) < 0.25f * settings_.minCoverage) collect(relaxedWeight);
-                if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
-                const Rgb value = shade(hit, around, x, y, index);
-                add(x, y, value * hit.throughput, weight);
-            }
+                    if (collect(geometryWeight) < 0.25f * settings_.minCoverage) collect(relaxedWeight);
+                    if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
+                    const Rgb value = shade(hit, around, x, y, index);
+                    add(x, y, value * hit.throughput, weight);
+                }
     });
     if (stats_) {
         stats_->add("pixels without a map", fallbacks.load());
@@ -285,38 +292,41 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
     const MapLayout& layout = settings_.capture.layout;
     const Vec3 up = tracer_.scene().camera->up();
     std::atomic<int> maps{0};
-    parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
-        std::vector<CapturedMap> captured(1);
-        for (int y = begin; y < end; ++y)
-            for (int x = region.x0; x < region.x1; ++x)
-            for (int sample = 0; sample < settings_.primarySamples; ++sample) {
-                const int index = pass * settings_.primarySamples + sample;
-                if (cancel && cancel->cancelled()) return;
-                Vec2 position;
-                float weight;
-                PrimaryHit hit;
-                if (!primaryHit(x, y, index, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) {
-                    add(x, y, Rgb(0.f), weight);
-                    continue;
-                }
-                MapSite site;
-                site.p = hit.surface.p;
-                site.n = faceForward(hit.surface.ng, hit.surface.wo);
-                const uint64_t stream = hashCombine(pixelStream(x, y, kCapture), uint64_t(index));
-                const auto capture = [&](const Vec3& n, uint64_t side) {
-                    captureMap(tracer_, settings_.capture, site.p, hit.surface.ng, mapFrame(n, up),
-                               hit.surface.footprint, hashCombine(stream, side), captured[0]);
-                    enhancer_.enhance(captured, layout);
-                    maps.fetch_add(1, std::memory_order_relaxed);
-                    return RadianceMap(captured[0], layout);
-                };
-                site.front = capture(site.n, 0);
-                if (hit.bsdf.hasWideTransmission()) site.back = capture(-site.n, 1);
-                const WeightedSite one{&site, 1};
-                const Rgb value = shade(hit, {&one, 1}, x, y, index);
-                add(x, y, value * hit.throughput, weight);
-            }
-    }, cancel);
+    parallelFor(
+        region.y0, region.y1, kRowsPerTask,
+        [&](int begin, int end) {
+            std::vector<CapturedMap> captured(1);
+            for (int y = begin; y < end; ++y)
+                for (int x = region.x0; x < region.x1; ++x)
+                    for (int sample = 0; sample < settings_.primarySamples; ++sample) {
+                        const int index = pass * settings_.primarySamples + sample;
+                        if (cancel && cancel->cancelled()) return;
+                        Vec2 position;
+                        float weight;
+                        PrimaryHit hit;
+                        if (!primaryHit(x, y, index, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) {
+                            add(x, y, Rgb(0.f), weight);
+                            continue;
+                        }
+                        MapSite site;
+                        site.p = hit.surface.p;
+                        site.n = faceForward(hit.surface.ng, hit.surface.wo);
+                        const uint64_t stream = hashCombine(pixelStream(x, y, kCapture), uint64_t(index));
+                        const auto capture = [&](const Vec3& n, uint64_t side) {
+                            captureMap(tracer_, settings_.capture, site.p, hit.surface.ng, mapFrame(n, up),
+                                       hit.surface.footprint, hashCombine(stream, side), captured[0]);
+                            enhancer_.enhance(captured, layout);
+                            maps.fetch_add(1, std::memory_order_relaxed);
+                            return RadianceMap(captured[0], layout);
+                        };
+                        site.front = capture(site.n, 0);
+                        if (hit.bsdf.hasWideTransmission()) site.back = capture(-site.n, 1);
+                        const WeightedSite one{&site, 1};
+                        const Rgb value = shade(hit, {&one, 1}, x, y, index);
+                        add(x, y, value * hit.throughput, weight);
+                    }
+        },
+        cancel);
     mapCount_ = maps.load();
     return !(cancel && cancel->cancelled());
 }

@@ -15,10 +15,10 @@ namespace drc {
 
 struct IndirectSettings {
     CaptureSettings capture;
-    int primarySamples = 4;        // camera samples a pixel and pass
-    int gatherSamples = 3;         // pairs of directions that each of them gathers, split over its maps
-    float minCoverage = 0.1f;      // of a pixel's weights, below which maps are filled in
-    int fillLevels = 3;            // halvings of the spacing that fill in
+    int primarySamples = 4;    // camera samples a pixel and pass
+    int gatherSamples = 3;     // pairs of directions that each of them gathers, split over its maps
+    float minCoverage = 0.1f;  // of a pixel's weights, below which maps are filled in
+    int fillLevels = 3;        // halvings of the spacing that fill in
     uint64_t seed = 0;
 };
 
@@ -27,9 +27,10 @@ class IndirectPass {
     // All arguments must outlive the pass. stats may be null.
     IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings, Stats* stats);
 
-    // Estimates the indirect radiance of every pixel of the film, narrow lobes left out (PathTracer::direct gives theirs):
-    // add(x, y, value, weight) is called primarySamples times for each pixel, from any thread. `value` includes the pixel filter's weight. Grid spacing of one pixel or less: a map at each pixel,
-    // seen from there alone. False: cancelled, and some pixels have no value.
+    // Estimates the indirect radiance of every pixel of the film, narrow lobes left out (PathTracer::direct gives
+    // theirs): add(x, y, value, weight) is called primarySamples times for each pixel, from any thread. `value`
+    // includes the pixel filter's weight. Grid spacing of one pixel or less: a map at each pixel, seen from there
+    // alone. False: cancelled, and some pixels have no value.
     bool run(int pass, float spacing, const std::function<void(int x, int y, const Rgb& value, float weight)>& add,
              const CancelToken* cancel = nullptr);
 

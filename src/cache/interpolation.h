@@ -7,20 +7,20 @@ namespace drc {
 
 // A map as it was placed.
 struct MapSite {
-    Vec3 p{0.f}, n{0.f};   // world space; n unit, geometric, on the viewer's side
-    Vec2 film{0.f};        // pixels
-    float radius = 0;      // reach on the film, pixels
-    RadianceMap front;     // about n
-    RadianceMap back;      // about -n
+    Vec3 p{0.f}, n{0.f};  // world space; n unit, geometric, on the viewer's side
+    Vec2 film{0.f};       // pixels
+    float radius = 0;     // reach on the film, pixels
+    RadianceMap front;    // about n
+    RadianceMap back;     // about -n
     bool hasFront = false;
     bool hasBack = false;  // only where the surface transmits diffusely
 };
 
 // The pixel's side.
 struct PixelSite {
-    Vec3 p{0.f}, n{0.f};   // as above
+    Vec3 p{0.f}, n{0.f};  // as above
     Vec2 film{0.f};
-    float pixelSize = 0;   // world width of a pixel at p
+    float pixelSize = 0;  // world width of a pixel at p
     bool transmits = false;
 };
 

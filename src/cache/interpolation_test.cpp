@@ -70,7 +70,7 @@ TEST(Interpolation, NormalsAtRightAnglesOrMoreDoNotCount) {
 
 TEST(Interpolation, AMapBehindADepthEdgeDoesNotCount) {
     const PixelSite pixel = pixelAt(Vec3(0, 0, 0), kUp);
-    EXPECT_EQ(geometryWeight(pixel, siteAt(Vec3(0.05f, 0, 0.11f), kUp)), 0);   // reach: half of 20 pixels of 0.01
+    EXPECT_EQ(geometryWeight(pixel, siteAt(Vec3(0.05f, 0, 0.11f), kUp)), 0);  // reach: half of 20 pixels of 0.01
     EXPECT_EQ(geometryWeight(pixel, siteAt(Vec3(0.05f, 0, -0.11f), kUp)), 0);
     EXPECT_GT(geometryWeight(pixel, siteAt(Vec3(0.05f, 0, 0.03f), kUp)), 0.5f);
     EXPECT_GT(geometryWeight(pixel, siteAt(Vec3(0.5f, 0, 0), kUp)), 0.9f) << "far along the plane is no edge";

@@ -34,7 +34,7 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
     result.normal.resize(3 * texels);
     result.distance.resize(texels);
 
-    const float spread = std::sqrt(layout.solidAngle(n / 2));   // a texel's own cone
+    const float spread = std::sqrt(layout.solidAngle(n / 2));  // a texel's own cone
     const float weight = 1.f / float(settings.samplesPerTexel);
     Sampler sampler(stream, 0);
     for (int row = 0; row < n; ++row) {

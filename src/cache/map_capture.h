@@ -11,11 +11,11 @@ namespace drc {
 
 // Planar arrays of N x N texels, row-major, index row * N + column.
 struct CapturedMap {
-    Vec3 origin{0.f};               // world space, on the surface
-    Frame frame;                    // n: normal of the surface on the side that the map looks at
-    std::vector<float> radiance;    // [3][N*N], W / (sr m^2)
-    std::vector<float> normal;      // [3][N*N], in the map's frame, towards the origin; zero where a ray escaped
-    std::vector<float> distance;    // [N*N], world units; -1 where a ray escaped
+    Vec3 origin{0.f};             // world space, on the surface
+    Frame frame;                  // n: normal of the surface on the side that the map looks at
+    std::vector<float> radiance;  // [3][N*N], W / (sr m^2)
+    std::vector<float> normal;    // [3][N*N], in the map's frame, towards the origin; zero where a ray escaped
+    std::vector<float> distance;  // [N*N], world units; -1 where a ray escaped
 };
 
 struct CaptureSettings {

@@ -32,11 +32,15 @@ int MapGrid::cell(const Vec2& film) const {
 }
 
 FilmBuckets::FilmBuckets(const PixelRegion& region, float reach)
-    : origin_(float(region.x0), float(region.y0)), reach_(reach), columns_(int(float(region.width()) / reach) + 1),
+    : origin_(float(region.x0), float(region.y0)),
+      reach_(reach),
+      columns_(int(float(region.width()) / reach) + 1),
       rows_(int(float(region.height()) / reach) + 1) {
     cells_.resize(size_t(columns_) * size_t(rows_));
 }
 
-void FilmBuckets::add(const Vec2& film, int id) { cells_[size_t(cellY(film.y) * columns_ + cellX(film.x))].push_back(id); }
+void FilmBuckets::add(const Vec2& film, int id) {
+    cells_[size_t(cellY(film.y) * columns_ + cellX(film.x))].push_back(id);
+}
 
 }  // namespace drc

@@ -8,9 +8,9 @@
 
 namespace drc {
 
-// The paper's spacing: 100 pixels for a frame of 720 lines, scaled to other sizes, shrinking so that each pass has 1.257
-// times the maps of the one before.
-inline constexpr float kFirstSpacing = 100.f / 720.f;         // of the frame's height
+// The paper's spacing: 100 pixels for a frame of 720 lines, scaled to other sizes, shrinking so that each pass
+// has 1.257 times the maps of the one before.
+inline constexpr float kFirstSpacing = 100.f / 720.f;  // of the frame's height
 inline constexpr float kSpacingFactor = 0.891859f;
 
 // Spacing in pixels of pass 0, 1, 2, ...; at least 1.
@@ -42,7 +42,8 @@ class MapGrid {
     int columns_, rows_;
 };
 
-// Buckets over a region of the film for points of one reach: finds all points within `reach` of a position, and some beyond.
+// Buckets over a region of the film for points of one reach: finds all points within `reach` of a position, and some
+// beyond.
 class FilmBuckets {
   public:
     FilmBuckets(const PixelRegion& region, float reach);

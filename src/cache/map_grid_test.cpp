@@ -7,7 +7,8 @@ namespace {
 
 // The published schedule at 1280x720: 2, 4, 6, 10, 16, 22 tasks after one to six passes; 256 tasks end in pass 18.
 TEST(MapGrid, TasksAreThePapers) {
-    const int expected[][2] = {{1, 1}, {2, 1}, {3, 2}, {6, 3}, {10, 4}, {16, 5}, {17, 6}, {54, 10}, {126, 14}, {256, 18}};
+    const int expected[][2] = {{1, 1},  {2, 1},  {3, 2},   {6, 3},    {10, 4},
+                               {16, 5}, {17, 6}, {54, 10}, {126, 14}, {256, 18}};
     for (const auto& [tasks, passes] : expected) EXPECT_EQ(passesForTasks(tasks, 1280, 720), passes) << tasks;
     EXPECT_EQ(passesForTasks(0, 1280, 720), 0);
 }
@@ -51,8 +52,7 @@ TEST(FilmBuckets, FindsAllWithinReach) {
             EXPECT_FALSE(found[size_t(id)]) << "reported twice";
             found[size_t(id)] = true;
         });
-        for (size_t i = 0; i < points.size(); ++i)
-            EXPECT_TRUE(found[i] || (points[i] - at).length() >= 9);
+        for (size_t i = 0; i < points.size(); ++i) EXPECT_TRUE(found[i] || (points[i] - at).length() >= 9);
     }
 }
 

@@ -9,7 +9,7 @@
 namespace drc {
 namespace {
 
-constexpr int kBatch = 8;   // enough for all the speed there is (measured: 1 is 15 % slower, 32 no faster)
+constexpr int kBatch = 8;  // enough for all the speed there is (measured: 1 is 15 % slower, 32 no faster)
 
 class NetworkEnhancer final : public Enhancer {
   public:
@@ -27,7 +27,9 @@ class NetworkEnhancer final : public Enhancer {
   private:
     struct Worker {
         Worker(const std::shared_ptr<const UNetWeights>& weights, size_t texels, Precision precision)
-            : net(weights, kBatch, precision), input(kBatch * kInputPlanes * texels), output(kBatch * kOutputPlanes * texels),
+            : net(weights, kBatch, precision),
+              input(kBatch * kInputPlanes * texels),
+              output(kBatch * kOutputPlanes * texels),
               decoded(kOutputPlanes * texels) {}
         UNet net;
         std::vector<float> input, output, decoded;
@@ -36,8 +38,8 @@ class NetworkEnhancer final : public Enhancer {
 
     void enhanceBatch(std::span<CapturedMap> maps, const MapLayout& layout, Worker& worker) const {
         for (size_t i = 0; i < maps.size(); ++i)
-            worker.mean[i] = encodeInput(maps[i].radiance.data(), maps[i].normal.data(), maps[i].distance.data(), texels_,
-                                         worker.input.data() + i * kInputPlanes * texels_);
+            worker.mean[i] = encodeInput(maps[i].radiance.data(), maps[i].normal.data(), maps[i].distance.data(),
+                                         texels_, worker.input.data() + i * kInputPlanes * texels_);
         worker.net.run(worker.input.data(), worker.output.data(), int(maps.size()));
         for (size_t i = 0; i < maps.size(); ++i) {
             decodeOutput(worker.output.data() + i * kOutputPlanes * texels_, kOutputPlanes * texels_, worker.mean[i],
@@ -55,7 +57,8 @@ class NetworkEnhancer final : public Enhancer {
 
 std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
                                               Precision precision) {
-    if (const std::string trained = weights->projection(); !trained.empty() && trained != projectionName(layout.projection()))
+    if (const std::string trained = weights->projection();
+        !trained.empty() && trained != projectionName(layout.projection()))
         throw Error(fmt::format("the network was trained on {} maps, but the maps are {}", trained,
                                 projectionName(layout.projection())));
     if (weights->shape().size != layout.size())

@@ -14,7 +14,7 @@ enum class Projection {
     LatLong,
 };
 
-const char* projectionName(Projection p);               // "equal-area", "latlong"
+const char* projectionName(Projection p);                // "equal-area", "latlong"
 Projection projectionFromName(const std::string& name);  // throws Error
 
 class MapLayout {

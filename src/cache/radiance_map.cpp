@@ -76,14 +76,14 @@ Rgb RadianceMap::radiance(const Vec3& d) const { return lookup(frame_.toLocal(d)
 Rgb RadianceMap::radianceAt(const Vec3& x, const Vec3& d) const {
     const Vec3 offset = frame_.toLocal(x - origin_);
     const Vec3 direction = frame_.toLocal(d);
-    Vec3 seen = direction;   // from the origin towards what x sees
-    float t = 0;             // distance from x to it
+    Vec3 seen = direction;  // from the origin towards what x sees
+    float t = 0;            // distance from x to it
     for (int i = 0; i < kParallaxSteps; ++i) {
         const float fromOrigin = distance_[size_t(layout_.texel(seen))] * distanceScale_;
-        if (!(fromOrigin > 0)) return lookup(seen);   // the environment is equally far from both
+        if (!(fromOrigin > 0)) return lookup(seen);  // the environment is equally far from both
         // The sphere of that radius about the origin, met from x: |offset + t d| = fromOrigin.
         const float b = dot(offset, direction), c = lengthSquared(offset) - sqr(fromOrigin);
-        if (c >= 0) break;   // x lies beyond what the map sees there: no correction can be trusted
+        if (c >= 0) break;  // x lies beyond what the map sees there: no correction can be trusted
         t = -b + std::sqrt(b * b - c);
         seen = normalize(offset + direction * t);
     }

@@ -29,8 +29,8 @@ class RadianceMap {
     Rgb radianceAt(const Vec3& x, const Vec3& d) const;
 
     struct DirectionSample {
-        Vec3 d;          // unit, world space
-        float pdf = 0;   // per solid angle
+        Vec3 d;         // unit, world space
+        float pdf = 0;  // per solid angle
     };
     // Density proportional to luminance within texels, uniform in solid angle inside one.
     DirectionSample sample(const Vec2& u) const;
@@ -47,9 +47,9 @@ class RadianceMap {
     MapLayout layout_{Projection::EqualArea, 32};
     Vec3 origin_{0.f};
     Frame frame_;
-    std::vector<half> radiance_;     // [N*N][3], divided by scale_ so that it fits a half
-    std::vector<half> distance_;     // [N*N], in units of distanceScale_; negative: escaped
-    std::vector<float> cdf_;         // [N*N], cumulative; the last is 1
+    std::vector<half> radiance_;  // [N*N][3], divided by scale_ so that it fits a half
+    std::vector<half> distance_;  // [N*N], in units of distanceScale_; negative: escaped
+    std::vector<float> cdf_;      // [N*N], cumulative; the last is 1
     float scale_ = 1;
     float distanceScale_ = 1;
     float harmonicMeanDistance_ = kInfinity;

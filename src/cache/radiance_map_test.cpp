@@ -13,8 +13,8 @@ INSTANTIATE_TEST_SUITE_P(RadianceMap, RadianceMapOf, testing::Values(Projection:
                          [](const auto& i) { return i.param == Projection::EqualArea ? "EqualArea" : "LatLong"; });
 
 // A map whose texels are functions of the direction from its origin (world space).
-RadianceMap makeMap(const MapLayout& layout, const Vec3& origin, const Vec3& n, const std::function<Rgb(Vec3)>& radiance,
-                    const std::function<float(Vec3)>& distance) {
+RadianceMap makeMap(const MapLayout& layout, const Vec3& origin, const Vec3& n,
+                    const std::function<Rgb(Vec3)>& radiance, const std::function<float(Vec3)>& distance) {
     CapturedMap m;
     m.origin = origin;
     m.frame = Frame::fromNormal(n);
@@ -38,12 +38,12 @@ float far(const Vec3&) { return -1; }
 TEST_P(RadianceMapOf, ConstantRadianceIsExactEverywhere) {
     const MapLayout layout(GetParam(), 32);
     const Vec3 n = normalize(Vec3(0.3f, -0.5f, 0.8f));
-    const RadianceMap map = makeMap(layout, Vec3(1, 2, 3), n, [](Vec3) { return Rgb(0.7f, 1.3f, 4); },
-                                    [](Vec3) { return 2.f; });
+    const RadianceMap map = makeMap(
+        layout, Vec3(1, 2, 3), n, [](Vec3) { return Rgb(0.7f, 1.3f, 4); }, [](Vec3) { return 2.f; });
     std::mt19937 rng(3);
     std::normal_distribution<float> g;
     for (int i = 0; i < 500; ++i) {
-        const Vec3 d = normalize(Vec3(g(rng), g(rng), g(rng)));   // below the horizon too
+        const Vec3 d = normalize(Vec3(g(rng), g(rng), g(rng)));  // below the horizon too
         const Vec3 x = Vec3(1, 2, 3) + Vec3(g(rng), g(rng), g(rng)) * 0.5f;
         for (const Rgb& r : {map.radiance(d), map.radianceAt(x, d)}) {
             EXPECT_NEAR(r.x, 0.7f, 0.7f * 1e-3f);
@@ -78,8 +78,9 @@ TEST_P(RadianceMapOf, SamplesFollowThePdf) {
 }
 
 TEST_P(RadianceMapOf, BrightTexelsAreSampledMore) {
-    const RadianceMap map = makeMap(MapLayout(GetParam(), 32), Vec3(0, 0, 0), Vec3(0, 0, 1),
-                                    [](Vec3 d) { return Rgb(d.x > 0.7f ? 50.f : 1.f); }, far);
+    const RadianceMap map = makeMap(
+        MapLayout(GetParam(), 32), Vec3(0, 0, 0), Vec3(0, 0, 1), [](Vec3 d) { return Rgb(d.x > 0.7f ? 50.f : 1.f); },
+        far);
     EXPECT_GT(map.pdf(normalize(Vec3(1, 0, 0.5f))), 10 * map.pdf(normalize(Vec3(-1, 0, 0.5f))));
 }
 
@@ -95,7 +96,9 @@ TEST_P(RadianceMapOf, ParallaxFindsTheSurfaceThatTheOtherPointSees) {
             if (std::abs(d[i]) > 1e-6f) t = std::min(t, ((d[i] > 0 ? high[i] : low[i]) - o[i]) / d[i]);
         return t;
     };
-    const auto colour = [](const Vec3& p) { return Rgb(1 + 0.5f * std::sin(3 * p.x), 1 + 0.5f * std::sin(3 * p.y), p.z); };
+    const auto colour = [](const Vec3& p) {
+        return Rgb(1 + 0.5f * std::sin(3 * p.x), 1 + 0.5f * std::sin(3 * p.y), p.z);
+    };
     const Vec3 origin(0, 0, 0), x(0.5f, -0.3f, 0);
     const RadianceMap map = makeMap(
         layout, origin, Vec3(0, 0, 1), [&](Vec3 d) { return colour(origin + d * distanceIn(origin, d)); },
@@ -116,14 +119,15 @@ TEST_P(RadianceMapOf, ParallaxFindsTheSurfaceThatTheOtherPointSees) {
 }
 
 TEST(RadianceMap, HarmonicMeanDistanceOfASphereIsItsRadius) {
-    const RadianceMap map = makeMap(MapLayout(Projection::EqualArea, 32), Vec3(0, 0, 0), Vec3(0, 1, 0),
-                                    [](Vec3) { return Rgb(1.f); }, [](Vec3) { return 3.5f; });
+    const RadianceMap map = makeMap(
+        MapLayout(Projection::EqualArea, 32), Vec3(0, 0, 0), Vec3(0, 1, 0), [](Vec3) { return Rgb(1.f); },
+        [](Vec3) { return 3.5f; });
     EXPECT_NEAR(map.harmonicMeanDistance(), 3.5f, 0.01f);
 }
 
 TEST(RadianceMap, ABlackMapGivesBlackAndCanBeSampled) {
-    const RadianceMap map = makeMap(MapLayout(Projection::EqualArea, 32), Vec3(0, 0, 0), Vec3(0, 0, 1),
-                                    [](Vec3) { return Rgb(0.f); }, far);
+    const RadianceMap map = makeMap(
+        MapLayout(Projection::EqualArea, 32), Vec3(0, 0, 0), Vec3(0, 0, 1), [](Vec3) { return Rgb(0.f); }, far);
     EXPECT_TRUE(isBlack(map.radiance(Vec3(0, 0, 1))));
     EXPECT_NEAR(map.sample(Vec2(0.3f, 0.6f)).pdf, 0.5f * kInvPi, 1e-4f);
 }

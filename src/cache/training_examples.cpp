@@ -39,8 +39,7 @@ Example makeExample(const PathTracer& tracer, const ExampleSettings& settings, i
     for (const float r : example.target.radiance) sum += r;
     if (!(sum > 0)) return example;
     example.inputs.resize(size_t(settings.inputs));
-    for (int i = 0; i < settings.inputs; ++i)
-        capture(1, kInput + (uint64_t(i) << 32), example.inputs[size_t(i)]);
+    for (int i = 0; i < settings.inputs; ++i) capture(1, kInput + (uint64_t(i) << 32), example.inputs[size_t(i)]);
     example.valid = true;
     return example;
 }
@@ -55,12 +54,15 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 ExampleSet makeExamples(const PathTracer& tracer, const ExampleSettings& settings, Progress* progress,
                         const CancelToken* cancel) {
     std::vector<Example> examples(size_t(settings.viewpoints));
-    parallelFor(0, settings.viewpoints, 1, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-            examples[size_t(i)] = makeExample(tracer, settings, i);
-            if (progress) progress->add();
-        }
-    }, cancel);
+    parallelFor(
+        0, settings.viewpoints, 1,
+        [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                examples[size_t(i)] = makeExample(tracer, settings, i);
+                if (progress) progress->add();
+            }
+        },
+        cancel);
     ExampleSet set;
     for (const Example& example : examples) {
         if (!example.valid) continue;

@@ -12,9 +12,9 @@ namespace drc {
 
 struct ExampleSettings {
     MapLayout layout{Projection::EqualArea, 32};
-    int viewpoints = 128;        // primary points of camera rays, spread over the film
-    int targetSamples = 64;      // per texel of the target
-    int inputs = 4;              // independent one-sample realisations of each map
+    int viewpoints = 128;    // primary points of camera rays, spread over the film
+    int targetSamples = 64;  // per texel of the target
+    int inputs = 4;          // independent one-sample realisations of each map
     uint64_t seed = 0;
 };
 
@@ -22,10 +22,10 @@ struct ExampleSettings {
 // light at all, give no example, so count may be less than asked for.
 struct ExampleSet {
     int count = 0;
-    std::vector<float> radiance;   // [count][inputs][3][N][N]
-    std::vector<float> normal;     // [count][inputs][3][N][N]
-    std::vector<float> distance;   // [count][inputs][1][N][N]
-    std::vector<float> target;     // [count][3][N][N]
+    std::vector<float> radiance;  // [count][inputs][3][N][N]
+    std::vector<float> normal;    // [count][inputs][3][N][N]
+    std::vector<float> distance;  // [count][inputs][1][N][N]
+    std::vector<float> target;    // [count][3][N][N]
 };
 
 // Deterministic by seed, whatever the number of threads. progress, if not null, is advanced by one a viewpoint.

@@ -14,7 +14,7 @@ class LightSampler {
     explicit LightSampler(const Scene& scene);
 
     struct Choice {
-        const Light* light = nullptr;   // null: there is no light
+        const Light* light = nullptr;  // null: there is no light
         float probability = 0;
     };
     // u in [0, 1).
@@ -30,9 +30,9 @@ class LightSampler {
 
     std::vector<const Light*> lights_;
     std::vector<const Light*> infinite_;
-    std::vector<float> power_;        // luminance of each light's power
+    std::vector<float> power_;  // luminance of each light's power
     std::vector<Vec3> center_;
-    std::vector<float> radius_;       // negative: at infinity
+    std::vector<float> radius_;  // negative: at infinity
     std::unordered_map<const Light*, int> index_;
     Distribution1D byPower_;
     float sceneRadius_ = 0;

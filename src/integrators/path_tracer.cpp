@@ -87,7 +87,7 @@ Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* fi
     Rgb sum(0.f), throughput(1.f);
     Vec3 from = ray.o;
     float pdf = kSpecular;
-    float etaScale = 1;   // undoes the scaling of radiance inside glass, which is no loss, for roulette
+    float etaScale = 1;  // undoes the scaling of radiance inside glass, which is no loss, for roulette
     bool counted = emission == Emission::Counted;
     SurfaceInteraction hit;
     for (int depth = 0, chain = 0;;) {
@@ -101,7 +101,7 @@ Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* fi
             first = nullptr;
         }
         if (counted) sum += throughput * emissionAtHit(hit, from, pdf);
-        if (!hit.primitive->material) {   // an emitter without a body
+        if (!hit.primitive->material) {  // an emitter without a body
             ray = hit.spawnRay(ray.d);
             if (++chain > kMaxPassThrough) break;
             continue;
@@ -211,7 +211,7 @@ bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& 
         result.bsdf = at.bsdf();
         const bool specular = result.bsdf.hasSpecular(), other = result.bsdf.hasNonSpecular();
         if (!specular && !other) return false;
-        float probability = other ? 1.f : 0.f;   // of stopping here
+        float probability = other ? 1.f : 0.f;  // of stopping here
         if (specular && other) {
             const float a = luminance(result.bsdf.albedo(at.wo, LobeFlags::NonSpecular));
             const float b = luminance(result.bsdf.albedo(at.wo, kSpecularLobes));

@@ -13,23 +13,23 @@
 namespace drc {
 
 struct PathSettings {
-    int maxDepth = 64;            // non-specular vertices; Russian roulette ends nearly all paths long before
-    int rouletteDepth = 3;        // vertices before roulette starts
-    float clamp = kInfinity;      // upper bound on a sample's luminance; infinity: none, the unbiased default
+    int maxDepth = 64;        // non-specular vertices; Russian roulette ends nearly all paths long before
+    int rouletteDepth = 3;    // vertices before roulette starts
+    float clamp = kInfinity;  // upper bound on a sample's luminance; infinity: none, the unbiased default
 };
 
 // Where a path first met a surface, as a radiance map records it.
 struct FirstHit {
-    float distance = -1;          // world units; -1: the path escaped
-    Vec3 normal{0, 0, 0};         // geometric, turned towards the origin; zero if it escaped
+    float distance = -1;   // world units; -1: the path escaped
+    Vec3 normal{0, 0, 0};  // geometric, turned towards the origin; zero if it escaped
 };
 
 // A non-specular hit seen by the camera, with the share of its radiance that reaches the pixel.
 struct PrimaryHit {
     SurfaceInteraction surface;
     Bsdf bsdf;
-    Rgb throughput{1.f};          // specular chain, divided by the probability of the branches chosen
-    float distance = 0;           // length of the whole chain
+    Rgb throughput{1.f};  // specular chain, divided by the probability of the branches chosen
+    float distance = 0;   // length of the whole chain
 };
 
 class PathTracer {
@@ -46,7 +46,8 @@ class PathTracer {
     Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const;
 
     // Emission seen through the specular chain, and one bounce of light at each non-specular hit along it: D.
-    // narrowIndirect, if not null, receives what indirectNarrow() gives at the same points: light that maps cannot hold.
+    // narrowIndirect, if not null, receives what indirectNarrow() gives at the same points: light that maps cannot
+    // hold.
     Rgb direct(const Ray& ray, Sampler& sampler, Rgb* narrowIndirect = nullptr) const;
 
     // The primary point of a camera ray. Where a surface has both kinds of lobes, one is chosen at random. False: none

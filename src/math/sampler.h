@@ -74,7 +74,9 @@ class Sampler {
 
   private:
     // A nested uniform scramble reverses the bits, hashes and reverses again; reversals that meet are left out.
-    uint32_t shuffled(uint64_t h) const { return detail::reverseBits(detail::laineKarras(reversedIndex_, uint32_t(h))); }
+    uint32_t shuffled(uint64_t h) const {
+        return detail::reverseBits(detail::laineKarras(reversedIndex_, uint32_t(h)));
+    }
     // First dimension: the index's own bits reversed, and then scrambled.
     static float radicalInverse(uint32_t i, uint32_t seed) {
         return detail::toUnit(detail::reverseBits(detail::laineKarras(i, seed)));

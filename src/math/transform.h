@@ -27,9 +27,9 @@ class Transform {
     Transform inverse() const;
     Transform transposed() const;
 
-    Vec3 point(const Vec3& p) const;    // divides by w
-    Vec3 vector(const Vec3& v) const;   // no translation
-    Vec3 normal(const Vec3& n) const;   // by the inverse transpose; not renormalised
+    Vec3 point(const Vec3& p) const;   // divides by w
+    Vec3 vector(const Vec3& v) const;  // no translation
+    Vec3 normal(const Vec3& n) const;  // by the inverse transpose; not renormalised
     bool swapsHandedness() const;
     bool isInvertible() const { return invertible_; }
     bool isIdentity() const;
@@ -38,7 +38,7 @@ class Transform {
     bool operator==(const Transform& b) const { return m_ == b.m_; }
 
   private:
-    Imath::M44d m_;    // m_[row][column], column vectors
+    Imath::M44d m_;  // m_[row][column], column vectors
     Imath::M44d inv_;
     bool invertible_ = true;
 };

@@ -45,9 +45,7 @@ inline bool isBlack(const Rgb& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 inline float maxComponent(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
 inline float average(const Rgb& c) { return (c.x + c.y + c.z) * (1 / 3.f); }
 inline bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
-inline Rgb clampNonNegative(const Rgb& c) {
-    return Rgb(std::max(0.f, c.x), std::max(0.f, c.y), std::max(0.f, c.z));
-}
+inline Rgb clampNonNegative(const Rgb& c) { return Rgb(std::max(0.f, c.x), std::max(0.f, c.y), std::max(0.f, c.z)); }
 inline Rgb exp(const Rgb& c) { return Rgb(std::exp(c.x), std::exp(c.y), std::exp(c.z)); }
 inline Rgb sqrt(const Rgb& c) { return Rgb(safeSqrt(c.x), safeSqrt(c.y), safeSqrt(c.z)); }
 

@@ -23,7 +23,7 @@ class FilmLayer {
   private:
     struct Pixel {
         double sum[3] = {0, 0, 0};
-        double weight = 0;       // importance times filter weight
+        double weight = 0;  // importance times filter weight
         double importance = 0;
     };
     PixelRegion region_;

@@ -15,9 +15,17 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer,
                    Stats* stats)
-    : scene_(scene), params_(params), accel_(scene), lights_(scene), tracer_(scene, accel_, lights_, params.path),
-      enhancer_(std::move(enhancer)), stats_(stats), samples_(scene.settings.region()),
-      narrow_(scene.settings.region()), indirect_(scene.settings.region()), start_(Clock::now()) {
+    : scene_(scene),
+      params_(params),
+      accel_(scene),
+      lights_(scene),
+      tracer_(scene, accel_, lights_, params.path),
+      enhancer_(std::move(enhancer)),
+      stats_(stats),
+      samples_(scene.settings.region()),
+      narrow_(scene.settings.region()),
+      indirect_(scene.settings.region()),
+      start_(Clock::now()) {
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
 }
 
@@ -61,7 +69,8 @@ bool Renderer::step(const CancelToken* cancel) {
     if (cancel && cancel->cancelled()) return false;
     if (params_.deadline) {
         if (Clock::now() >= *params_.deadline) return false;
-    } else if (samplesDone_ >= params_.spp && (params_.integrator != Integrator::Drc || passesDone_ >= params_.passes)) {
+    } else if (samplesDone_ >= params_.spp &&
+               (params_.integrator != Integrator::Drc || passesDone_ >= params_.passes)) {
         return false;
     }
     float spacing = 0;
@@ -72,21 +81,27 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
     const auto start = Clock::now();
     const PixelRegion& region = samples_.region();
     const bool path = params_.integrator == Integrator::Path, drc = params_.integrator == Integrator::Drc;
-    parallelFor(region.y0, region.y1, 1, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y)
-            for (int x = region.x0; x < region.x1; ++x) {
-                const uint64_t pixel = (uint64_t(uint32_t(y)) << 32) | uint32_t(x);
-                Sampler sampler(hashCombine(params_.seed, hashCombine(kSampleStream, pixel)), uint32_t(samplesDone_));
-                const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
-                const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
-                const Vec2 uLens = sampler.get2D();
-                const Ray ray = scene_.camera->generateRay(film, uLens, sampler.get1D());
-                Rgb narrow(0.f);
-                samples_.add(x, y, path ? tracer_.radiance(ray, sampler) : tracer_.direct(ray, sampler, drc ? &narrow : nullptr),
-                             f.weight);
-                if (drc) narrow_.add(x, y, narrow, f.weight);
-            }
-    }, cancel);
+    parallelFor(
+        region.y0, region.y1, 1,
+        [&](int begin, int end) {
+            for (int y = begin; y < end; ++y)
+                for (int x = region.x0; x < region.x1; ++x) {
+                    const uint64_t pixel = (uint64_t(uint32_t(y)) << 32) | uint32_t(x);
+                    Sampler sampler(hashCombine(params_.seed, hashCombine(kSampleStream, pixel)),
+                                    uint32_t(samplesDone_));
+                    const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
+                    const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
+                    const Vec2 uLens = sampler.get2D();
+                    const Ray ray = scene_.camera->generateRay(film, uLens, sampler.get1D());
+                    Rgb narrow(0.f);
+                    samples_.add(
+                        x, y,
+                        path ? tracer_.radiance(ray, sampler) : tracer_.direct(ray, sampler, drc ? &narrow : nullptr),
+                        f.weight);
+                    if (drc) narrow_.add(x, y, narrow, f.weight);
+                }
+        },
+        cancel);
     ++samplesDone_;
     lastSample_ = seconds(Clock::now() - start);
     sampleSeconds_ += lastSample_;
@@ -100,9 +115,12 @@ bool Renderer::passStep(float spacing, const CancelToken* cancel) {
     // By the square of its maps: noise falls with their number, and what interpolation smears with their spacing. Each
     // pass has 1.58 times the say of the one before, and the first ones fade.
     const double importance = std::pow(double(spacing), -4.0);
-    const bool whole = pass.run(passesDone_, spacing, [&](int x, int y, const Rgb& value, float filterWeight) {
-        indirect_.add(x, y, value, filterWeight, importance);
-    }, cancel);
+    const bool whole = pass.run(
+        passesDone_, spacing,
+        [&](int x, int y, const Rgb& value, float filterWeight) {
+            indirect_.add(x, y, value, filterWeight, importance);
+        },
+        cancel);
     ++passesDone_;
     lastPass_ = seconds(Clock::now() - start);
     lastSpacing_ = spacing;

@@ -13,20 +13,20 @@ enum class Integrator { Drc, Path, Direct };
 
 struct RenderParams {
     Integrator integrator = Integrator::Drc;
-    int spp = 32;                  // samples a pixel: of paths, or of the direct layer
-    int passes = 12;               // of radiance maps
+    int spp = 32;     // samples a pixel: of paths, or of the direct layer
+    int passes = 12;  // of radiance maps
     uint64_t seed = 0;
     PathSettings path;
     IndirectSettings indirect;
-    float firstSpacing = kFirstSpacing;   // of the first pass, as a share of the frame's height
+    float firstSpacing = kFirstSpacing;  // of the first pass, as a share of the frame's height
     // With a deadline spp and passes are ignored: steps are made until it.
     std::optional<std::chrono::steady_clock::time_point> deadline;
-    float directShare = 0.5f;     // of the time before a deadline that the direct layer gets
+    float directShare = 0.5f;  // of the time before a deadline that the direct layer gets
 };
 
 struct RenderedImage {
-    Image beauty;                  // linear radiance times the film's scale
-    std::optional<Image> direct, indirect;   // layers that sum to it
+    Image beauty;                           // linear radiance times the film's scale
+    std::optional<Image> direct, indirect;  // layers that sum to it
 };
 
 class Renderer {
@@ -62,9 +62,9 @@ class Renderer {
     PathTracer tracer_;
     std::shared_ptr<const Enhancer> enhancer_;
     Stats* stats_;
-    FilmLayer samples_;            // paths, or the direct layer
-    FilmLayer narrow_;             // indirect light of lobes that maps cannot hold: with the samples
-    FilmLayer indirect_;           // of all others: with the passes
+    FilmLayer samples_;   // paths, or the direct layer
+    FilmLayer narrow_;    // indirect light of lobes that maps cannot hold: with the samples
+    FilmLayer indirect_;  // of all others: with the passes
     int samplesDone_ = 0, passesDone_ = 0;
     Clock::time_point start_;
     double sampleSeconds_ = 0, passSeconds_ = 0;

@@ -15,11 +15,11 @@
 namespace drc {
 
 struct BsdfSample {
-    Vec3 wi;              // world space
-    Rgb f;                // BSDF value; for a specular lobe f / pdf is the weight divided by |cos|
-    float pdf = 0;        // per solid angle; for a specular lobe the probability of having chosen it
-    LobeFlags flags{};    // of the lobe that was sampled
-    float eta = 1;        // relative index of refraction that was crossed, 1 if none; for Russian roulette
+    Vec3 wi;            // world space
+    Rgb f;              // BSDF value; for a specular lobe f / pdf is the weight divided by |cos|
+    float pdf = 0;      // per solid angle; for a specular lobe the probability of having chosen it
+    LobeFlags flags{};  // of the lobe that was sampled
+    float eta = 1;      // relative index of refraction that was crossed, 1 if none; for Russian roulette
     bool isSpecular() const { return any(flags & LobeFlags::Specular); }
     bool isTransmission() const { return any(flags & LobeFlags::Transmission); }
 };

@@ -27,7 +27,7 @@ class Camera {
 
 struct PerspectiveParams {
     Transform worldToCamera;
-    float fov = 90;              // degrees, of the shorter axis
+    float fov = 90;  // degrees, of the shorter axis
     float lensRadius = 0;
     float focalDistance = 1e6f;
     float shutterOpen = 0, shutterClose = 1;

@@ -9,8 +9,8 @@
 namespace drc {
 
 struct FilterSample {
-    Vec2 offset;        // pixels, from the pixel's centre
-    float weight = 1;   // f / pdf; its mean is 1
+    Vec2 offset;       // pixels, from the pixel's centre
+    float weight = 1;  // f / pdf; its mean is 1
 };
 
 class Filter {

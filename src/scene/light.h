@@ -13,9 +13,9 @@ namespace drc {
 
 struct LightSample {
     Vec3 wi;
-    Rgb radiance;            // arriving along wi if nothing blocks; for delta lights the irradiance weight I / d^2 etc.
-    float pdf = 0;           // per solid angle; 1 for delta lights
-    float distance = 0;      // to the sampled point; infinity for lights at infinity
+    Rgb radiance;        // arriving along wi if nothing blocks; for delta lights the irradiance weight I / d^2 etc.
+    float pdf = 0;       // per solid angle; 1 for delta lights
+    float distance = 0;  // to the sampled point; infinity for lights at infinity
     bool delta = false;
 };
 
@@ -38,7 +38,7 @@ using LightPtr = std::shared_ptr<const Light>;
 
 // What an integrator knows of a hit on an emitter.
 struct EmitterHit {
-    Vec3 p{0.f}, ng{0.f};    // world space, ng as the shape orients it
+    Vec3 p{0.f}, ng{0.f};  // world space, ng as the shape orients it
     uint32_t triangle = 0;
     Vec2 uv{0.f};
 };
@@ -59,7 +59,7 @@ LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
 // An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, u = phi / 2 pi.
 struct EnvironmentMap {
     int width = 0, height = 0;
-    std::vector<Rgb> texels;   // row-major, row 0 at theta = 0
+    std::vector<Rgb> texels;  // row-major, row 0 at theta = 0
 };
 // map empty: constant. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});

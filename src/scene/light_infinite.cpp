@@ -130,10 +130,10 @@ class InfiniteLight final : public Light {
     int width_ = 1, height_ = 1;
     std::vector<Rgb> texels_;  // scaled
     Distribution2D distribution_;
-    std::vector<float> rowDensity_;  // by row: 1 / (4 pi) where texels are as large as they are on average
+    std::vector<float> rowDensity_;   // by row: 1 / (4 pi) where texels are as large as they are on average
     std::vector<float> oneMinusCos_;  // 1 - cos(theta) at the upper edge of each row, and of the map's lower edge
-    Rgb mean_;                       // over the sphere
-    float determinant_ = 1;          // of worldToLight, absolute
+    Rgb mean_;                        // over the sphere
+    float determinant_ = 1;           // of worldToLight, absolute
 };
 
 }  // namespace

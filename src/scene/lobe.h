@@ -41,10 +41,10 @@ constexpr bool matches(LobeFlags lobe, LobeFlags mask) { return (lobe & mask) ==
 
 struct LobeSample {
     Vec3 wi{0, 0, 0};
-    Rgb f{0.f};          // for a specular lobe: weight / |cos theta_i| times pdf
+    Rgb f{0.f};  // for a specular lobe: weight / |cos theta_i| times pdf
     float pdf = 0;
-    LobeFlags flags{};   // of the branch that was sampled (a lobe may both reflect and transmit)
-    float eta = 1;       // relative index of refraction crossed
+    LobeFlags flags{};  // of the branch that was sampled (a lobe may both reflect and transmit)
+    float eta = 1;      // relative index of refraction crossed
 };
 
 }  // namespace drc

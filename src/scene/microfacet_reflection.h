@@ -12,7 +12,8 @@ class MicrofacetReflection {
         : reflectance_(reflectance), distribution_(distribution), fresnel_(fresnel) {}
 
     LobeFlags flags() const {
-        return LobeFlags::Reflection | LobeFlags::Glossy | (distribution_.isNarrow() ? LobeFlags::Narrow : LobeFlags::None);
+        return LobeFlags::Reflection | LobeFlags::Glossy |
+               (distribution_.isNarrow() ? LobeFlags::Narrow : LobeFlags::None);
     }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;

@@ -14,7 +14,8 @@ class MicrofacetTransmission {
         : transmittance_(transmittance), distribution_(distribution), etaA_(etaA), etaB_(etaB) {}
 
     LobeFlags flags() const {
-        return LobeFlags::Transmission | LobeFlags::Glossy | (distribution_.isNarrow() ? LobeFlags::Narrow : LobeFlags::None);
+        return LobeFlags::Transmission | LobeFlags::Glossy |
+               (distribution_.isNarrow() ? LobeFlags::Narrow : LobeFlags::None);
     }
     Rgb f(const Vec3& wo, const Vec3& wi) const { return f(wo, wi, TransportMode::Radiance); }
     Rgb f(const Vec3& wo, const Vec3& wi, TransportMode mode) const;

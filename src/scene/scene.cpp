@@ -11,7 +11,8 @@ void extend(Bounds& bounds, const std::vector<Primitive>& primitives, const Tran
         } else {
             const Bounds b = primitive.shape->bounds();
             for (int corner = 0; corner < 8; ++corner)
-                add(Vec3(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z));
+                add(Vec3(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y,
+                         corner & 4 ? b.max.z : b.min.z));
         }
     }
 }

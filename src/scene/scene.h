@@ -30,7 +30,7 @@ struct ObjectDefinition {
 };
 
 struct Instance {
-    int object = 0;              // index into Scene::objects
+    int object = 0;  // index into Scene::objects
     Transform objectToWorld;
 };
 
@@ -45,7 +45,7 @@ struct PixelRegion {
 
 // Settings of the file, obeyed or overridden by the command line.
 struct RenderSettings {
-    std::string integrator = "path";   // as the file names it: "path", "directlighting", "iispt", ...
+    std::string integrator = "path";  // as the file names it: "path", "directlighting", "iispt", ...
     int maxDepth = 5;
     float rrThreshold = 1;
     int samplesPerPixel = 16;
@@ -53,24 +53,24 @@ struct RenderSettings {
     std::string lightStrategy = "spatial";
     std::string outputFile = "pbrt.exr";
     FilmGeometry film;
-    float cropWindow[4] = {0, 1, 0, 1};   // x0 x1 y0 y1
+    float cropWindow[4] = {0, 1, 0, 1};  // x0 x1 y0 y1
     // What of the film is rendered: the crop window in whole pixels, by pbrt's rounding; at least one pixel.
     PixelRegion region() const;
     float filmScale = 1;
     float maxSampleLuminance = kInfinity;
-    FilterPtr filter;                     // never null
+    FilterPtr filter;  // never null
 };
 
 struct Scene {
     std::vector<Primitive> primitives;
     std::vector<ObjectDefinition> objects;
     std::vector<Instance> instances;
-    std::vector<LightPtr> lights;         // all, those of emissive primitives included
+    std::vector<LightPtr> lights;  // all, those of emissive primitives included
     std::unique_ptr<Camera> camera;
     RenderSettings settings;
 
     Bounds bounds() const;
-    size_t triangleCount() const;         // instances counted each
+    size_t triangleCount() const;  // instances counted each
 };
 
 }  // namespace drc

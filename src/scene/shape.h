@@ -32,15 +32,15 @@ struct Bounds {
 
 struct ShapeHit {
     float t = 0;
-    Vec3 ng;           // unit, oriented as pbrt does
+    Vec3 ng;  // unit, oriented as pbrt does
     Vec2 uv;
     Vec3 dpdu, dpdv;
 };
 
 struct ShapeSample {
     Vec3 p;
-    Vec3 ng;           // unit
-    float pdf = 0;     // per unit area
+    Vec3 ng;        // unit
+    float pdf = 0;  // per unit area
 };
 
 class Shape {

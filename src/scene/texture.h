@@ -8,11 +8,11 @@ namespace drc {
 
 // Where a texture is looked up. Lengths are in world units.
 struct TextureContext {
-    Vec3 p;                 // world space
-    Vec3 n;                 // shading normal, world space
+    Vec3 p;  // world space
+    Vec3 n;  // shading normal, world space
     Vec2 uv;
-    Vec3 dpdu, dpdv;        // world-space derivatives of position by u and v
-    float footprint = 0;    // width of the pixel's or path's cone where it meets the surface; 0: finest level
+    Vec3 dpdu, dpdv;      // world-space derivatives of position by u and v
+    float footprint = 0;  // width of the pixel's or path's cone where it meets the surface; 0: finest level
     // The same, in uv units: footprint divided by the length of a unit of uv.
     float uvFootprint = 0;
 };

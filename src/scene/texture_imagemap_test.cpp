@@ -34,8 +34,7 @@ TEST(ImageMap, FootprintIsScaledWithTheMapping) {
 }
 
 TEST(ImageMap, Float) {
-    const auto pyramid =
-        std::make_shared<FloatPyramid>(TexelImage{1, 1, {Rgb(1, 0.5f, 0.25f)}}, TexelEncoding::Linear);
+    const auto pyramid = std::make_shared<FloatPyramid>(TexelImage{1, 1, {Rgb(1, 0.5f, 0.25f)}}, TexelEncoding::Linear);
     EXPECT_NEAR(makeImageMap(pyramid, {})->eval(at(0, 0)), luminance(Rgb(1, 0.5f, 0.25f)), 1e-6f);
 }
 

@@ -10,10 +10,10 @@
 namespace drc {
 
 struct TriangleMesh {
-    std::vector<Vec3> positions;          // world space; in an object's own space if the object is instanced
-    std::vector<Vec3> normals;            // unit, empty or one a vertex
-    std::vector<Vec2> uvs;                // empty or one a vertex
-    std::vector<uint32_t> indices;        // three a triangle
+    std::vector<Vec3> positions;    // world space; in an object's own space if the object is instanced
+    std::vector<Vec3> normals;      // unit, empty or one a vertex
+    std::vector<Vec2> uvs;          // empty or one a vertex
+    std::vector<uint32_t> indices;  // three a triangle
     // Reverses the geometric normal (pbrt's ReverseOrientation xor a transform that swaps handedness). The normals
     // above are as they will be used: pbrt negates them for ReverseOrientation when it reads the mesh.
     bool flipNormal = false;
