@@ -86,9 +86,11 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
     IndirectSettings settings;
     settings.gatherSamples = 64;
     settings.primarySamples = 1;
-    // Light through rough glass comes in rare bright paths: few passes are too skewed for a t-test.
-    const int passes = name == "rough_glass" ? 80 : 16;
-    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, passes);
+    // Light through a ball of rough glass comes in rare bright paths, for which few passes are too skewed a sample, and
+    // from a small part of the hemisphere, which 32x32 texels blur by more than this test forgives.
+    const bool roughGlass = name == "rough_glass";
+    if (roughGlass) settings.capture.layout = MapLayout(Projection::EqualArea, 64);
+    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, roughGlass ? 24 : 16);
     const Estimate traced =
         test::estimate(pipeline.pixels(), 8192, 64, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
     const Estimate narrow =

@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-constexpr uint64_t kSampleStream = 0x2001;
+constexpr uint64_t kSampleStream = 0x2001, kCorrectionStream = 0x2002;
 // Pixels. Below it more passes serve better than more maps in one.
 constexpr float kFinestInTime = 3;
 
@@ -24,7 +24,7 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
       stats_(stats),
       samples_(scene.settings.region()),
       narrow_(scene.settings.region()),
-      indirect_(scene.settings.region()),
+      indirect_(scene.settings.region()), correction_(scene.settings.region()),
       start_(Clock::now()) {
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
 }
@@ -77,10 +77,24 @@ bool Renderer::step(const CancelToken* cancel) {
     return nextIsPass(spacing) ? passStep(spacing, cancel) : sampleStep(cancel);
 }
 
+IndirectCorrection::Sample Renderer::correctionSample(const Ray& ray, Sampler& sampler) const {
+    IndirectCorrection::Sample s;
+    PrimaryHit hit;
+    if (!tracer_.primaryHit(ray, sampler, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) return s;
+    s.radiance = hit.throughput * tracer_.indirect(hit, sampler, LobeFlags::Wide);
+    s.albedo = hit.throughput * hit.bsdf.albedo(hit.surface.wo, LobeFlags::Wide);
+    s.position = hit.surface.p;
+    s.normal = hit.bsdf.frame().n;
+    s.pixelSize = hit.surface.footprint;
+    return s;
+}
+
 bool Renderer::sampleStep(const CancelToken* cancel) {
     const auto start = Clock::now();
     const PixelRegion& region = samples_.region();
     const bool path = params_.integrator == Integrator::Path, drc = params_.integrator == Integrator::Drc;
+    const bool correct = drc && params_.correctionEvery > 0 && samplesDone_ % params_.correctionEvery == 0;
+    const auto correction = uint32_t(correct ? samplesDone_ / params_.correctionEvery : 0);
     parallelFor(
         region.y0, region.y1, 1,
         [&](int begin, int end) {
@@ -99,6 +113,10 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
                         path ? tracer_.radiance(ray, sampler) : tracer_.direct(ray, sampler, drc ? &narrow : nullptr),
                         f.weight);
                     if (drc) narrow_.add(x, y, narrow, f.weight);
+                if (correct) {
+                    Sampler own(hashCombine(params_.seed, hashCombine(kCorrectionStream, pixel)), correction);
+                    correction_.add(x, y, int(correction), correctionSample(ray, own), f.weight);
+                }
                 }
         },
         cancel);
@@ -156,7 +174,9 @@ RenderedImage Renderer::image() const {
     result.beauty = samples_.image(scale);
     if (params_.integrator != Integrator::Drc) return result;
     result.direct = result.beauty;
-    result.indirect = indirect_.image(scale);
+    result.indirect = indirect_.image(1);
+    if (passesDone_ > 0) correction_.apply(*result.indirect);
+    for (float& v : result.indirect->data()) v *= scale;
     const Image narrow = narrow_.image(scale);
     for (size_t i = 0; i < narrow.data().size(); ++i) result.indirect->data()[i] += narrow.data()[i];
     for (size_t i = 0; i < result.beauty.data().size(); ++i) result.beauty.data()[i] += result.indirect->data()[i];

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cache/indirect_pass.h"
+#include "render/correction.h"
 #include "render/film.h"
 
 namespace drc {
@@ -21,6 +22,9 @@ struct RenderParams {
     float firstSpacing = kFirstSpacing;  // of the first pass, as a share of the frame's height
     // With a deadline spp and passes are ignored: steps are made until it.
     std::optional<std::chrono::steady_clock::time_point> deadline;
+    // Of the sweeps of direct light, every how manieth also path-traces a sample of indirect light for the correction of
+    // the maps' smooth errors; 0: no correction.
+    int correctionEvery = 4;
     float directShare = 0.5f;  // of the time before a deadline that the direct layer gets
 };
 
@@ -50,6 +54,7 @@ class Renderer {
   private:
     using Clock = std::chrono::steady_clock;
     bool sampleStep(const CancelToken* cancel);
+    IndirectCorrection::Sample correctionSample(const Ray& ray, Sampler& sampler) const;
     bool passStep(float spacing, const CancelToken* cancel);
     bool nextIsPass(float& spacing) const;
     // Before a deadline: the spacing of the next pass, from what the last one cost.
@@ -65,6 +70,7 @@ class Renderer {
     FilmLayer samples_;   // paths, or the direct layer
     FilmLayer narrow_;    // indirect light of lobes that maps cannot hold: with the samples
     FilmLayer indirect_;  // of all others: with the passes
+    IndirectCorrection correction_;
     int samplesDone_ = 0, passesDone_ = 0;
     Clock::time_point start_;
     double sampleSeconds_ = 0, passSeconds_ = 0;
