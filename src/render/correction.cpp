@@ -7,8 +7,10 @@
 namespace drc {
 namespace {
 
-constexpr int kRadius = 8;        // pixels
+constexpr int kRadius = 8;  // pixels
 constexpr float kSigma = 3.5f;
+// A pixel. With fewer the filtered noise is larger than most errors of the maps.
+constexpr int kMinSamples = 16;
 constexpr float kSmallestAlbedo = 0.02f;
 
 // What to believe of estimates of one number by independent groups: the mean of the middle two, shrunk by the share of
@@ -17,16 +19,21 @@ float believed(std::array<float, 4> d) {
     std::sort(d.begin(), d.end());
     const float middle = 0.5f * (d[1] + d[2]);
     const float mean = 0.25f * (d[0] + d[1] + d[2] + d[3]);
-    float variance = 0;   // of the mean
+    float variance = 0;  // of the mean
     for (const float v : d) variance += sqr(v - mean) / (3 * 4);
-    const float signal = std::max(0.f, sqr(middle) - variance);
+    // Twice its standard error, or it counts as noise: with four groups that is none too sure.
+    const float signal = std::max(0.f, sqr(middle) - 4 * variance);
     return signal > 0 ? middle * signal / (signal + variance) : 0;
 }
 
 }  // namespace
 
 IndirectCorrection::IndirectCorrection(const PixelRegion& region)
-    : region_(region), traced_(kGroups, FilmLayer(region)), albedo_(region), normal_(region), position_(region),
+    : region_(region),
+      traced_(kGroups, FilmLayer(region)),
+      albedo_(region),
+      normal_(region),
+      position_(region),
       size_(region) {}
 
 void IndirectCorrection::add(int x, int y, int sample, const Sample& s, float filterWeight) {
@@ -39,7 +46,7 @@ void IndirectCorrection::add(int x, int y, int sample, const Sample& s, float fi
 }
 
 void IndirectCorrection::apply(Image& indirect) const {
-    if (samples_ < kGroups) return;
+    if (samples_ < kMinSamples) return;
     struct Feature {
         Vec3 p, n;
         Rgb albedo;
@@ -82,7 +89,8 @@ void IndirectCorrection::apply(Image& indirect) const {
                         // Off the tangent plane, in units of the pixels between.
                         const float distance = std::sqrt(float(dx * dx + dy * dy));
                         const float step = absDot(f.n, other.p - f.p) / (f.size * (0.5f * distance + 0.5f));
-                        const float w = std::exp(-0.5f * sqr(distance / kSigma) - sqr(step)) * sqr(sqr(sqr(sqr(cosine))));
+                        const float w =
+                            std::exp(-0.5f * sqr(distance / kSigma) - sqr(step)) * sqr(sqr(sqr(sqr(cosine))));
                         for (size_t g = 0; g < kGroups; ++g) sums[g] += differences[j][g] * w;
                         total += w;
                     }

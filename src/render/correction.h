@@ -1,7 +1,7 @@
 // Correction of the indirect layer by a few path-traced samples.
 //
-// Radiance maps give a picture without noise but with a smooth error: where they stand too far apart for what they light,
-// and where the network is off in hue. Path-traced samples of the same light have noise but no such error. The
+// Radiance maps give a picture without noise but with a smooth error: where they stand too far apart for what they
+// light, and where the network is off in hue. Path-traced samples of the same light have noise but no such error. The
 // difference of the two, filtered along surfaces, is the smooth error; it is added to the layer. What the filter does
 // not resolve stays as the maps have it.
 #pragma once
@@ -19,11 +19,11 @@ class IndirectCorrection {
     struct Sample {
         Rgb radiance{0.f}, albedo{0.f};
         Vec3 position{0.f}, normal{0.f};
-        float pixelSize = 0;   // world width of a pixel at the position
+        float pixelSize = 0;  // world width of a pixel at the position
     };
     void add(int x, int y, int sample, const Sample& s, float filterWeight);
 
-    // Adds the filtered difference to the layer, in place. Fewer than kGroups samples a pixel: leaves it as it is.
+    // Adds the filtered difference to the layer, in place. Fewer than 16 samples a pixel: leaves it as it is.
     void apply(Image& indirect) const;
 
   private:

@@ -73,7 +73,7 @@ TEST(Correction, OneBrightPathMakesNoBlotch) {
 
 TEST(Correction, TooFewSamplesChangeNothing) {
     Image image = layer(0.7f);
-    traced(3).apply(image);
+    traced(15).apply(image);
     EXPECT_EQ(image.data(), layer(0.7f).data());
 }
 

@@ -24,7 +24,8 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
       stats_(stats),
       samples_(scene.settings.region()),
       narrow_(scene.settings.region()),
-      indirect_(scene.settings.region()), correction_(scene.settings.region()),
+      indirect_(scene.settings.region()),
+      correction_(scene.settings.region()),
       start_(Clock::now()) {
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
 }
@@ -113,10 +114,10 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
                         path ? tracer_.radiance(ray, sampler) : tracer_.direct(ray, sampler, drc ? &narrow : nullptr),
                         f.weight);
                     if (drc) narrow_.add(x, y, narrow, f.weight);
-                if (correct) {
-                    Sampler own(hashCombine(params_.seed, hashCombine(kCorrectionStream, pixel)), correction);
-                    correction_.add(x, y, int(correction), correctionSample(ray, own), f.weight);
-                }
+                    if (correct) {
+                        Sampler own(hashCombine(params_.seed, hashCombine(kCorrectionStream, pixel)), correction);
+                        correction_.add(x, y, int(correction), correctionSample(ray, own), f.weight);
+                    }
                 }
         },
         cancel);

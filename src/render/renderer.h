@@ -22,8 +22,8 @@ struct RenderParams {
     float firstSpacing = kFirstSpacing;  // of the first pass, as a share of the frame's height
     // With a deadline spp and passes are ignored: steps are made until it.
     std::optional<std::chrono::steady_clock::time_point> deadline;
-    // Of the sweeps of direct light, every how manieth also path-traces a sample of indirect light for the correction of
-    // the maps' smooth errors; 0: no correction.
+    // Of the sweeps of direct light, every how manieth also path-traces a sample of indirect light for the correction
+    // of the maps' smooth errors; 0: no correction.
     int correctionEvery = 4;
     float directShare = 0.5f;  // of the time before a deadline that the direct layer gets
 };
