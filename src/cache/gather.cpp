@@ -20,13 +20,12 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
     float total = 0;
     for (const WeightedSite& s : sites) total += s.weight;
 
-    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, float bsdfPdf) {
+    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, const Rgb& f, float bsdfPdf) {
         const RadianceMap* map = dot(d, normal) >= 0 ? sides.front : sides.back;
         if (map == nullptr) return Rgb(0.f);
         // Directions between the shading and the geometric horizon, which paths never sample, are none of ours either.
         if (bsdfPdf <= 0) return Rgb(0.f);
-        const Rgb f = hit.bsdf.f(at.wo, d, LobeFlags::Wide);
-        return isBlack(f) ? Rgb(0.f) : f * map->radianceAt(at.p, d) * (absDot(d, shading) / (mapPdf + bsdfPdf));
+        return f * map->radianceAt(at.p, d) * (absDot(d, shading) / (mapPdf + bsdfPdf));
     };
 
     Rgb sum(0.f);
@@ -43,12 +42,13 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
         const auto fromMap = (transmits && uSide < 0.5f ? site.back : site.front).sample(sampler.get2D());
         if (fromMap.pdf > 0) {
             const float mapPdf = transmits ? sides.pdf(fromMap.d) : fromMap.pdf;
-            sum += contribution(sides, fromMap.d, mapPdf, hit.bsdf.pdf(at.wo, fromMap.d, LobeFlags::Wide));
+            const Bsdf::Value value = hit.bsdf.evaluate(at.wo, fromMap.d, LobeFlags::Wide);
+            sum += contribution(sides, fromMap.d, mapPdf, value.f, value.pdf);
         }
         const float uLobe = sampler.get1D();
         const auto fromBsdf = hit.bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::Wide);
         if (fromBsdf && fromBsdf->pdf > 0)
-            sum += contribution(sides, fromBsdf->wi, sides.pdf(fromBsdf->wi), fromBsdf->pdf);
+            sum += contribution(sides, fromBsdf->wi, sides.pdf(fromBsdf->wi), fromBsdf->f, fromBsdf->pdf);
     }
     sum *= 1.f / float(samples);
     return isFinite(sum) ? sum : Rgb(0.f);

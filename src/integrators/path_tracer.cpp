@@ -12,6 +12,7 @@ constexpr float kSpecular = 0;
 // the bounce itself blurs.
 constexpr float kDiffuseSpread = 0.05f;
 
+constexpr LobeFlags kNarrowLobes = LobeFlags::Narrow | LobeFlags::Reflection | LobeFlags::Transmission;
 constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
 
 float powerHeuristic(float a, float b) {
@@ -75,12 +76,12 @@ Rgb PathTracer::lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, Lobe
     if (choice.light == nullptr) return Rgb(0.f);
     const auto s = choice.light->sample(at.p, u);
     if (!s || !(s->pdf > 0) || isBlack(s->radiance)) return Rgb(0.f);
-    const Rgb f = bsdf.f(at.wo, s->wi, mask);
-    if (isBlack(f)) return Rgb(0.f);
+    const Bsdf::Value value = bsdf.evaluate(at.wo, s->wi, mask);
+    if (isBlack(value.f)) return Rgb(0.f);
     if (shadowed(at, *s)) return Rgb(0.f);
     const float pdf = s->pdf * choice.probability;
-    const float weight = s->delta ? 1 : powerHeuristic(pdf, bsdf.pdf(at.wo, s->wi, mask));
-    return f * s->radiance * (absDot(s->wi, bsdf.frame().n) * weight / pdf);
+    const float weight = s->delta ? 1 : powerHeuristic(pdf, value.pdf);
+    return value.f * s->radiance * (absDot(s->wi, bsdf.frame().n) * weight / pdf);
 }
 
 Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first) const {
@@ -242,11 +243,9 @@ Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobe
 
 Rgb PathTracer::indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const {
     const float uLobe = sampler.get1D();
-    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
-    if (!s || !(s->pdf > 0)) return Rgb(0.f);
-    // The density is that of all lobes: what it samples for the wide ones' sake has little weight here.
-    const Rgb narrow = clampNonNegative(s->f - bsdf.f(at.wo, s->wi, LobeFlags::Wide));
-    const Rgb weight = narrow * (absDot(s->wi, bsdf.frame().n) / s->pdf);
+    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), kNarrowLobes);
+    if (!s) return Rgb(0.f);
+    const Rgb weight = s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     const float survival = std::min(1.f, maxComponent(weight));
     if (!(sampler.get1D() < survival)) return Rgb(0.f);
     const Ray ray = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));

@@ -11,7 +11,7 @@ constexpr float kFloor = 0.05f;
 
 bool isSpecular(LobeFlags flags) { return any(flags & LobeFlags::Specular); }
 
-Rgb evaluate(const Lobe& lobe, const Vec3& wo, const Vec3& wi, TransportMode mode) {
+Rgb evaluateLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi, TransportMode mode) {
     return std::visit(
         [&](const auto& l) {
             if constexpr (requires { l.f(wo, wi, mode); })
@@ -97,7 +97,7 @@ Rgb Bsdf::fLocal(const Vec3& wo, const Vec3& wi, bool reflects, LobeFlags mask, 
     Rgb sum(0.f);
     for (int i = 0; i < count_; ++i)
         if (!isSpecular(flags_[i]) && matches(flags_[i], mask) && any(flags_[i] & side))
-            sum += weights_[i] * evaluate(lobe(i), wo, wi, mode);
+            sum += weights_[i] * evaluateLobe(lobe(i), wo, wi, mode);
     return sum;
 }
 
@@ -114,6 +114,18 @@ Rgb Bsdf::f(const Vec3& woWorld, const Vec3& wiWorld, LobeFlags mask, TransportM
     if (wo.z == 0) return Rgb(0.f);
     const bool reflects = dot(wiWorld, ng_) * dot(woWorld, ng_) > 0;
     return fLocal(wo, frame_.toLocal(wiWorld), reflects, mask, mode);
+}
+
+Bsdf::Value Bsdf::evaluate(const Vec3& woWorld, const Vec3& wiWorld, LobeFlags mask, TransportMode mode) const {
+    Value value;
+    const Vec3 wo = frame_.toLocal(woWorld), wi = frame_.toLocal(wiWorld);
+    if (wo.z == 0) return value;
+    const bool reflects = dot(wiWorld, ng_) * dot(woWorld, ng_) > 0;
+    value.f = fLocal(wo, wi, reflects, mask, mode);
+    if (isBlack(value.f)) return value;
+    Probabilities p;
+    if (choices(wo, mask, p) > 0) value.pdf = pdfLocal(wo, wi, mask, p);
+    return value;
 }
 
 float Bsdf::pdf(const Vec3& woWorld, const Vec3& wiWorld, LobeFlags mask) const {

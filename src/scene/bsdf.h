@@ -51,6 +51,13 @@ class Bsdf {
     // Sum of the non-specular lobes within mask; 0 for specular lobes.
     Rgb f(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All,
           TransportMode mode = TransportMode::Radiance) const;
+    // f and pdf together, for less than the two apart. Where f is zero the density is not asked for, and is zero.
+    struct Value {
+        Rgb f{0.f};
+        float pdf = 0;
+    };
+    Value evaluate(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All,
+                   TransportMode mode = TransportMode::Radiance) const;
     // Density of sample() for the same mask, per solid angle; 0 for specular lobes.
     float pdf(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All) const;
     // Chooses among the lobes within mask in proportion to an estimate of their albedo. None: no lobe, or no light.

@@ -1,24 +1,43 @@
 // A diffuse base under a glossy coat that takes more of the light at grazing angles (Ashikhmin and Shirley, "An
-// Anisotropic Phong Light Reflection Model", 2000; PBR 3e, sections 8.5 and 14.1.2).
+// Anisotropic Phong Light Reflection Model", 2000; PBR 3e, sections 8.5 and 14.1.2). Base and coat are lobes of their
+// own, so that each is sampled by its share, and so that a sharp coat does not keep the base from radiance maps.
 #pragma once
-#include "scene/lobe.h"
-#include "scene/microfacet.h"
+#include "scene/lobe_sampling.h"
 
 namespace drc {
 
-class FresnelBlend {
+class FresnelBlendBase {
   public:
-    FresnelBlend(const Rgb& diffuse, const Rgb& specular, const TrowbridgeReitz& distribution)
-        : diffuse_(diffuse), specular_(specular), distribution_(distribution) {}
+    // Both colours decide what the coat leaves to the base.
+    FresnelBlendBase(const Rgb& diffuse, const Rgb& specular) : reflectance_(diffuse * (Rgb(1.f) - specular)) {}
 
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Glossy; }
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
-    float pdf(const Vec3& wo, const Vec3& wi) const;
-    LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
-    Rgb albedo(const Vec3& wo) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const { return cosinePdf(wo, wi); }
+    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
+        return sampleByCosine(*this, wo, u);
+    }
+    Rgb albedo(const Vec3& wo) const;  // exact
 
   private:
-    Rgb diffuse_, specular_;
+    Rgb reflectance_;
+};
+
+class FresnelBlendCoat {
+  public:
+    FresnelBlendCoat(const Rgb& specular, const TrowbridgeReitz& distribution)
+        : specular_(specular), distribution_(distribution) {}
+
+    LobeFlags flags() const { return LobeFlags::Reflection | glossiness(distribution_); }
+    Rgb f(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const { return microfacetPdf(distribution_, wo, wi); }
+    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
+        return sampleByMicrofacet(*this, distribution_, wo, u);
+    }
+    Rgb albedo(const Vec3& wo) const;  // of the smooth surface
+
+  private:
+    Rgb specular_;
     TrowbridgeReitz distribution_;
 };
 

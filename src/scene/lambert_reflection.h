@@ -1,8 +1,6 @@
 // Ideal diffuse reflection (PBR 3e, section 8.3.1). Both sides of the surface reflect.
 #pragma once
-#include "math/warp.h"
-#include "scene/lobe.h"
-#include "scene/local_directions.h"
+#include "scene/lobe_sampling.h"
 
 namespace drc {
 
@@ -13,15 +11,9 @@ class LambertReflection {
     static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
     // Like pbrt's, not cut off where wi is below the shading frame: the Bsdf cuts by the geometric normal.
     Rgb f(const Vec3&, const Vec3&) const { return reflectance_ * kInvPi; }
-    float pdf(const Vec3& wo, const Vec3& wi) const { return sameHemisphere(wo, wi) ? absCosTheta(wi) * kInvPi : 0; }
+    float pdf(const Vec3& wo, const Vec3& wi) const { return cosinePdf(wo, wi); }
     LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
-        LobeSample s;
-        s.wi = sampleCosineHemisphere(u);
-        if (wo.z < 0) s.wi.z = -s.wi.z;
-        s.f = f(wo, s.wi);
-        s.pdf = pdf(wo, s.wi);
-        s.flags = flags();
-        return s;
+        return sampleByCosine(*this, wo, u);
     }
     Rgb albedo(const Vec3&) const { return reflectance_; }
 

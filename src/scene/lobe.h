@@ -27,7 +27,7 @@ enum class LobeFlags : uint8_t {
     Diffuse = 4,
     Glossy = 8,
     Specular = 16,
-    // A glossy lobe narrower than the texels of a radiance map resolve.
+    // In place of Glossy: a glossy lobe narrower than the texels of a radiance map resolve.
     Narrow = 32,
     Wide = Reflection | Transmission | Diffuse | Glossy,
     NonSpecular = Wide | Narrow,

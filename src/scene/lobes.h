@@ -16,6 +16,6 @@ namespace drc {
 
 using Lobe =
     std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection, MicrofacetTransmission,
-                 FresnelBlend, SpecularReflection, SpecularTransmission, FresnelSpecular>;
+                 FresnelBlendBase, FresnelBlendCoat, SpecularReflection, SpecularTransmission, FresnelSpecular>;
 
 }  // namespace drc

@@ -18,7 +18,8 @@ class Substrate final : public Material {
         const Rgb kd = evalClamped(*params_.kd, at), ks = evalClamped(*params_.ks, at);
         if (isBlack(kd) && isBlack(ks)) return;
         const float u = params_.uRoughness->eval(at), v = params_.vRoughness->eval(at);
-        bsdf.add(FresnelBlend(kd, ks, distributionFor(u, v, params_.remapRoughness)), weight);
+        if (!isBlack(kd)) bsdf.add(FresnelBlendBase(kd, ks), weight);
+        bsdf.add(FresnelBlendCoat(ks, distributionFor(u, v, params_.remapRoughness)), weight);
     }
 
   private:

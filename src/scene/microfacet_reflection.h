@@ -1,8 +1,7 @@
 // Glossy reflection off microfacets: the Torrance-Sparrow model (PBR 3e, sections 8.4.4 and 14.1.1).
 #pragma once
 #include "scene/fresnel.h"
-#include "scene/lobe.h"
-#include "scene/microfacet.h"
+#include "scene/lobe_sampling.h"
 
 namespace drc {
 
@@ -11,13 +10,12 @@ class MicrofacetReflection {
     MicrofacetReflection(const Rgb& reflectance, const TrowbridgeReitz& distribution, const Fresnel& fresnel)
         : reflectance_(reflectance), distribution_(distribution), fresnel_(fresnel) {}
 
-    LobeFlags flags() const {
-        return LobeFlags::Reflection | LobeFlags::Glossy |
-               (distribution_.isNarrow() ? LobeFlags::Narrow : LobeFlags::None);
-    }
+    LobeFlags flags() const { return LobeFlags::Reflection | glossiness(distribution_); }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
-    float pdf(const Vec3& wo, const Vec3& wi) const;
-    LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const { return microfacetPdf(distribution_, wo, wi); }
+    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
+        return sampleByMicrofacet(*this, distribution_, wo, u);
+    }
     // Of the smooth surface: close, and cheap.
     Rgb albedo(const Vec3& wo) const { return reflectance_ * fresnel_.eval(wo.z); }
 

@@ -1,8 +1,7 @@
 // Refraction through microfacets, for rough glass (Walter et al., "Microfacet Models for Refraction through Rough
 // Surfaces", 2007; PBR 3e, sections 8.4.4 and 14.1.1).
 #pragma once
-#include "scene/lobe.h"
-#include "scene/microfacet.h"
+#include "scene/lobe_sampling.h"
 
 namespace drc {
 
@@ -13,10 +12,7 @@ class MicrofacetTransmission {
     MicrofacetTransmission(const Rgb& transmittance, const TrowbridgeReitz& distribution, float etaA, float etaB)
         : transmittance_(transmittance), distribution_(distribution), etaA_(etaA), etaB_(etaB) {}
 
-    LobeFlags flags() const {
-        return LobeFlags::Transmission | LobeFlags::Glossy |
-               (distribution_.isNarrow() ? LobeFlags::Narrow : LobeFlags::None);
-    }
+    LobeFlags flags() const { return LobeFlags::Transmission | glossiness(distribution_); }
     Rgb f(const Vec3& wo, const Vec3& wi) const { return f(wo, wi, TransportMode::Radiance); }
     Rgb f(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;

@@ -1,8 +1,5 @@
 #include "scene/oren_nayar.h"
 
-#include "math/warp.h"
-#include "scene/local_directions.h"
-
 namespace drc {
 
 OrenNayar::OrenNayar(const Rgb& reflectance, float sigmaDegrees) : reflectance_(reflectance) {
@@ -22,20 +19,6 @@ Rgb OrenNayar::f(const Vec3& wo, const Vec3& wi) const {
     const float larger = std::max(cosI, cosO);
     const float sinTan = larger > 0 ? sinI * sinO / larger : 0;
     return reflectance_ * (kInvPi * (a_ + b_ * cosDeltaPhi * sinTan));
-}
-
-float OrenNayar::pdf(const Vec3& wo, const Vec3& wi) const {
-    return sameHemisphere(wo, wi) ? absCosTheta(wi) * kInvPi : 0;
-}
-
-LobeSample OrenNayar::sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
-    LobeSample s;
-    s.wi = sampleCosineHemisphere(u);
-    if (wo.z < 0) s.wi.z = -s.wi.z;
-    s.f = f(wo, s.wi);
-    s.pdf = pdf(wo, s.wi);
-    s.flags = flags();
-    return s;
 }
 
 }  // namespace drc

@@ -1,6 +1,6 @@
 // Rough diffuse reflection: Oren and Nayar's V-shaped Lambertian grooves (PBR 3e, section 8.4.1).
 #pragma once
-#include "scene/lobe.h"
+#include "scene/lobe_sampling.h"
 
 namespace drc {
 
@@ -11,8 +11,10 @@ class OrenNayar {
 
     static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
-    float pdf(const Vec3& wo, const Vec3& wi) const;
-    LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const { return cosinePdf(wo, wi); }
+    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
+        return sampleByCosine(*this, wo, u);
+    }
     Rgb albedo(const Vec3&) const { return reflectance_; }
 
   private:
