@@ -20,12 +20,14 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
     float total = 0;
     for (const WeightedSite& s : sites) total += s.weight;
 
-    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, const Rgb& f, float bsdfPdf) {
+    // The maps' density follows what a diffuse surface integrates: there the BSDF's own samples would add but noise.
+    const bool glossy = hit.bsdf.has(LobeFlags::Glossy);
+    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, const Bsdf::Value& bsdf) {
         const RadianceMap* map = dot(d, normal) >= 0 ? sides.front : sides.back;
         if (map == nullptr) return Rgb(0.f);
         // Directions between the shading and the geometric horizon, which paths never sample, are none of ours either.
-        if (bsdfPdf <= 0) return Rgb(0.f);
-        return f * map->radianceAt(at.p, d) * (absDot(d, shading) / (mapPdf + bsdfPdf));
+        if (bsdf.pdf <= 0) return Rgb(0.f);
+        return bsdf.f * map->radianceAt(at.p, d) * (absDot(d, shading) / (mapPdf + (glossy ? bsdf.pdf : 0)));
     };
 
     Rgb sum(0.f);
@@ -42,13 +44,12 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
         const auto fromMap = (transmits && uSide < 0.5f ? site.back : site.front).sample(sampler.get2D());
         if (fromMap.pdf > 0) {
             const float mapPdf = transmits ? sides.pdf(fromMap.d) : fromMap.pdf;
-            const Bsdf::Value value = hit.bsdf.evaluate(at.wo, fromMap.d, LobeFlags::Wide);
-            sum += contribution(sides, fromMap.d, mapPdf, value.f, value.pdf);
+            sum += contribution(sides, fromMap.d, mapPdf, hit.bsdf.evaluate(at.wo, fromMap.d, LobeFlags::Wide));
         }
+        if (!glossy) continue;
         const float uLobe = sampler.get1D();
         const auto fromBsdf = hit.bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::Wide);
-        if (fromBsdf && fromBsdf->pdf > 0)
-            sum += contribution(sides, fromBsdf->wi, sides.pdf(fromBsdf->wi), fromBsdf->f, fromBsdf->pdf);
+        if (fromBsdf) sum += contribution(sides, fromBsdf->wi, sides.pdf(fromBsdf->wi), {fromBsdf->f, fromBsdf->pdf});
     }
     sum *= 1.f / float(samples);
     return isFinite(sum) ? sum : Rgb(0.f);

@@ -264,7 +264,10 @@ bool IndirectPass::run(int pass, float spacing, const std::function<void(int, in
                         for (const FillLevel& level : fill) forEachFillSite(level, pixel, geometry, keep);
                         return sum;
                     };
-                    if (collect(geometryWeight) < 0.25f * settings_.minCoverage) collect(relaxedWeight);
+                    // Maps that stand aside serve for want of better ones, but not those of quite another surface.
+                    if (collect(geometryWeight) < 0.25f * settings_.minCoverage &&
+                        collect(relaxedWeight) < 0.25f * settings_.minCoverage)
+                        around.clear();
                     if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
                     const Rgb value = shade(hit, around, x, y, index);
                     add(x, y, value * hit.throughput, weight);

@@ -16,7 +16,7 @@ namespace drc {
 struct IndirectSettings {
     CaptureSettings capture;
     int primarySamples = 4;    // camera samples a pixel and pass
-    int gatherSamples = 3;     // pairs of directions that each of them gathers, split over its maps
+    int gatherSamples = 8;     // directions that each of them gathers, split over its maps
     float minCoverage = 0.1f;  // of a pixel's weights, below which maps are filled in
     int fillLevels = 3;        // halvings of the spacing that fill in
     uint64_t seed = 0;

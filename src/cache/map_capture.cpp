@@ -1,22 +1,8 @@
 #include "cache/map_capture.h"
 
+#include "math/morton.h"
+
 namespace drc {
-namespace {
-
-// Interleaves the bits of two numbers below 2^16: neighbours on the square get neighbouring sample indices, so that
-// every dimension of the paths is well distributed over each part of the map.
-uint32_t morton(uint32_t x, uint32_t y) {
-    const auto spread = [](uint32_t v) {
-        v = (v | (v << 8)) & 0x00ff00ffu;
-        v = (v | (v << 4)) & 0x0f0f0f0fu;
-        v = (v | (v << 2)) & 0x33333333u;
-        return (v | (v << 1)) & 0x55555555u;
-    };
-    return spread(x) | (spread(y) << 1);
-}
-
-}  // namespace
-
 Frame mapFrame(const Vec3& n, const Vec3& up) {
     if (std::abs(dot(n, up)) > 0.999f) return Frame::fromNormal(n);
     const Vec3 s = normalize(cross(up, n));
@@ -40,7 +26,9 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
     for (int row = 0; row < n; ++row) {
         for (int column = 0; column < n; ++column) {
             const auto texel = size_t(row * n + column);
-            const uint32_t index = morton(uint32_t(column), uint32_t(row)) * uint32_t(settings.samplesPerTexel);
+            // Neighbours on the square get neighbouring sample indices, so that every dimension of the paths is well
+            // distributed over each part of the map.
+            const uint32_t index = mortonIndex({column, row}) * uint32_t(settings.samplesPerTexel);
             Rgb sum(0.f);
             for (int s = 0; s < settings.samplesPerTexel; ++s) {
                 sampler.start(stream, index + uint32_t(s));

@@ -42,11 +42,11 @@ TEST(MapEvaluation, L1IsInUnitsOfTheTargetsMean) {
 
 TEST(MapEvaluation, L1WeighsTexelsBySolidAngle) {
     // A row of a latlong map is worth (cos top - cos bottom) / 2 of the hemisphere.
-    const MapLayout layout(Projection::LatLong, 3);
-    Radiance target(27, 1.f), map(27, 1.f);
+    const MapLayout layout(Projection::LatLong, 4);
+    Radiance target(48, 1.f), map(48, 1.f);
     for (size_t c = 0; c < 3; ++c)
-        for (size_t column = 0; column < 3; ++column) map[c * 9 + column] = 3;
-    EXPECT_NEAR(scoreMap(map, target, layout).l1, 2 * (1 - 0.5) / 2, 1e-6);
+        for (size_t column = 0; column < 4; ++column) map[c * 16 + column] = 3;
+    EXPECT_NEAR(scoreMap(map, target, layout).l1, 2 * (1 - std::cos(kPi / 4)) / 2, 1e-6);
 }
 
 TEST(MapEvaluation, APerfectMapHasNoError) {

@@ -1,5 +1,7 @@
 #include "cache/projection.h"
 
+#include <bit>
+
 #include "base/error.h"
 #include "math/warp.h"
 
@@ -11,6 +13,11 @@ Projection projectionFromName(const std::string& name) {
     for (const Projection p : {Projection::EqualArea, Projection::LatLong})
         if (name == projectionName(p)) return p;
     throw Error("unknown map projection '" + name + "': it is 'equal-area' or 'latlong'");
+}
+
+MapLayout::MapLayout(Projection projection, int size) : projection_(projection), size_(size) {
+    if (size < 2 || !std::has_single_bit(unsigned(size)))
+        throw Error("a radiance map cannot be " + std::to_string(size) + " texels wide: that must be a power of two");
 }
 
 Vec3 MapLayout::direction(int column, int row, const Vec2& u) const {

@@ -19,7 +19,8 @@ Projection projectionFromName(const std::string& name);  // throws Error
 
 class MapLayout {
   public:
-    MapLayout(Projection projection, int size) : projection_(projection), size_(size) {}
+    // size: a power of two; throws Error.
+    MapLayout(Projection projection, int size);
 
     Projection projection() const { return projection_; }
     int size() const { return size_; }

@@ -1,14 +1,22 @@
 #include "cache/radiance_map.h"
 
+#include "math/morton.h"
+
 namespace drc {
 namespace {
 
-// Share of the sampling density that ignores luminance: a texel that the map holds for black may be lit where another
-// point looks through it.
-constexpr float kUniformShare = 0.1f;
-// Fixed-point steps of the distance correction. Two bring the error below a texel for points within a third of the
-// distance that is seen.
-constexpr int kParallaxSteps = 2;
+// Shares of the sampling density that ignore luminance: a texel that the map holds for black may be lit where another
+// point looks through it. Of the second the cosine is ignored too, for pixels whose normal is not the map's.
+constexpr float kCosineShare = 0.1f, kUniformShare = 0.1f;
+// Parts of [0,1) whose place in the cumulative density is known, so that none is searched for from the beginning
+// (Chen and Asau, "On Generating Random Variates from an Empirical Distribution", 1974).
+constexpr size_t kGuide = 256;
+// Distances that differ by less than this share are taken for those of one surface.
+constexpr float kSameSurface = 0.25f;
+// Shifts of the origin by less than this share of what the map sees are not worth a search.
+constexpr float kNegligibleOffset = 0.01f;
+// From half the shift to 64 times it: the direction then differs from the ray's by less than a fifth of a texel.
+constexpr int kMarchSteps = 8;
 
 }  // namespace
 
@@ -27,7 +35,8 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
     scale_ = maxRadiance > 0 ? maxRadiance / 16384.f : 1.f;
     distanceScale_ = maxDistance > 0 ? maxDistance / 1024.f : 1.f;
 
-    double meanLuminance = 0, inverseDistance = 0, weight = 0;
+    double irradiance = 0, cosineSum = 0, inverseDistance = 0, weight = 0;
+    std::vector<float> cosines(texels);
     for (int row = 0; row < n; ++row) {
         const double solidAngle = layout.solidAngle(row);
         for (int column = 0; column < n; ++column) {
@@ -39,26 +48,34 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
             }
             const float d = captured.distance[i];
             distance_[i] = half(d < 0 ? -1.f : d / distanceScale_);
-            meanLuminance += luminance(value) * solidAngle;
+            cosines[i] = layout.direction(column, row, Vec2(0.5f, 0.5f)).z;
+            irradiance += luminance(value) * cosines[i] * solidAngle;
+            cosineSum += cosines[i] * solidAngle;
             weight += solidAngle;
             if (d > 0) inverseDistance += solidAngle / d;
         }
     }
-    meanLuminance /= weight;
     harmonicMeanDistance_ = inverseDistance > 0 ? float(weight / inverseDistance) : kInfinity;
 
+    const float lit = irradiance > 0 ? 1 - kCosineShare - kUniformShare : 0;
     double sum = 0;
     std::vector<double> cumulative(texels);
-    for (int row = 0; row < n; ++row)
-        for (int column = 0; column < n; ++column) {
-            const auto i = size_t(row * n + column);
-            const double l = luminance(texel(int(i)));
-            const double p = meanLuminance > 0 ? (1 - kUniformShare) * l / meanLuminance + kUniformShare : 1;
-            sum += p * layout.solidAngle(row);
-            cumulative[i] = sum;
-        }
-    for (size_t i = 0; i < texels; ++i) cdf_[i] = float(cumulative[i] / sum);
+    for (size_t k = 0; k < texels; ++k) {
+        const auto [column, row] = mortonCell(uint32_t(k));
+        const auto i = size_t(row * n + column);
+        const double byLight = lit > 0 ? luminance(texel(int(i))) * cosines[i] / irradiance : 0;
+        const double byCosine = cosines[i] / cosineSum, uniform = 1 / weight;
+        sum +=
+            (lit * byLight + (1 - kUniformShare - lit) * byCosine + kUniformShare * uniform) * layout.solidAngle(row);
+        cumulative[k] = sum;
+    }
+    for (size_t k = 0; k < texels; ++k) cdf_[k] = float(cumulative[k] / sum);
     cdf_.back() = 1;
+    guide_.resize(kGuide);
+    for (size_t g = 0, k = 0; g < kGuide; ++g) {
+        while (cdf_[k] <= float(g) / kGuide) ++k;
+        guide_[g] = uint16_t(k);
+    }
 }
 
 Rgb RadianceMap::lookup(const Vec3& local) const {
@@ -76,38 +93,53 @@ Rgb RadianceMap::radiance(const Vec3& d) const { return lookup(frame_.toLocal(d)
 Rgb RadianceMap::radianceAt(const Vec3& x, const Vec3& d) const {
     const Vec3 offset = frame_.toLocal(x - origin_);
     const Vec3 direction = frame_.toLocal(d);
-    Vec3 seen = direction;  // from the origin towards what x sees
-    float t = 0;            // distance from x to it
-    for (int i = 0; i < kParallaxSteps; ++i) {
-        const float fromOrigin = distance_[size_t(layout_.texel(seen))] * distanceScale_;
-        if (!(fromOrigin > 0)) return lookup(seen);  // the environment is equally far from both
-        // The sphere of that radius about the origin, met from x: |offset + t d| = fromOrigin.
-        const float b = dot(offset, direction), c = lengthSquared(offset) - sqr(fromOrigin);
-        if (c >= 0) break;  // x lies beyond what the map sees there: no correction can be trusted
-        t = -b + std::sqrt(b * b - c);
-        seen = normalize(offset + direction * t);
+    const float b = dot(offset, direction), offset2 = lengthSquared(offset);
+    // Where the ray from x meets the sphere of that radius about the origin; not positive: x lies outside.
+    const auto meet = [&](float radius) {
+        const float c = offset2 - sqr(radius);
+        return c < 0 ? std::sqrt(b * b - c) - b : 0.f;
+    };
+    const auto towards = [&](float t) { return normalize(offset + direction * t); };
+
+    // Mostly x and the origin see one smooth surface, and its distance there leads to the point.
+    const float first = distance(direction);
+    float t = meet(first);
+    if (t > 0 && first < kInfinity) {
+        const float second = distance(towards(t));
+        const float refined = meet(second);
+        if (refined > 0 && std::abs(second - first) < kSameSurface * first) return lookup(towards(refined));
     }
-    return lookup(seen);
+    if (offset2 < sqr(kNegligibleOffset * harmonicMeanDistance_)) return lookup(direction);
+    // Otherwise along the ray until the map holds something nearer than the ray's point.
+    float before = 0;
+    t = 0.5f * std::sqrt(offset2);
+    for (int i = 0; i < kMarchSteps; ++i, before = t, t *= 2) {
+        const float seen = distance(towards(t));
+        if (seen * seen > offset2 + t * (2 * b + t)) continue;
+        return lookup(towards(std::clamp(meet(seen), before, t)));
+    }
+    return lookup(direction);
 }
 
 RadianceMap::DirectionSample RadianceMap::sample(const Vec2& u) const {
-    const auto it = std::upper_bound(cdf_.begin(), cdf_.end(), u.x);
-    const auto i = size_t(std::min(it - cdf_.begin(), std::ptrdiff_t(cdf_.size()) - 1));
-    const float before = i > 0 ? cdf_[i - 1] : 0;
-    const float mass = cdf_[i] - before;
+    const float x01 = std::clamp(u.x, 0.f, kOneMinusEpsilon);
+    size_t k = guide_[size_t(x01 * float(kGuide))];
+    while (cdf_[k] <= x01) ++k;
+    const float before = k > 0 ? cdf_[k - 1] : 0;
+    const float mass = cdf_[k] - before;
     if (!(mass > 0)) return {};
-    const int n = layout_.size();
-    const int row = int(i) / n, column = int(i) % n;
-    const float x = std::clamp((u.x - before) / mass, 0.f, kOneMinusEpsilon);
+    const auto [column, row] = mortonCell(uint32_t(k));
+    const float x = std::clamp((x01 - before) / mass, 0.f, kOneMinusEpsilon);
     return {frame_.toWorld(layout_.direction(column, row, Vec2(x, u.y))), mass / layout_.solidAngle(row)};
 }
 
 float RadianceMap::pdf(const Vec3& d) const {
     const Vec3 local = frame_.toLocal(d);
     if (local.z <= 0) return 0;
-    const auto i = size_t(layout_.texel(local));
-    const float before = i > 0 ? cdf_[i - 1] : 0;
-    return (cdf_[i] - before) / layout_.solidAngle(int(i) / layout_.size());
+    const int i = layout_.texel(local), n = layout_.size();
+    const uint32_t k = mortonIndex({i % n, i / n});
+    const float before = k > 0 ? cdf_[k - 1] : 0;
+    return (cdf_[k] - before) / layout_.solidAngle(i / n);
 }
 
 }  // namespace drc

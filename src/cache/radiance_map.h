@@ -32,7 +32,9 @@ class RadianceMap {
         Vec3 d;         // unit, world space
         float pdf = 0;  // per solid angle
     };
-    // Density proportional to luminance within texels, uniform in solid angle inside one.
+    // Density proportional to luminance times the cosine to the map's normal from texel to texel, with a share that
+    // ignores luminance; uniform in solid angle inside a texel. Neighbours in u.x are neighbours on the hemisphere, so
+    // that well-distributed numbers give well-distributed directions.
     DirectionSample sample(const Vec2& u) const;
     float pdf(const Vec3& d) const;
 
@@ -41,15 +43,21 @@ class RadianceMap {
         const half* t = &radiance_[size_t(index) * 3];
         return Rgb(t[0], t[1], t[2]) * scale_;
     }
+    // Of what the texel in that direction sees; infinite: it escaped.
+    float distance(const Vec3& local) const {
+        const float d = distance_[size_t(layout_.texel(local))];
+        return d > 0 ? d * distanceScale_ : kInfinity;
+    }
     // Bilinear between texel centres.
     Rgb lookup(const Vec3& local) const;
 
     MapLayout layout_{Projection::EqualArea, 32};
     Vec3 origin_{0.f};
     Frame frame_;
-    std::vector<half> radiance_;  // [N*N][3], divided by scale_ so that it fits a half
-    std::vector<half> distance_;  // [N*N], in units of distanceScale_; negative: escaped
-    std::vector<float> cdf_;      // [N*N], cumulative; the last is 1
+    std::vector<half> radiance_;   // [N*N][3], divided by scale_ so that it fits a half
+    std::vector<half> distance_;   // [N*N], in units of distanceScale_; negative: escaped
+    std::vector<float> cdf_;       // [N*N], cumulative along the Morton curve; the last is 1
+    std::vector<uint16_t> guide_;  // for each of kGuide parts of [0,1): the place in cdf_ where it begins
     float scale_ = 1;
     float distanceScale_ = 1;
     float harmonicMeanDistance_ = kInfinity;

@@ -22,6 +22,17 @@ inline Vec2 squareToDisk(const Vec2& u) {
     return Vec2(b * std::sin(phi), b * std::cos(phi));
 }
 
+// 4 / pi atan(x) for x in [-1, 1], within 3e-7: a Chebyshev fit of the even function atan(x) / x, a third of
+// std::atan's time.
+inline float atanInOctants(float x) {
+    const float z = x * x;
+    float p = -0.0059444668f;
+    for (const float c :
+         {0.0307693481f, -0.0755885404f, 0.126128343f, -0.178464704f, 0.254256202f, -0.424395692f, 1.27323941f})
+        p = p * z + c;
+    return p * x;
+}
+
 // The square's point whose direction from the centre is that of (x, y) and whose distance (in the maximum norm, edge
 // at 1) is r: what the inverses below have in common.
 inline Vec2 radiusAndDirectionToSquare(float r, float x, float y) {
@@ -29,10 +40,10 @@ inline Vec2 radiusAndDirectionToSquare(float r, float x, float y) {
     float a, b;
     if (std::abs(x) > std::abs(y)) {
         a = std::copysign(r, x);
-        b = a * (4 * kInvPi) * std::atan(y / x);
+        b = a * atanInOctants(y / x);
     } else {
         b = std::copysign(r, y);
-        a = b * (4 * kInvPi) * std::atan(x / y);
+        a = b * atanInOctants(x / y);
     }
     return Vec2(std::clamp(0.5f * (a + 1), 0.f, 1.f), std::clamp(0.5f * (b + 1), 0.f, 1.f));
 }

@@ -20,6 +20,10 @@ double squareMean(const std::function<double(const Vec2&)>& f) {
     return sum / (kGrid * kGrid);
 }
 
+TEST(Warp, AtanInOctants) {
+    for (float x = -1; x <= 1; x += 1e-4f) EXPECT_NEAR(atanInOctants(x), 4 / kPi * std::atan(x), 5e-7f);
+}
+
 TEST(Warp, DiskIsUniformAndInverts) {
     EXPECT_NEAR(squareMean([](const Vec2& u) { return lengthSquared(Vec3(squareToDisk(u).x, squareToDisk(u).y, 0)); }),
                 0.5, 1e-4);
