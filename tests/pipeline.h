@@ -47,9 +47,9 @@ struct Pipeline {
     Rgb narrowIndirect(int pixel, int i) const {
         Sampler s = sampler(4, pixel, i);
         const Ray ray = cameraRay(pixel, s);
-        Rgb narrow(0.f);
-        tracer.direct(ray, s, &narrow);
-        return narrow;
+        IndirectAlong along;
+        tracer.direct(ray, s, &along);
+        return along.narrow;
     }
     // The indirect layer by radiance maps, wide lobes alone: the mean and variance over independent passes of the same
     // spacing.

@@ -40,9 +40,9 @@ struct RenderOptions {
 
 struct Quality {
     const char* name;
-    int spp, passes, pathSpp;
+    int spp, passes, gatherSamples, pathSpp;
 };
-constexpr Quality kQualities[] = {{"draft", 8, 8, 16}, {"standard", 32, 14, 128}, {"high", 128, 20, 1024}};
+constexpr Quality kQualities[] = {{"draft", 16, 7, 4, 16}, {"standard", 64, 10, 4, 128}, {"high", 256, 16, 8, 1024}};
 
 FilmGeometry parseResolution(const std::string& text) {
     FilmGeometry film;
@@ -115,6 +115,8 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
                            : p.integrator == Integrator::Path ? quality->pathSpp
                                                               : quality->spp);
     p.passes = quality->passes;
+    if (o.time <= 0) p.indirect.gatherSamples = quality->gatherSamples;
+    if (o.gatherSamples) p.indirect.gatherSamples = *o.gatherSamples;
     if (o.tasks) p.passes = passesForTasks(*o.tasks, scene.settings.film.width, scene.settings.film.height);
     if (o.passes) p.passes = *o.passes;
     if (o.maxDepth)
@@ -123,7 +125,6 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
         p.path.maxDepth = scene.settings.maxDepth;
     p.path.clamp = std::min(scene.settings.maxSampleLuminance, o.clamp > 0 ? o.clamp : kInfinity);
     if (o.uncorrected) p.correctionEvery = 0;
-    if (o.gatherSamples) p.indirect.gatherSamples = *o.gatherSamples;
     if (o.spacing) p.firstSpacing = *o.spacing / float(scene.settings.film.height);
     return p;
 }
@@ -131,7 +132,7 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
 // Time to finish, encode and write the pictures, from measurements on one slow core.
 double writeSeconds(const RenderOptions& o, size_t pixels, bool layers) {
     // The correction of the maps is made when the picture is taken.
-    double seconds = 0.05 + (layers && !o.uncorrected ? double(pixels) * 4e-6 : 0);
+    double seconds = 0.05 + (layers && !o.uncorrected ? double(pixels) * 5e-6 : 0);
     for (const std::string& path : o.outputs)
         seconds += double(pixels) * (outputKind(path) == OutputKind::Exr ? (layers ? 9e-7 : 4e-7) : 2.5e-7);
     return seconds;
@@ -260,7 +261,7 @@ void addRenderCommand(CLI::App& app) {
         ->check(CLI::IsMember({"equal-area", "latlong"}));
     command->add_option("--spacing", o->spacing, "Pixels between the maps of the first pass; 1: a map at each pixel")
         ->check(CLI::Range(1.f, 10000.f));
-    command->add_option("--gather-samples", o->gatherSamples, "Pairs of directions that a pixel gathers from a pass")
+    command->add_option("--gather-samples", o->gatherSamples, "Directions that a camera sample gathers from a pass")
         ->check(CLI::PositiveNumber);
     command->add_option("--max-depth", o->maxDepth, "Longest path, in non-specular bounces")
         ->check(CLI::PositiveNumber);

@@ -84,7 +84,8 @@ Rgb PathTracer::lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, Lobe
     return value.f * s->radiance * (absDot(s->wi, bsdf.frame().n) * weight / pdf);
 }
 
-Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first) const {
+Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first,
+                      const SurfaceInteraction* start) const {
     Rgb sum(0.f), throughput(1.f);
     Vec3 from = ray.o;
     float pdf = kSpecular;
@@ -92,7 +93,10 @@ Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* fi
     bool counted = emission == Emission::Counted;
     SurfaceInteraction hit;
     for (int depth = 0, chain = 0;;) {
-        if (!nextSurface(ray, hit)) {
+        if (start) {
+            hit = *start;
+            start = nullptr;
+        } else if (!nextSurface(ray, hit)) {
             if (counted) sum += throughput * emissionAtInfinity(ray.d, from, pdf);
             break;
         }
@@ -149,7 +153,32 @@ Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) cons
     return trace(ray, sampler, Emission::SkippedAtFirst, first);
 }
 
-Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, Rgb* narrowIndirect) const {
+Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const Bsdf& bsdf, const Rgb& throughput, Sampler& sampler,
+                           IndirectAlong* along) const {
+    Rgb sum(0.f);
+    const float uLobe = sampler.get1D();
+    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
+    if (!s) return sum;
+    const Rgb scale = throughput * (absDot(s->wi, bsdf.frame().n) / s->pdf);
+    Ray next = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
+    SurfaceInteraction hit;
+    // Emitters without a body do not end the search for the environment or for others behind them.
+    for (int i = 0; i < kMaxPassThrough; ++i) {
+        if (!nextSurface(next, hit)) return sum + scale * s->f * emissionAtInfinity(s->wi, at.p, s->pdf);
+        sum += scale * s->f * emissionAtHit(hit, at.p, s->pdf);
+        if (hit.primitive->material) break;
+        next = hit.spawnRay(s->wi);
+    }
+    if (along && along->traceWide) {
+        const Rgb incident = trace(next, sampler, Emission::SkippedAtFirst, nullptr, &hit);
+        const Rgb wide = bsdf.has(LobeFlags::Narrow) ? bsdf.f(at.wo, s->wi, LobeFlags::Wide) : s->f;
+        along->wide += scale * wide * incident;
+        along->narrow += scale * clampNonNegative(s->f - wide) * incident;
+    }
+    return sum;
+}
+
+Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* along) const {
     Ray ray = cameraRay;
     Rgb sum(0.f), throughput(1.f);
     SurfaceInteraction hit;
@@ -166,26 +195,18 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, Rgb* narrowIndire
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.hasNonSpecular()) {
             sum += throughput * lightSample(hit, bsdf, LobeFlags::NonSpecular, sampler);
-            const float uLobe = sampler.get1D();
-            const auto s = bsdf.sample(hit.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
-            if (s && s->pdf > 0 && !isBlack(s->f)) {
-                const Rgb weight = throughput * s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
-                Ray next = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
-                SurfaceInteraction emitter;
-                // Emitters without a body do not end the search for the environment or for others behind them.
-                for (int i = 0;; ++i) {
-                    if (!nextSurface(next, emitter)) {
-                        sum += weight * emissionAtInfinity(s->wi, hit.p, s->pdf);
-                        break;
-                    }
-                    sum += weight * emissionAtHit(emitter, hit.p, s->pdf);
-                    if (emitter.primitive->material || i > kMaxPassThrough) break;
-                    next = emitter.spawnRay(s->wi);
-                }
+            sum += bsdfSample(hit, bsdf, throughput, sampler, along);
+        }
+        if (along) {
+            if (!along->traceWide && bsdf.has(LobeFlags::Narrow))
+                along->narrow += throughput * indirectNarrow(hit, bsdf, sampler);
+            if (along->pixelSize == 0 && bsdf.hasWithin(LobeFlags::Wide)) {
+                along->albedo = throughput * bsdf.albedo(hit.wo, LobeFlags::Wide);
+                along->position = hit.p;
+                along->normal = bsdf.frame().n;
+                along->pixelSize = hit.footprint;
             }
         }
-        if (narrowIndirect && bsdf.has(LobeFlags::Narrow))
-            *narrowIndirect += throughput * indirectNarrow(hit, bsdf, sampler);
         if (!bsdf.hasSpecular()) break;
         const float uLobe = sampler.get1D();
         const auto s = bsdf.sample(hit.wo, uLobe, sampler.get2D(), kSpecularLobes);
@@ -246,7 +267,11 @@ Rgb PathTracer::indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, S
     const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), kNarrowLobes);
     if (!s) return Rgb(0.f);
     const Rgb weight = s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
-    const float survival = std::min(1.f, maxComponent(weight));
+    // Traced as often as the path tracer would choose these lobes among all: a dim reflection on a dark surface is most
+    // of what is seen of it.
+    const float narrow = luminance(bsdf.albedo(at.wo, kNarrowLobes));
+    const float all = luminance(bsdf.albedo(at.wo, LobeFlags::NonSpecular));
+    const float survival = std::min(1.f, std::max(maxComponent(weight), narrow / std::max(all, 1e-6f)));
     if (!(sampler.get1D() < survival)) return Rgb(0.f);
     const Ray ray = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
     return weight * incident(ray, sampler) * (1 / survival);

@@ -32,6 +32,19 @@ struct PrimaryHit {
     float distance = 0;   // length of the whole chain
 };
 
+// Indirect light that a sample of direct light can bring along, at the same points.
+struct IndirectAlong {
+    bool traceWide = false;  // in: whether `wide` is wanted
+
+    Rgb narrow{0.f};  // of the narrow lobes, which radiance maps cannot resolve
+    Rgb wide{0.f};    // of the wide ones: what the maps should give
+    // Of the first point that has wide lobes: their albedo times the throughput to it, its position, its shading normal
+    // and the world width of a pixel there. All zero if there is none.
+    Rgb albedo{0.f};
+    Vec3 position{0.f}, normal{0.f};
+    float pixelSize = 0;
+};
+
 class PathTracer {
   public:
     // All arguments must outlive the tracer.
@@ -46,9 +59,8 @@ class PathTracer {
     Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const;
 
     // Emission seen through the specular chain, and one bounce of light at each non-specular hit along it: D.
-    // narrowIndirect, if not null, receives what indirectNarrow() gives at the same points: light that maps cannot
-    // hold.
-    Rgb direct(const Ray& ray, Sampler& sampler, Rgb* narrowIndirect = nullptr) const;
+    // along, if not null, receives indirect light that is traced on the way.
+    Rgb direct(const Ray& ray, Sampler& sampler, IndirectAlong* along = nullptr) const;
 
     // The primary point of a camera ray. Where a surface has both kinds of lobes, one is chosen at random. False: none
     // (the ray escaped, or was absorbed).
@@ -57,15 +69,19 @@ class PathTracer {
     // One sample of the non-specular lobes' share of indirect light at a primary point: f R cos / pdf.
     Rgb indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobes = LobeFlags::NonSpecular) const;
 
-    // The same for the narrow lobes alone, which radiance maps cannot resolve. Paths of little weight are not traced.
-    Rgb indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
-
     const Scene& scene() const { return scene_; }
     const PathSettings& settings() const { return settings_; }
 
   private:
     enum class Emission { Counted, SkippedAtFirst };
-    Rgb trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first) const;
+    // start: what the ray meets first, if that is known.
+    Rgb trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first,
+              const SurfaceInteraction* start = nullptr) const;
+    // One sample of indirect light for the narrow lobes alone. Paths of little weight are not traced.
+    Rgb indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
+    // The BSDF's sample of direct light at a primary point, and with wide indirect light wanted the path beyond it.
+    Rgb bsdfSample(const SurfaceInteraction& at, const Bsdf& bsdf, const Rgb& throughput, Sampler& sampler,
+                   IndirectAlong* along) const;
     // Nearest surface that has a material or emits; passes through the others.
     bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;
     // Whether anything stands between a point and the light point that was sampled for it.

@@ -7,23 +7,67 @@
 namespace drc {
 namespace {
 
-constexpr int kRadius = 8;  // pixels
-constexpr float kSigma = 3.5f;
-// A pixel. With fewer the filtered noise is larger than most errors of the maps.
-constexpr int kMinSamples = 16;
+// The difference is looked at in pixels and in four averages of it, of standard deviations 1, 2.2, 4.6 and 9.2 pixels.
+constexpr int kLevels = 5;
 constexpr float kSmallestAlbedo = 0.02f;
+// Times the variance that counts as noise. One would give the least mean square error of Gaussian noise; more gives a
+// calmer picture, and above two a bright path that only one group met counts as noise however bright it is (its square
+// over the variance is one), and does not become a blotch.
+constexpr float kCaution = 2.5f;
 
-// What to believe of estimates of one number by independent groups: the mean of the middle two, shrunk by the share of
-// its square that is noise (Wiener's filter), so that where the maps are right nothing is added to them.
-float believed(std::array<float, 4> d) {
-    std::sort(d.begin(), d.end());
-    const float middle = 0.5f * (d[1] + d[2]);
-    const float mean = 0.25f * (d[0] + d[1] + d[2] + d[3]);
-    float variance = 0;  // of the mean
-    for (const float v : d) variance += sqr(v - mean) / (3 * 4);
-    // Twice its standard error, or it counts as noise: with four groups that is none too sure.
-    const float signal = std::max(0.f, sqr(middle) - 4 * variance);
-    return signal > 0 ? middle * signal / (signal + variance) : 0;
+struct Feature {
+    Vec3 p, n;
+    Rgb albedo;
+    float size = 0;  // 0: nothing is corrected here
+};
+
+// Sums over the 5x5 neighbours at steps of `dilation` pixels, by the cubic B-spline's weights and by whether they lie
+// on the same surface (the edge-avoiding a-trous filter of Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform
+// for fast Global Illumination Filtering", 2010): f(neighbour's index, weight). Returns the sum of the weights.
+class SurfaceFilter {
+  public:
+    SurfaceFilter(const std::vector<Feature>& features, int width, int height)
+        : features_(features), width_(width), height_(height) {}
+
+    template <typename F>
+    float forEachNear(int x, int y, int dilation, F&& f) const {
+        constexpr float kSpline[3] = {0.375f, 0.25f, 0.0625f};
+        const Feature& here = features_[index(x, y)];
+        float total = 0;
+        for (int ky = -2; ky <= 2; ++ky)
+            for (int kx = -2; kx <= 2; ++kx) {
+                const int nx = x + kx * dilation, ny = y + ky * dilation;
+                if (nx < 0 || nx >= width_ || ny < 0 || ny >= height_) continue;
+                const Feature& other = features_[index(nx, ny)];
+                const float cosine = dot(here.n, other.n);
+                if (other.size <= 0 || cosine <= 0) continue;
+                // Off the tangent plane, in units of the pixels between.
+                const float distance = float(dilation) * std::sqrt(float(kx * kx + ky * ky));
+                const float step = absDot(here.n, other.p - here.p) / (here.size * (0.5f * distance + 0.5f));
+                const float w =
+                    kSpline[std::abs(kx)] * kSpline[std::abs(ky)] * std::exp(-sqr(step)) * sqr(sqr(sqr(sqr(cosine))));
+                f(index(nx, ny), w);
+                total += w;
+            }
+        return total;
+    }
+
+  private:
+    size_t index(int x, int y) const { return size_t(y) * size_t(width_) + size_t(x); }
+    const std::vector<Feature>& features_;
+    int width_, height_;
+};
+
+// The mean of independent groups, and its variance.
+struct Estimate {
+    Rgb value{0.f}, variance{0.f};
+};
+template <size_t N>
+Estimate estimate(const std::array<Rgb, N>& groups) {
+    Estimate e;
+    for (const Rgb& g : groups) e.value += g * (1.f / N);
+    for (const Rgb& g : groups) e.variance += (g - e.value) * (g - e.value) * (1.f / (N * (N - 1)));
+    return e;
 }
 
 }  // namespace
@@ -36,73 +80,81 @@ IndirectCorrection::IndirectCorrection(const PixelRegion& region)
       position_(region),
       size_(region) {}
 
-void IndirectCorrection::add(int x, int y, int sample, const Sample& s, float filterWeight) {
-    traced_[size_t(sample % kGroups)].add(x, y, s.radiance, filterWeight);
-    albedo_.add(x, y, s.albedo, filterWeight);
-    normal_.add(x, y, Rgb(s.normal.x, s.normal.y, s.normal.z), filterWeight);
-    position_.add(x, y, Rgb(s.position.x, s.position.y, s.position.z), filterWeight);
-    size_.add(x, y, Rgb(s.pixelSize), filterWeight);
-    if (x == region_.x0 && y == region_.y0) samples_ = sample + 1;
+void IndirectCorrection::add(int x, int y, int group, const IndirectAlong& along, float filterWeight) {
+    traced_[size_t(group)].add(x, y, along.wide, filterWeight);
+    albedo_.add(x, y, along.albedo, filterWeight);
+    normal_.add(x, y, Rgb(along.normal.x, along.normal.y, along.normal.z), filterWeight);
+    position_.add(x, y, Rgb(along.position.x, along.position.y, along.position.z), filterWeight);
+    size_.add(x, y, Rgb(along.pixelSize), filterWeight);
 }
 
 void IndirectCorrection::apply(Image& indirect) const {
-    if (samples_ < kMinSamples) return;
-    struct Feature {
-        Vec3 p, n;
-        Rgb albedo;
-        float size;
-    };
+    for (const FilmLayer& group : traced_)
+        if (group.empty()) return;
     const int width = region_.width(), height = region_.height();
     std::vector<Feature> features(region_.count());
-    std::vector<std::array<Rgb, kGroups>> differences(region_.count());
-    parallelFor(0, height, 8, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y)
-            for (int x = 0; x < width; ++x) {
-                const int fx = region_.x0 + x, fy = region_.y0 + y;
-                const size_t i = size_t(y) * size_t(width) + size_t(x);
-                Feature& f = features[i];
-                const Rgb n = normal_.value(fx, fy), p = position_.value(fx, fy), a = albedo_.value(fx, fy);
-                f.n = normalize(Vec3(n.x, n.y, n.z));
-                f.p = Vec3(p.x, p.y, p.z);
-                f.size = size_.value(fx, fy).x;
-                for (int c = 0; c < 3; ++c) f.albedo[c] = std::max(a[c], kSmallestAlbedo);
-                for (size_t g = 0; g < kGroups; ++g)
-                    differences[i][g] = (traced_[g].value(fx, fy) - indirect.rgb(x, y)) / f.albedo;
-            }
+    std::vector<std::array<Rgb, kGroups>> groups(region_.count()), next(region_.count());
+    const auto forEachPixel = [&](auto&& f) {
+        parallelFor(0, height, 1, [&](int begin, int end) {
+            for (int y = begin; y < end; ++y)
+                for (int x = 0; x < width; ++x) f(x, y, size_t(y) * size_t(width) + size_t(x));
+        });
+    };
+    forEachPixel([&](int x, int y, size_t i) {
+        const int fx = region_.x0 + x, fy = region_.y0 + y;
+        Feature& f = features[i];
+        const Rgb n = normal_.value(fx, fy), p = position_.value(fx, fy), a = albedo_.value(fx, fy);
+        f.n = normalize(Vec3(n.x, n.y, n.z));
+        f.p = Vec3(p.x, p.y, p.z);
+        f.size = size_.value(fx, fy).x;
+        for (int c = 0; c < 3; ++c) f.albedo[c] = std::max(a[c], kSmallestAlbedo);
+        for (size_t g = 0; g < kGroups; ++g) groups[i][g] = (traced_[g].value(fx, fy) - indirect.rgb(x, y)) / f.albedo;
     });
-    parallelFor(0, height, 1, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y)
-            for (int x = 0; x < width; ++x) {
-                const size_t i = size_t(y) * size_t(width) + size_t(x);
-                const Feature& f = features[i];
-                if (f.size <= 0) continue;
-                std::array<Rgb, kGroups> sums;
-                sums.fill(Rgb(0.f));
-                float total = 0;
-                for (int dy = -kRadius; dy <= kRadius; ++dy)
-                    for (int dx = -kRadius; dx <= kRadius; ++dx) {
-                        if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height) continue;
-                        const size_t j = i + size_t(dy * width + dx);
-                        const Feature& other = features[j];
-                        const float cosine = dot(f.n, other.n);
-                        if (cosine <= 0) continue;
-                        // Off the tangent plane, in units of the pixels between.
-                        const float distance = std::sqrt(float(dx * dx + dy * dy));
-                        const float step = absDot(f.n, other.p - f.p) / (f.size * (0.5f * distance + 0.5f));
-                        const float w =
-                            std::exp(-0.5f * sqr(distance / kSigma) - sqr(step)) * sqr(sqr(sqr(sqr(cosine))));
-                        for (size_t g = 0; g < kGroups; ++g) sums[g] += differences[j][g] * w;
-                        total += w;
-                    }
-                if (!(total > 0)) continue;
-                Rgb value = indirect.rgb(x, y);
-                for (int c = 0; c < 3; ++c) {
-                    std::array<float, kGroups> d;
-                    for (size_t g = 0; g < kGroups; ++g) d[g] = sums[g][c] / total;
-                    value[c] = std::max(0.f, value[c] + believed(d) * f.albedo[c]);
-                }
-                indirect.setRgb(x, y, value);
-            }
+    const SurfaceFilter filter(features, width, height);
+
+    // Fine to coarse: the difference of each group, averaged wider and wider.
+    std::vector<std::vector<Estimate>> levels(kLevels, std::vector<Estimate>(region_.count()));
+    for (int level = 0; level < kLevels; ++level) {
+        if (level > 0) {
+            forEachPixel([&](int x, int y, size_t i) {
+                if (features[i].size <= 0) return;
+                next[i].fill(Rgb(0.f));
+                const float total = filter.forEachNear(x, y, 1 << (level - 1), [&](size_t j, float w) {
+                    for (size_t g = 0; g < kGroups; ++g) next[i][g] += groups[j][g] * w;
+                });
+                for (Rgb& sum : next[i]) sum *= 1 / total;
+            });
+            groups.swap(next);
+        }
+        forEachPixel([&](int, int, size_t i) { levels[size_t(level)][i] = estimate(groups[i]); });
+    }
+
+    // Coarse to fine: of what a level adds to the coarser ones, the share that is not noise, as its neighbourhood has
+    // it (the local Wiener filter: Lee, "Digital Image Enhancement and Noise Filtering by Use of Local Statistics",
+    // 1980).
+    std::vector<Rgb> correction(region_.count(), Rgb(0.f)), finer(region_.count());
+    for (int level = kLevels - 1; level >= 0; --level) {
+        const std::vector<Estimate>& estimates = levels[size_t(level)];
+        forEachPixel([&](int x, int y, size_t i) {
+            finer[i] = correction[i];
+            if (features[i].size <= 0) return;
+            Rgb squares(0.f), noise(0.f);
+            filter.forEachNear(x, y, 2 << level, [&](size_t j, float w) {
+                const Rgb d = estimates[j].value - correction[j];
+                squares += d * d * w;
+                noise += estimates[j].variance * w;
+            });
+            const Rgb d = estimates[i].value - correction[i];
+            for (int c = 0; c < 3; ++c)
+                if (squares[c] > kCaution * noise[c]) finer[i][c] += d[c] * (1 - kCaution * noise[c] / squares[c]);
+        });
+        correction.swap(finer);
+    }
+    forEachPixel([&](int x, int y, size_t i) {
+        if (features[i].size <= 0) return;
+        Rgb value = indirect.rgb(x, y);
+        for (int c = 0; c < 3; ++c) value[c] = std::max(0.f, value[c] + correction[i][c] * features[i].albedo[c]);
+        indirect.setRgb(x, y, value);
     });
 }
 

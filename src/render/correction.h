@@ -5,6 +5,7 @@
 // difference of the two, filtered along surfaces, is the smooth error; it is added to the layer. What the filter does
 // not resolve stays as the maps have it.
 #pragma once
+#include "integrators/path_tracer.h"
 #include "render/film.h"
 
 namespace drc {
@@ -13,28 +14,18 @@ class IndirectCorrection {
   public:
     explicit IndirectCorrection(const PixelRegion& region);
 
-    // A path-traced sample of the light that the maps hold, with the surface that the pixel sees there. albedo: of the
-    // lobes that it lights, with the pixel's throughput; normal: unit; all zero where there is none.
-    // sample: counts the pixel's samples from 0.
-    struct Sample {
-        Rgb radiance{0.f}, albedo{0.f};
-        Vec3 position{0.f}, normal{0.f};
-        float pixelSize = 0;  // world width of a pixel at the position
-    };
-    void add(int x, int y, int sample, const Sample& s, float filterWeight);
+    // Samples are kept in groups, independent of each other, that tell how far the difference can be believed.
+    static constexpr int kGroups = 4;
+    // A sample of the light that the maps hold (along.wide), for a group from 0 to kGroups - 1.
+    void add(int x, int y, int group, const IndirectAlong& along, float filterWeight);
 
-    // Adds the filtered difference to the layer, in place. Fewer than 16 samples a pixel: leaves it as it is.
+    // Adds the filtered difference to the layer, in place. A group without samples: leaves it as it is.
     void apply(Image& indirect) const;
 
   private:
-    // Samples are kept in groups that tell how far the difference can be believed, and whose middle ones are: a bright
-    // path that only one group met must not become a blotch.
-    static constexpr int kGroups = 4;
-
     PixelRegion region_;
     std::vector<FilmLayer> traced_;
     FilmLayer albedo_, normal_, position_, size_;
-    int samples_ = 0;
 };
 
 }  // namespace drc

@@ -23,14 +23,14 @@ IndirectCorrection traced(int samples, float outlier = 0) {
     for (int i = 0; i < samples; ++i)
         for (int y = kRegion.y0; y < kRegion.y1; ++y)
             for (int x = kRegion.x0; x < kRegion.x1; ++x) {
-                IndirectCorrection::Sample s;
+                IndirectAlong s;
                 s.albedo = Scene::albedo(x, y);
-                s.radiance = s.albedo * Scene::light(x) * noise(rng);
-                if (outlier > 0 && x == 20 && y == 35 && i == 3) s.radiance = Rgb(outlier);
+                s.wide = s.albedo * Scene::light(x) * noise(rng);
+                if (outlier > 0 && x == 20 && y == 35 && i == 3) s.wide = Rgb(outlier);
                 s.normal = Scene::wall(x) ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
                 s.position = Scene::wall(x) ? Vec3(0, float(y), float(30 - x)) : Vec3(float(x - 30), float(y), 0);
                 s.pixelSize = 1;
-                correction.add(x, y, i, s, 1);
+                correction.add(x, y, i % IndirectCorrection::kGroups, s, 1);
             }
     return correction;
 }
@@ -73,7 +73,7 @@ TEST(Correction, OneBrightPathMakesNoBlotch) {
 
 TEST(Correction, TooFewSamplesChangeNothing) {
     Image image = layer(0.7f);
-    traced(15).apply(image);
+    traced(3).apply(image);
     EXPECT_EQ(image.data(), layer(0.7f).data());
 }
 

@@ -16,6 +16,8 @@ class FilmLayer {
     void add(int x, int y, const Rgb& value, float filterWeight, double importance = 1);
     // Radiance; black if nothing was added.
     Rgb value(int x, int y) const;
+    // Nothing was added to the first pixel: sweeps add to all.
+    bool empty() const { return pixels_.empty() || pixels_.front().importance == 0; }
     // Region-sized.
     Image image(float scale) const;
     const PixelRegion& region() const { return region_; }

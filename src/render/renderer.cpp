@@ -78,46 +78,39 @@ bool Renderer::step(const CancelToken* cancel) {
     return nextIsPass(spacing) ? passStep(spacing, cancel) : sampleStep(cancel);
 }
 
-IndirectCorrection::Sample Renderer::correctionSample(const Ray& ray, Sampler& sampler) const {
-    IndirectCorrection::Sample s;
-    PrimaryHit hit;
-    if (!tracer_.primaryHit(ray, sampler, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) return s;
-    s.radiance = hit.throughput * tracer_.indirect(hit, sampler, LobeFlags::Wide);
-    s.albedo = hit.throughput * hit.bsdf.albedo(hit.surface.wo, LobeFlags::Wide);
-    s.position = hit.surface.p;
-    s.normal = hit.bsdf.frame().n;
-    s.pixelSize = hit.surface.footprint;
-    return s;
-}
-
 bool Renderer::sampleStep(const CancelToken* cancel) {
     const auto start = Clock::now();
     const PixelRegion& region = samples_.region();
     const bool path = params_.integrator == Integrator::Path, drc = params_.integrator == Integrator::Drc;
+    // Sweeps of either kind have sequences of their own, those for the correction one for each of its groups: of a
+    // sequence that is well distributed, every second or fourth point is not.
     const bool correct = drc && params_.correctionEvery > 0 && samplesDone_ % params_.correctionEvery == 0;
-    const auto correction = uint32_t(correct ? samplesDone_ / params_.correctionEvery : 0);
+    const int corrections = drc && params_.correctionEvery > 0
+                                ? (samplesDone_ + params_.correctionEvery - 1) / params_.correctionEvery
+                                : 0;  // before this one
+    const int group = corrections % IndirectCorrection::kGroups;
+    const uint64_t stream = correct ? hashCombine(kCorrectionStream, uint64_t(group)) : kSampleStream;
+    const auto index = uint32_t(correct ? corrections / IndirectCorrection::kGroups : samplesDone_ - corrections);
     parallelFor(
         region.y0, region.y1, 1,
         [&](int begin, int end) {
             for (int y = begin; y < end; ++y)
                 for (int x = region.x0; x < region.x1; ++x) {
                     const uint64_t pixel = (uint64_t(uint32_t(y)) << 32) | uint32_t(x);
-                    Sampler sampler(hashCombine(params_.seed, hashCombine(kSampleStream, pixel)),
-                                    uint32_t(samplesDone_));
+                    Sampler sampler(hashCombine(params_.seed, hashCombine(stream, pixel)), index);
                     const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
                     const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
                     const Vec2 uLens = sampler.get2D();
                     const Ray ray = scene_.camera->generateRay(film, uLens, sampler.get1D());
-                    Rgb narrow(0.f);
-                    samples_.add(
-                        x, y,
-                        path ? tracer_.radiance(ray, sampler) : tracer_.direct(ray, sampler, drc ? &narrow : nullptr),
-                        f.weight);
-                    if (drc) narrow_.add(x, y, narrow, f.weight);
-                    if (correct) {
-                        Sampler own(hashCombine(params_.seed, hashCombine(kCorrectionStream, pixel)), correction);
-                        correction_.add(x, y, int(correction), correctionSample(ray, own), f.weight);
+                    if (path) {
+                        samples_.add(x, y, tracer_.radiance(ray, sampler), f.weight);
+                        continue;
                     }
+                    IndirectAlong along;
+                    along.traceWide = correct;
+                    samples_.add(x, y, tracer_.direct(ray, sampler, drc ? &along : nullptr), f.weight);
+                    if (drc) narrow_.add(x, y, along.narrow, f.weight);
+                    if (correct) correction_.add(x, y, group, along, f.weight);
                 }
         },
         cancel);

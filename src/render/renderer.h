@@ -22,10 +22,10 @@ struct RenderParams {
     float firstSpacing = kFirstSpacing;  // of the first pass, as a share of the frame's height
     // With a deadline spp and passes are ignored: steps are made until it.
     std::optional<std::chrono::steady_clock::time_point> deadline;
-    // Of the sweeps of direct light, every how manieth also path-traces a sample of indirect light for the correction
-    // of the maps' smooth errors; 0: no correction.
-    int correctionEvery = 4;
-    float directShare = 0.5f;  // of the time before a deadline that the direct layer gets
+    // Of the sweeps of direct light, every how manieth follows its paths further and takes a sample of indirect light
+    // for the correction of the maps' errors; 0: no correction.
+    int correctionEvery = 2;
+    float directShare = 0.7f;  // of the time before a deadline that the direct layer gets
 };
 
 struct RenderedImage {
@@ -54,7 +54,6 @@ class Renderer {
   private:
     using Clock = std::chrono::steady_clock;
     bool sampleStep(const CancelToken* cancel);
-    IndirectCorrection::Sample correctionSample(const Ray& ray, Sampler& sampler) const;
     bool passStep(float spacing, const CancelToken* cancel);
     bool nextIsPass(float& spacing) const;
     // Before a deadline: the spacing of the next pass, from what the last one cost.
