@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/parallel.h"
 
 namespace drc {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 // What a geometry's callbacks need; lives as long as the Accel.
 struct GeometryData {
     const Primitive* primitive;
+    std::vector<Vec3> normals;  // of a mesh: the geometric one of each triangle, which costs much to find at every hit
 };
 
 struct Group {
@@ -53,13 +55,13 @@ Vec2 interpolate(const TriangleUv& uv, float b1, float b2) {
 }
 
 // The hit in the space of the primitive (world, or an instanced object's).
-void fillTriangle(const Primitive& primitive, uint32_t index, float b1, float b2, SurfaceInteraction& hit) {
-    const TriangleMesh& mesh = *primitive.mesh;
+void fillTriangle(const GeometryData& data, uint32_t index, float b1, float b2, SurfaceInteraction& hit) {
+    const TriangleMesh& mesh = *data.primitive->mesh;
     const Triangle t = triangleOf(mesh, index);
     const float b0 = 1 - b1 - b2;
     const Vec3 e1 = t.p[1] - t.p[0], e2 = t.p[2] - t.p[0];
     hit.p = t.p[0] * b0 + t.p[1] * b1 + t.p[2] * b2;
-    hit.ng = mesh.geometricNormal(index);
+    hit.ng = data.normals[index];
     hit.triangle = index;
     const TriangleUv uv = uvOf(mesh, t);
     hit.uv = interpolate(uv, b1, b2);
@@ -93,16 +95,16 @@ bool fillShape(const Primitive& primitive, const Ray& ray, float tMin, SurfaceIn
     return true;
 }
 
-bool isHole(const Primitive& primitive, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
+bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
             float t) {
     if (alpha == nullptr) return false;
     SurfaceInteraction hit;
-    if (primitive.mesh) {
-        fillTriangle(primitive, primId, u, v, hit);
+    if (data.primitive->mesh) {
+        fillTriangle(data, primId, u, v, hit);
     } else {
         Ray shortened = ray;
         shortened.tMax = t * 1.0001f;
-        if (!fillShape(primitive, shortened, t * 0.9999f, hit)) return false;
+        if (!fillShape(*data.primitive, shortened, t * 0.9999f, hit)) return false;
     }
     return alpha->eval(hit.textureContext()) == 0;
 }
@@ -116,21 +118,23 @@ Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
 }
 
 void filterIntersect(const RTCFilterFunctionNArguments* a) {
-    const Primitive& primitive = *static_cast<const GeometryData*>(a->geometryUserPtr)->primitive;
+    const auto& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
+    const Primitive& primitive = *data.primitive;
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
-        if (isHole(primitive, primitive.alpha.get(), RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
+        if (isHole(data, primitive.alpha.get(), RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
                    RTCHitN_v(a->hit, a->N, i), rayOf(a->ray, a->N, i), RTCRayN_tfar(a->ray, a->N, i)))
             a->valid[i] = 0;
     }
 }
 
 void filterOccluded(const RTCFilterFunctionNArguments* a) {
-    const Primitive& primitive = *static_cast<const GeometryData*>(a->geometryUserPtr)->primitive;
+    const auto& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
+    const Primitive& primitive = *data.primitive;
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
         const auto hole = [&](const FloatTexture* alpha) {
-            return isHole(primitive, alpha, RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
+            return isHole(data, alpha, RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
                           RTCHitN_v(a->hit, a->N, i), rayOf(a->ray, a->N, i), RTCRayN_tfar(a->ray, a->N, i));
         };
         if (!primitive.material || hole(primitive.alpha.get()) || hole(primitive.shadowAlpha.get())) a->valid[i] = 0;
@@ -208,7 +212,8 @@ struct Accel::Impl {
 void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
     group.scene = rtcNewScene(device);
     for (const Primitive& primitive : primitives) {
-        auto data = std::make_unique<GeometryData>(GeometryData{&primitive});
+        auto data = std::make_unique<GeometryData>();
+        data->primitive = &primitive;
         RTCGeometry geometry = nullptr;
         if (primitive.mesh) {
             const TriangleMesh& mesh = *primitive.mesh;
@@ -219,6 +224,10 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
             std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3*>(vertices));
             rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices.data(), 0,
                                        3 * sizeof(uint32_t), mesh.triangleCount());
+            data->normals.resize(mesh.triangleCount());
+            parallelFor(0, int(mesh.triangleCount()), 4096, [&](int begin, int end) {
+                for (int i = begin; i < end; ++i) data->normals[size_t(i)] = mesh.geometricNormal(uint32_t(i));
+            });
             if (primitive.alpha) rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
             if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
                 rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);
@@ -289,10 +298,11 @@ bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
 
     const Instance* instance = q.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? nullptr : impl_->instances[q.hit.instID[0]];
     const Group& group = instance ? impl_->objects[size_t(instance->object)] : impl_->world;
-    const Primitive& primitive = *group.geometries[q.hit.geomID]->primitive;
+    const GeometryData& data = *group.geometries[q.hit.geomID];
+    const Primitive& primitive = *data.primitive;
     hit.primitive = &primitive;
     if (primitive.mesh) {
-        fillTriangle(primitive, q.hit.primID, q.hit.u, q.hit.v, hit);
+        fillTriangle(data, q.hit.primID, q.hit.u, q.hit.v, hit);
     } else {
         Ray local = ray;
         if (instance) {
