@@ -75,13 +75,15 @@ Rgb PathTracer::lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, Lobe
     const auto choice = lights_.sample(at.p, uLight);
     if (choice.light == nullptr) return Rgb(0.f);
     const auto s = choice.light->sample(at.p, u);
-    if (!s || !(s->pdf > 0) || isBlack(s->radiance)) return Rgb(0.f);
+    const bool infinite = choice.light->isInfinite();
+    if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return Rgb(0.f);
     const Bsdf::Value value = bsdf.evaluate(at.wo, s->wi, mask);
     if (isBlack(value.f)) return Rgb(0.f);
     if (shadowed(at, *s)) return Rgb(0.f);
     const float pdf = s->pdf * choice.probability;
     const float weight = s->delta ? 1 : powerHeuristic(pdf, value.pdf);
-    return value.f * s->radiance * (absDot(s->wi, bsdf.frame().n) * weight / pdf);
+    const Rgb radiance = infinite ? choice.light->escaped(s->wi) : s->radiance;
+    return value.f * radiance * (absDot(s->wi, bsdf.frame().n) * weight / pdf);
 }
 
 Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first,

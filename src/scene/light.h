@@ -13,7 +13,9 @@ namespace drc {
 
 struct LightSample {
     Vec3 wi;
-    Rgb radiance;        // arriving along wi if nothing blocks; for delta lights the irradiance weight I / d^2 etc.
+    // Arriving along wi if nothing blocks; for delta lights the irradiance weight I / d^2 etc. Lights at infinity leave
+    // it at zero: escaped(wi) has it, and is best asked when it is known that nothing blocks.
+    Rgb radiance{0.f};
     float pdf = 0;       // per solid angle; 1 for delta lights
     float distance = 0;  // to the sampled point; infinity for lights at infinity
     bool delta = false;

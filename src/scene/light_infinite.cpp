@@ -7,6 +7,10 @@
 namespace drc {
 namespace {
 
+// Texels, to a side, of the cells that the map may be sampled by, and what that may add to the second moment.
+constexpr int kLargestCell = 8;
+constexpr double kNoiseAllowed = 1.05;
+
 // Bilinear interpolation, averaged over a texel's own cell, takes 1/8, 6/8 and 1/8 of a row of three texels.
 float cellAverage(float before, float here, float after) { return (before + 6 * here + after) / 8; }
 
@@ -31,17 +35,16 @@ class InfiniteLight final : public Light {
 
     std::optional<LightSample> sample(const Vec3&, const Vec2& u) const override {
         const Sample2D s = distribution_.sample(u);
-        // Uniform in solid angle within the texel; uniform in (u, v) would crowd the poles.
+        // Uniform in solid angle within the cell; uniform in (u, v) would crowd the poles.
         const float h = lerp(s.local.y, oneMinusCos_[s.y], oneMinusCos_[s.y + 1]);
-        const float phi = 2 * kPi * (s.x + s.local.x) / width_;
+        const float phi = 2 * kPi * (s.x + s.local.x) / distribution_.width();
         const float sinTheta = safeSqrt(h * (2 - h));
         const Vec3 local(sinTheta * std::cos(phi), sinTheta * std::sin(phi), 1 - h);
         LightSample r;
         r.wi = normalize(lightToWorld_.vector(local));
         r.pdf = s.pdf * rowDensity_[s.y] * stretch(worldToLight_.vector(r.wi));
-        r.radiance = lookup(Vec2((s.x + s.local.x) / width_, std::atan2(sinTheta, 1 - h) * kInvPi));
         r.distance = kInfinity;
-        if (!(r.pdf > 0) || isBlack(r.radiance)) return {};
+        if (!(r.pdf > 0)) return {};
         return r;
     }
 
@@ -53,7 +56,8 @@ class InfiniteLight final : public Light {
     float pdfEscaped(const Vec3& wi) const override {
         const Vec3 w = worldToLight_.vector(wi);
         const Vec2 uv = mapCoordinates(w);
-        const int row = std::clamp(int(uv.y * height_), 0, height_ - 1);
+        const int rows = distribution_.height();
+        const int row = std::clamp(int(uv.y * rows), 0, rows - 1);
         return distribution_.pdf(uv) * rowDensity_[row] * stretch(w);
     }
 
@@ -94,9 +98,6 @@ class InfiniteLight final : public Light {
         // Each texel's value is the integral of the interpolated luminance over it, so that no direction with light in
         // it is left out and none is over-sampled by much.
         std::vector<float> f(texels_.size());
-        rowDensity_.resize(height_);
-        for (int row = 0; row <= height_; ++row)
-            oneMinusCos_.push_back(float(1 - std::cos(std::numbers::pi * row / height_)));
         double weights = 0;
         double mean[3] = {0, 0, 0};
         std::vector<float> rows(size_t(width_) * 3);
@@ -106,9 +107,7 @@ class InfiniteLight final : public Light {
                     rows[size_t(k) * width_ + x] =
                         cellAverage(luminance(texel(x - 1, y + k - 1)), luminance(texel(x, y + k - 1)),
                                     luminance(texel(x + 1, y + k - 1)));
-            const double solidAngle = oneMinusCosDifference(y);
-            // From density over the unit square to density over the sphere.
-            rowDensity_[y] = float(1 / (2 * std::numbers::pi * solidAngle * height_));
+            const double solidAngle = oneMinusCosDifference(y, height_);
             for (int x = 0; x < width_; ++x) {
                 const size_t i = size_t(y) * width_ + x;
                 f[i] = float(cellAverage(rows[x], rows[size_t(width_) + x], rows[2 * size_t(width_) + x]) * solidAngle);
@@ -116,21 +115,59 @@ class InfiniteLight final : public Light {
             }
             weights += solidAngle * width_;
         }
-        distribution_ = Distribution2D(f, width_, height_);
         mean_ = Rgb(float(mean[0] / weights), float(mean[1] / weights), float(mean[2] / weights));
+
+        // Large cells make a table that the processor's caches hold; they may not make samples much noisier.
+        int cell = kLargestCell;
+        while (cell > 1 && (width_ % cell != 0 || height_ % cell != 0 || noise(f, cell) > kNoiseAllowed * noise(f, 1)))
+            cell /= 2;
+        const int columns = width_ / cell, cellRows = height_ / cell;
+        std::vector<float> cells(size_t(columns) * cellRows, 0.f);
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) cells[size_t(y / cell) * columns + x / cell] += f[size_t(y) * width_ + x];
+        distribution_ = Distribution2D(cells, columns, cellRows);
+        oneMinusCos_.clear();
+        rowDensity_.resize(cellRows);
+        for (int row = 0; row <= cellRows; ++row)
+            oneMinusCos_.push_back(float(1 - std::cos(std::numbers::pi * row / cellRows)));
+        // From density over the unit square to density over the sphere.
+        for (int row = 0; row < cellRows; ++row)
+            rowDensity_[row] = float(1 / (2 * std::numbers::pi * oneMinusCosDifference(row, cellRows) * cellRows));
+    }
+
+    // Second moment of radiance over density, up to a factor, if cells of that many texels squared are sampled by what
+    // they hold. f: what the texels hold.
+    double noise(const std::vector<float>& f, int cell) const {
+        double sum = 0;
+        for (int y0 = 0; y0 < height_; y0 += cell)
+            for (int x0 = 0; x0 < width_; x0 += cell) {
+                double light = 0, squares = 0, size = 0;
+                for (int y = y0; y < y0 + cell; ++y) {
+                    const double solidAngle = oneMinusCosDifference(y, height_);
+                    size += cell * solidAngle;
+                    for (int x = x0; x < x0 + cell; ++x) {
+                        const double l = f[size_t(y) * width_ + x];
+                        light += l;
+                        squares += l * l / solidAngle;
+                    }
+                }
+                if (light > 0) sum += squares * size / light;
+            }
+        return sum;
     }
 
     // cos(theta) at the upper edge of a row less that at the lower: sin of the middle times the height, exactly.
-    double oneMinusCosDifference(int row) const {
-        const double half = std::numbers::pi / (2.0 * height_);
+    static double oneMinusCosDifference(int row, int rows) {
+        const double half = std::numbers::pi / (2.0 * rows);
         return 2 * std::sin((2 * row + 1) * half) * std::sin(half);
     }
 
     Transform lightToWorld_, worldToLight_;
     int width_ = 1, height_ = 1;
-    std::vector<Rgb> texels_;  // scaled
-    Distribution2D distribution_;
-    std::vector<float> rowDensity_;   // by row: 1 / (4 pi) where texels are as large as they are on average
+    std::vector<Rgb> texels_;      // scaled
+    Distribution2D distribution_;  // over cells of one or more texels
+    // Of the distribution's rows:
+    std::vector<float> rowDensity_;   // 1 / (4 pi) where cells are as large as they are on average
     std::vector<float> oneMinusCos_;  // 1 - cos(theta) at the upper edge of each row, and of the map's lower edge
     Rgb mean_;                        // over the sphere
     float determinant_ = 1;           // of worldToLight, absolute
