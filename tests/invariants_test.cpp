@@ -80,6 +80,16 @@ TEST_P(EveryMaterial, DirectPlusTracedIndirectIsThePathTracer) {
     expectSame(direct + indirect, path, name);
 }
 
+TEST_P(EveryMaterial, IndirectLightAlongWithDirectIsTheTracedIndirect) {
+    const auto [name, material] = test::allMaterials()[GetParam()];
+    const Pipeline pipeline(test::room(material, 12, 8));
+    const Estimate along =
+        test::estimate(pipeline.pixels(), 4096, 64, [&](int p, int i) { return pipeline.indirectAlong(p, i); });
+    const Estimate traced =
+        test::estimate(pipeline.pixels(), 4096, 64, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    expectSame(along, traced, name);
+}
+
 TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
     const auto [name, material] = test::allMaterials()[GetParam()];
     const Pipeline pipeline(test::room(material, 12, 8));

@@ -51,6 +51,15 @@ struct Pipeline {
         tracer.direct(ray, s, &along);
         return along.narrow;
     }
+    // Indirect light of all lobes as a sample of direct light brings it along.
+    Rgb indirectAlong(int pixel, int i) const {
+        Sampler s = sampler(5, pixel, i);
+        const Ray ray = cameraRay(pixel, s);
+        IndirectAlong along;
+        along.traceWide = true;
+        tracer.direct(ray, s, &along);
+        return along.narrow + along.wide;
+    }
     // The indirect layer by radiance maps, wide lobes alone: the mean and variance over independent passes of the same
     // spacing.
     Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing,
