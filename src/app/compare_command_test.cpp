@@ -74,13 +74,14 @@ TEST_F(CompareCommandTest, TableAndDifference) {
     const std::string text =
         run({"compare", path("a.exr"), path("b.exr"), "--diff", path("d.png"), "--exposure", "-1"});
     EXPECT_THAT(text, AllOf(HasSubstr("SSIM"), HasSubstr("mean ratio  2.0000 2.0000 2.0000")));
-    const TextureImage diff = readTextureImage(path("d.png"));
-    EXPECT_EQ(diff.width, 64);
-    EXPECT_EQ(diff.bytes[0], 99);        // 0.125 in sRGB
-    EXPECT_EQ(diff.bytes[16 * 3], 137);  // 0.25
-    EXPECT_NEAR(diff.bytes[32 * 3], 4 * (137 - 99), 3);
-    EXPECT_NEAR(diff.bytes[48 * 3], 4 * (137 - 99), 3);  // brighter: red
-    EXPECT_EQ(diff.bytes[48 * 3 + 2], 0);
+    const Image diff = readImage(path("d.png"));
+    EXPECT_EQ(diff.width(), 64);
+    const auto byte = [&](int x, int channel) { return diff.at(x, 0, channel) * 255; };
+    EXPECT_NEAR(byte(0, 0), 99, 0.01f);    // 0.125 in sRGB
+    EXPECT_NEAR(byte(16, 0), 137, 0.01f);  // 0.25
+    EXPECT_NEAR(byte(32, 0), 4 * (137 - 99), 3);
+    EXPECT_NEAR(byte(48, 0), 4 * (137 - 99), 3);  // brighter: red
+    EXPECT_EQ(byte(48, 2), 0);
 }
 
 TEST_F(CompareCommandTest, BadInput) {

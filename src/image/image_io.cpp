@@ -109,32 +109,6 @@ Image readLinearRgb(const std::string& path) {
     return rgb;
 }
 
-TextureImage readTextureImage(const std::string& path) {
-    TextureImage texture;
-    if (beginsAsPfm(path)) {
-        Image image = decodePfm(readFile(path), path);
-        texture.width = image.width(), texture.height = image.height(), texture.channels = image.channels();
-        texture.floats = std::move(image.data());
-        return texture;
-    }
-    const auto input = open(path);
-    const OIIO::ImageSpec spec = input->spec();
-    texture.width = spec.width, texture.height = spec.height, texture.channels = spec.nchannels;
-    const Encoding encoding = encodingOf(spec);
-    texture.isSrgbEncoded = encoding != Encoding::Float;
-    const size_t values = size_t(spec.width) * size_t(spec.height) * size_t(spec.nchannels);
-    bool ok;
-    if (encoding == Encoding::UInt8) {
-        texture.bytes.resize(values);
-        ok = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, texture.bytes.data());
-    } else {
-        texture.floats.resize(values);
-        ok = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, texture.floats.data());
-    }
-    if (!ok) failReading(path, input->geterror());
-    return texture;
-}
-
 std::string encodePng(const Image& linear) { return encodePngFor(linear, "a PNG"); }
 
 void writePng(const std::string& path, const Image& linear) { writeFileAtomically(path, encodePngFor(linear, path)); }

@@ -26,23 +26,6 @@ Image readImage(const std::string& path, Encoding* encoding = nullptr);
 // Three channels, linear: what is integer is decoded from sRGB. Of an EXR with layers it is the beauty.
 Image readLinearRgb(const std::string& path);
 
-// A texture as it lies in memory: bytes stay bytes. Row by row from the top, channels interleaved.
-struct TextureImage {
-    int width = 0, height = 0, channels = 0;
-    // Exactly one of them is filled: bytes if the file has 8 bits (value = byte / 255), else floats.
-    std::vector<uint8_t> bytes;
-    std::vector<float> floats;
-    // The file stores integers, so that colours (not alpha) in it are sRGB-encoded by custom.
-    bool isSrgbEncoded = false;
-
-    // The stored value, in [0, 1] for integers.
-    float at(int x, int y, int c) const {
-        const size_t i = (size_t(y) * size_t(width) + size_t(x)) * size_t(channels) + size_t(c);
-        return bytes.empty() ? floats[i] : float(bytes[i]) * (1 / 255.f);
-    }
-};
-TextureImage readTextureImage(const std::string& path);
-
 // Linear RGB (the first three channels, or grey) to an 8-bit sRGB PNG; what is above 1 is clipped. All or nothing.
 void writePng(const std::string& path, const Image& linear);
 // The same in memory.

@@ -76,25 +76,4 @@ class Distribution2D {
     Distribution1D marginal_;
 };
 
-// Discrete sampling in constant time (Vose, "A Linear Algorithm for Generating Random Numbers with a Given
-// Distribution", 1991). Unlike Distribution1D it does not keep the order of u, and so loses stratification.
-class AliasTable {
-  public:
-    AliasTable() : AliasTable(std::span<const float>()) {}
-    // An empty table is one entry.
-    explicit AliasTable(std::span<const float> weights);
-
-    int size() const { return static_cast<int>(bins_.size()); }
-    DiscreteSample sample(float u) const;
-    float probability(int index) const { return bins_[index].probability; }
-
-  private:
-    struct Bin {
-        float threshold = 1;    // part of the bin that belongs to its own entry
-        float probability = 1;  // of the entry
-        int alias = 0;          // whose the rest is
-    };
-    std::vector<Bin> bins_;
-};
-
 }  // namespace drc

@@ -102,38 +102,5 @@ TEST(Distribution2D, DensityIntegratesToOneAndMatchesSampling) {
     EXPECT_LT(chiSquare, 24.3);  // 99.9 % quantile for 7 degrees of freedom
 }
 
-TEST(AliasTable, SamplesInProportion) {
-    const std::vector<float> f = {0, 1, 3, 0, 4, 0.5f, 0};
-    const AliasTable t(f);
-    std::vector<double> counts(f.size()), remapped(f.size());
-    const int n = 70000;
-    for (int i = 0; i < n; ++i) {
-        const DiscreteSample s = t.sample((i + 0.5f) / n);
-        counts[s.index] += 1;
-        remapped[s.index] += s.uRemapped;
-        ASSERT_GE(s.uRemapped, 0);
-        ASSERT_LT(s.uRemapped, 1);
-        ASSERT_EQ(s.probability, t.probability(s.index));
-    }
-    for (size_t i = 0; i < f.size(); ++i) {
-        EXPECT_NEAR(counts[i] / n, f[i] / 8.5, 1e-4);
-        EXPECT_NEAR(t.probability(int(i)), f[i] / 8.5, 1e-6);
-        if (counts[i] > 0) {
-            EXPECT_NEAR(remapped[i] / counts[i], 0.5, 1e-3);
-        }
-    }
-}
-
-TEST(AliasTable, ZerosAreUniformAndZeroWeightIsNeverChosen) {
-    const AliasTable zero(std::vector<float>{0, 0, 0, 0});
-    EXPECT_EQ(zero.probability(2), 0.25f);
-    EXPECT_EQ(zero.sample(0.6f).index, 2);
-    Pcg32 rng(5);
-    std::vector<float> f(1000);
-    for (size_t i = 0; i < f.size(); ++i) f[i] = i % 3 == 0 ? 0 : rng.nextFloat();
-    const AliasTable t(f);
-    for (int i = 0; i < 100000; ++i) ASSERT_GT(f[t.sample(rng.nextFloat()).index], 0);
-}
-
 }  // namespace
 }  // namespace drc
