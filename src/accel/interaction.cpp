@@ -5,6 +5,13 @@
 #include "scene/bump.h"
 
 namespace drc {
+namespace {
+
+// Of a cone's width, what one texture lookup averages over: a pixel has many samples, and its filter averages those.
+// pbrt divides by the square root of their number; this is what it does with 16.
+constexpr float kSampleShare = 0.25f;
+
+}  // namespace
 
 TextureContext SurfaceInteraction::textureContext() const {
     TextureContext c;
@@ -13,11 +20,11 @@ TextureContext SurfaceInteraction::textureContext() const {
     c.uv = uv;
     c.dpdu = dpdu;
     c.dpdv = dpdv;
-    c.footprint = footprint;
+    c.footprint = kSampleShare * footprint;
     // Length of a unit of uv: square root of the area that it covers, so that a stretched mapping gets neither
     // blur nor aliasing in full.
     const float uvArea = length(cross(dpdu, dpdv));
-    c.uvFootprint = uvArea > 0 ? footprint / std::sqrt(uvArea) : 0;
+    c.uvFootprint = uvArea > 0 ? c.footprint / std::sqrt(uvArea) : 0;
     return c;
 }
 
