@@ -39,7 +39,7 @@ uint64_t IndirectPass::pixelStream(int x, int y, uint64_t purpose) const {
     return hashCombine(settings_.seed, hashCombine(purpose, (uint64_t(uint32_t(y)) << 32) | uint32_t(x)));
 }
 
-bool IndirectPass::primaryHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const {
+bool IndirectPass::wideHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const {
     const Scene& scene = tracer_.scene();
     Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(index));
     const FilterSample f = scene.settings.filter->sample(sampler.get2D());
@@ -47,7 +47,7 @@ bool IndirectPass::primaryHit(int x, int y, int index, Vec2& film, float& weight
     weight = f.weight;
     const Vec2 uLens = sampler.get2D();
     const Ray ray = scene.camera->generateRay(film, uLens, sampler.get1D());
-    return tracer_.primaryHit(ray, sampler, hit);
+    return tracer_.primaryHit(ray, sampler, hit) && hit.bsdf.hasWithin(LobeFlags::Wide);
 }
 
 // Captures and enhances the maps of sites whose film position is set, in batches.
@@ -173,9 +173,7 @@ bool IndirectPass::run(int pass, float spacing, const std::function<void(int, in
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!primaryHit(x, y, pass * settings_.primarySamples, position, weight, hit) ||
-                    !hit.bsdf.hasWithin(LobeFlags::Wide))
-                    continue;
+                if (!wideHit(x, y, pass * settings_.primarySamples, position, weight, hit)) continue;
                 pixel.site = pixelSite(hit, position);
                 pixel.coverage = 0;
                 forEachGridSite(pixel.site, geometryWeight, [&](const MapSite&, float w) { pixel.coverage += w; });
@@ -248,7 +246,7 @@ bool IndirectPass::run(int pass, float spacing, const std::function<void(int, in
                     Vec2 position;
                     float weight;
                     PrimaryHit hit;
-                    if (!primaryHit(x, y, index, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) {
+                    if (!wideHit(x, y, index, position, weight, hit)) {
                         add(x, y, Rgb(0.f), weight);
                         continue;
                     }
@@ -307,7 +305,7 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
                         Vec2 position;
                         float weight;
                         PrimaryHit hit;
-                        if (!primaryHit(x, y, index, position, weight, hit) || !hit.bsdf.hasWithin(LobeFlags::Wide)) {
+                        if (!wideHit(x, y, index, position, weight, hit)) {
                             add(x, y, Rgb(0.f), weight);
                             continue;
                         }

@@ -44,8 +44,9 @@ class IndirectPass {
     bool runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add, const CancelToken* cancel);
     // Indirect radiance of the wide lobes: from the maps, or traced where there is none. index: of the camera sample.
     Rgb shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const;
-    // The primary point of a pixel's camera sample `index`: the same each time it is asked for.
-    bool primaryHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const;
+    // The primary point of a pixel's camera sample `index`: the same each time it is asked for. False: there is none,
+    // or none with wide lobes; film and weight are set all the same.
+    bool wideHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const;
     uint64_t pixelStream(int x, int y, uint64_t purpose) const;
 
     const PathTracer& tracer_;

@@ -217,6 +217,8 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* al
         if (isBlack(throughput)) break;
         ray = hit.spawnRay(s->wi);
     }
+    if (along && !isFinite(along->narrow)) along->narrow = Rgb(0.f);
+    if (along && !isFinite(along->wide)) along->wide = Rgb(0.f);
     return isFinite(sum) ? sum : Rgb(0.f);
 }
 

@@ -1,9 +1,9 @@
 // Correction of the indirect layer by a few path-traced samples.
 //
-// Radiance maps give a picture without noise but with a smooth error: where they stand too far apart for what they
-// light, and where the network is off in hue. Path-traced samples of the same light have noise but no such error. The
-// difference of the two, filtered along surfaces, is the smooth error; it is added to the layer. What the filter does
-// not resolve stays as the maps have it.
+// Radiance maps give a picture with little noise but with errors of their own: where they stand too far apart for what
+// they light, and where the network is off in hue. Path-traced samples of the same light have noise but no such error.
+// The difference of the two is averaged along surfaces at several scales; of each scale, what stands out from the
+// samples' noise is added to the layer. With ever more samples that is all of the difference, down to single pixels.
 #pragma once
 #include "integrators/path_tracer.h"
 #include "render/film.h"
