@@ -4,9 +4,9 @@
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
+#include "accel/packed_mesh.h"
 #include "base/error.h"
 #include "base/log.h"
-#include "base/parallel.h"
 
 namespace drc {
 namespace {
@@ -14,74 +14,13 @@ namespace {
 // What a geometry's callbacks need; lives as long as the Accel.
 struct GeometryData {
     const Primitive* primitive;
-    std::vector<Vec3> normals;  // of a mesh: the geometric one of each triangle, which costs much to find at every hit
+    std::optional<PackedMesh> mesh;  // none: the primitive is a shape
 };
 
 struct Group {
     RTCScene scene = nullptr;
     std::vector<std::unique_ptr<GeometryData>> geometries;  // indexed by Embree's geometry id
 };
-
-struct Triangle {
-    Vec3 p[3];
-    uint32_t v[3];
-};
-
-Triangle triangleOf(const TriangleMesh& mesh, uint32_t index) {
-    Triangle t;
-    for (int k = 0; k < 3; ++k) {
-        t.v[k] = mesh.indices[3 * size_t(index) + size_t(k)];
-        t.p[k] = mesh.positions[t.v[k]];
-    }
-    return t;
-}
-
-// pbrt's coordinates for triangles that have none.
-constexpr float kDefaultUv[3][2] = {{0, 0}, {1, 0}, {1, 1}};
-
-struct TriangleUv {
-    Vec2 uv[3];
-};
-
-TriangleUv uvOf(const TriangleMesh& mesh, const Triangle& t) {
-    TriangleUv r;
-    for (int k = 0; k < 3; ++k)
-        r.uv[k] = mesh.uvs.empty() ? Vec2(kDefaultUv[k][0], kDefaultUv[k][1]) : mesh.uvs[t.v[k]];
-    return r;
-}
-
-Vec2 interpolate(const TriangleUv& uv, float b1, float b2) {
-    return uv.uv[0] * (1 - b1 - b2) + uv.uv[1] * b1 + uv.uv[2] * b2;
-}
-
-// The hit in the space of the primitive (world, or an instanced object's).
-void fillTriangle(const GeometryData& data, uint32_t index, float b1, float b2, SurfaceInteraction& hit) {
-    const TriangleMesh& mesh = *data.primitive->mesh;
-    const Triangle t = triangleOf(mesh, index);
-    const float b0 = 1 - b1 - b2;
-    const Vec3 e1 = t.p[1] - t.p[0], e2 = t.p[2] - t.p[0];
-    hit.p = t.p[0] * b0 + t.p[1] * b1 + t.p[2] * b2;
-    hit.ng = data.normals[index];
-    hit.triangle = index;
-    const TriangleUv uv = uvOf(mesh, t);
-    hit.uv = interpolate(uv, b1, b2);
-    const Vec2 d1 = uv.uv[1] - uv.uv[0], d2 = uv.uv[2] - uv.uv[0];
-    const float determinant = d1.x * d2.y - d1.y * d2.x;
-    if (std::abs(determinant) > 1e-12f) {
-        const float inv = 1 / determinant;
-        hit.dpdu = (e1 * d2.y - e2 * d1.y) * inv;
-        hit.dpdv = (e2 * d1.x - e1 * d2.x) * inv;
-    } else {
-        const Frame f = Frame::fromNormal(hit.ng);
-        hit.dpdu = f.s;
-        hit.dpdv = f.t;
-    }
-    hit.ns = hit.ng;
-    if (!mesh.normals.empty()) {
-        const Vec3 n = mesh.normals[t.v[0]] * b0 + mesh.normals[t.v[1]] * b1 + mesh.normals[t.v[2]] * b2;
-        if (lengthSquared(n) > 1e-12f) hit.ns = faceForward(normalize(n), hit.ng);
-    }
-}
 
 bool fillShape(const Primitive& primitive, const Ray& ray, float tMin, SurfaceInteraction& hit) {
     const auto found = primitive.shape->intersect(ray, tMin);
@@ -99,8 +38,8 @@ bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId
             float t) {
     if (alpha == nullptr) return false;
     SurfaceInteraction hit;
-    if (data.primitive->mesh) {
-        fillTriangle(data, primId, u, v, hit);
+    if (data.mesh) {
+        data.mesh->fill(primId, u, v, hit);
     } else {
         Ray shortened = ray;
         shortened.tMax = t * 1.0001f;
@@ -216,18 +155,13 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
         data->primitive = &primitive;
         RTCGeometry geometry = nullptr;
         if (primitive.mesh) {
-            const TriangleMesh& mesh = *primitive.mesh;
+            const PackedMesh& mesh = data->mesh.emplace(*primitive.mesh);
             geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-            // Embree may read 16 bytes at the last vertex: it gets its own padded copy.
-            void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                     sizeof(Vec3), mesh.positions.size());
-            std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3*>(vertices));
-            rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices.data(), 0,
-                                       3 * sizeof(uint32_t), mesh.triangleCount());
-            data->normals.resize(mesh.triangleCount());
-            parallelFor(0, int(mesh.triangleCount()), 4096, [&](int begin, int end) {
-                for (int i = begin; i < end; ++i) data->normals[size_t(i)] = mesh.geometricNormal(uint32_t(i));
-            });
+            rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices().data(),
+                                       offsetof(PackedMesh::Vertex, p), sizeof(PackedMesh::Vertex),
+                                       mesh.vertices().size());
+            rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces().data(),
+                                       offsetof(PackedMesh::Face, v), sizeof(PackedMesh::Face), mesh.faces().size());
             if (primitive.alpha) rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
             if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
                 rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);
@@ -276,6 +210,11 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
 Accel::~Accel() = default;
 
 bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
+    Found found;
+    return find(ray, found) && describe(ray, found, hit);
+}
+
+bool Accel::find(const Ray& ray, Found& found) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit q;
@@ -296,25 +235,35 @@ bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
     rtcIntersect1(impl_->world.scene, &context, &q);
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
 
-    const Instance* instance = q.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? nullptr : impl_->instances[q.hit.instID[0]];
-    const Group& group = instance ? impl_->objects[size_t(instance->object)] : impl_->world;
+    found.instance = q.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? nullptr : impl_->instances[q.hit.instID[0]];
+    const Group& group = found.instance ? impl_->objects[size_t(found.instance->object)] : impl_->world;
     const GeometryData& data = *group.geometries[q.hit.geomID];
-    const Primitive& primitive = *data.primitive;
-    hit.primitive = &primitive;
-    if (primitive.mesh) {
-        fillTriangle(data, q.hit.primID, q.hit.u, q.hit.v, hit);
+    found.geometry = &data;
+    found.triangle = q.hit.primID;
+    found.b1 = q.hit.u;
+    found.b2 = q.hit.v;
+    found.t = q.ray.tfar;
+    if (data.mesh) data.mesh->prefetch(found.triangle);
+    return true;
+}
+
+bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit) const {
+    const GeometryData& data = *static_cast<const GeometryData*>(found.geometry);
+    hit.primitive = data.primitive;
+    if (data.mesh) {
+        data.mesh->fill(found.triangle, found.b1, found.b2, hit);
     } else {
         Ray local = ray;
-        if (instance) {
-            const Transform inverse = instance->objectToWorld.inverse();
+        if (found.instance) {
+            const Transform inverse = found.instance->objectToWorld.inverse();
             local.o = inverse.point(ray.o);
             local.d = inverse.vector(ray.d);  // not renormalised: t stays the same in both spaces
         }
-        local.tMax = q.ray.tfar * 1.00001f;
-        if (!fillShape(primitive, local, q.ray.tfar * 0.99999f, hit)) return false;
+        local.tMax = found.t * 1.00001f;
+        if (!fillShape(*data.primitive, local, found.t * 0.99999f, hit)) return false;
     }
-    if (instance) {
-        const Transform& t = instance->objectToWorld;
+    if (found.instance) {
+        const Transform& t = found.instance->objectToWorld;
         hit.p = t.point(hit.p);
         hit.ng = normalize(t.normal(hit.ng));
         hit.ns = normalize(t.normal(hit.ns));
@@ -322,7 +271,7 @@ bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
         hit.dpdv = t.vector(hit.dpdv);
     }
     hit.wo = -ray.d;
-    hit.t = q.ray.tfar;
+    hit.t = found.t;
     hit.coneSpread = ray.coneSpread;
     hit.footprint = ray.coneWidth + ray.coneSpread * hit.t;
     return true;

@@ -29,13 +29,12 @@ TextureContext SurfaceInteraction::textureContext() const {
 }
 
 Bsdf SurfaceInteraction::bsdf() const {
-    const Material* material = primitive->material.get();
-    if (material == nullptr) return {};
-    const TextureContext context = textureContext();
-    Frame shading = Frame::fromNormalAndTangent(ns, dpdu);
-    if (const FloatTexture* bump = material->bump()) shading = bumpFrame(context, shading, *bump);
-    Bsdf bsdf(shading, ng);
-    material->addLobes(context, Rgb(1.f), bsdf);
+    Bsdf bsdf(Frame::fromNormalAndTangent(ns, dpdu), ng);
+    if (const Material* material = primitive->material.get()) {
+        const TextureContext context = textureContext();
+        if (const FloatTexture* bump = material->bump()) bsdf.setFrame(bumpFrame(context, bsdf.frame(), *bump));
+        material->addLobes(context, Rgb(1.f), bsdf);
+    }
     return bsdf;
 }
 

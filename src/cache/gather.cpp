@@ -1,5 +1,7 @@
 #include "cache/gather.h"
 
+#include "scene/bsdf_view.h"
+
 namespace drc {
 namespace {
 
@@ -22,7 +24,8 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
 
     // The maps' density follows what a diffuse surface integrates: there the BSDF's own samples would add but noise.
     const bool glossy = hit.bsdf.has(LobeFlags::Glossy);
-    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, const Bsdf::Value& bsdf) {
+    const BsdfView view(hit.bsdf, at.wo, LobeFlags::Wide);
+    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, const BsdfView::Value& bsdf) {
         const RadianceMap* map = dot(d, normal) >= 0 ? sides.front : sides.back;
         if (map == nullptr) return Rgb(0.f);
         // Directions between the shading and the geometric horizon, which paths never sample, are none of ours either.
@@ -44,11 +47,11 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
         const auto fromMap = (transmits && uSide < 0.5f ? site.back : site.front).sample(sampler.get2D());
         if (fromMap.pdf > 0) {
             const float mapPdf = transmits ? sides.pdf(fromMap.d) : fromMap.pdf;
-            sum += contribution(sides, fromMap.d, mapPdf, hit.bsdf.evaluate(at.wo, fromMap.d, LobeFlags::Wide));
+            sum += contribution(sides, fromMap.d, mapPdf, view.evaluate(fromMap.d));
         }
         if (!glossy) continue;
         const float uLobe = sampler.get1D();
-        const auto fromBsdf = hit.bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::Wide);
+        const auto fromBsdf = view.sample(uLobe, sampler.get2D());
         if (fromBsdf) sum += contribution(sides, fromBsdf->wi, sides.pdf(fromBsdf->wi), {fromBsdf->f, fromBsdf->pdf});
     }
     sum *= 1.f / float(samples);

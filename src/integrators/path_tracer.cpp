@@ -27,10 +27,16 @@ float spreadAfter(const BsdfSample& s, float spread) {
 }  // namespace
 
 bool PathTracer::nextSurface(Ray& ray, SurfaceInteraction& hit) const {
+    Accel::Found found;
+    return accel_.find(ray, found) && nextSurface(ray, found, hit);
+}
+
+bool PathTracer::nextSurface(Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) const {
+    if (!accel_.describe(ray, found, hit)) return false;
     for (int i = 0; i < kMaxPassThrough; ++i) {
-        if (!accel_.intersect(ray, hit)) return false;
         if (hit.primitive->material || hit.primitive->areaLight) return true;
         ray = hit.spawnRay(ray.d);
+        if (!accel_.intersect(ray, hit)) return false;
     }
     return false;
 }
@@ -69,78 +75,95 @@ bool PathTracer::shadowed(const SurfaceInteraction& at, const LightSample& light
     return tMax > 0 && accel_.occluded(o, d * (1 / distance), tMax);
 }
 
-Rgb PathTracer::lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, LobeFlags mask, Sampler& sampler) const {
+PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf,
+                                                   Sampler& sampler) const {
     const float uLight = sampler.get1D();
     const Vec2 u = sampler.get2D();
     const auto choice = lights_.sample(at.p, uLight);
-    if (choice.light == nullptr) return Rgb(0.f);
+    if (choice.light == nullptr) return {};
     const auto s = choice.light->sample(at.p, u);
     const bool infinite = choice.light->isInfinite();
-    if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return Rgb(0.f);
-    const Bsdf::Value value = bsdf.evaluate(at.wo, s->wi, mask);
-    if (isBlack(value.f)) return Rgb(0.f);
-    if (shadowed(at, *s)) return Rgb(0.f);
+    if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return {};
+    const BsdfView::Value value = bsdf.evaluate(s->wi);
+    if (isBlack(value.f)) return {};
     const float pdf = s->pdf * choice.probability;
     const float weight = s->delta ? 1 : powerHeuristic(pdf, value.pdf);
-    const Rgb radiance = infinite ? choice.light->escaped(s->wi) : s->radiance;
-    return value.f * radiance * (absDot(s->wi, bsdf.frame().n) * weight / pdf);
+    return {choice.light, *s, value.f * (absDot(s->wi, bsdf.bsdf().frame().n) * weight / pdf)};
 }
 
-Rgb PathTracer::trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first,
+Rgb PathTracer::arriving(const SurfaceInteraction& at, const LightProposal& proposal) const {
+    if (proposal.light == nullptr || shadowed(at, proposal.sample)) return Rgb(0.f);
+    const LightSample& s = proposal.sample;
+    return proposal.weight * (proposal.light->isInfinite() ? proposal.light->escaped(s.wi) : s.radiance);
+}
+
+bool PathTracer::scatter(Path& path, const SurfaceInteraction& hit, const BsdfView& bsdf, Sampler& sampler) const {
+    const float uLobe = sampler.get1D();
+    const auto s = bsdf.sample(uLobe, sampler.get2D());
+    if (!s || !(s->pdf > 0)) return false;
+    path.throughput *= s->f * (absDot(s->wi, bsdf.bsdf().frame().n) / s->pdf);
+    if (isBlack(path.throughput)) return false;
+    path.etaScale *= sqr(s->eta);
+    if (s->isSpecular()) {
+        path.pdf = kSpecular;
+        if (++path.chain > kMaxSpecularChain) return false;
+    } else {
+        path.pdf = s->pdf;
+        ++path.depth;
+    }
+    path.from = hit.p;
+    path.ray = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
+
+    if (path.depth + path.chain >= settings_.rouletteDepth) {
+        const float survival = std::min(0.95f, maxComponent(path.throughput) * path.etaScale);
+        if (sampler.get1D() >= survival) return false;
+        path.throughput *= 1 / survival;
+    }
+    return true;
+}
+
+Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, FirstHit* first,
                       const SurfaceInteraction* start) const {
-    Rgb sum(0.f), throughput(1.f);
-    Vec3 from = ray.o;
-    float pdf = kSpecular;
-    float etaScale = 1;  // undoes the scaling of radiance inside glass, which is no loss, for roulette
+    Rgb sum(0.f);
+    Path path{firstRay, firstRay.o};
     bool counted = emission == Emission::Counted;
     SurfaceInteraction hit;
-    for (int depth = 0, chain = 0;;) {
+    Accel::Found found;
+    bool met = start == nullptr && accel_.find(path.ray, found);
+    for (;;) {
         if (start) {
             hit = *start;
             start = nullptr;
-        } else if (!nextSurface(ray, hit)) {
-            if (counted) sum += throughput * emissionAtInfinity(ray.d, from, pdf);
+        } else if (!met || !nextSurface(path.ray, found, hit)) {
+            if (counted) sum += path.throughput * emissionAtInfinity(path.ray.d, path.from, path.pdf);
             break;
         }
         if (first) {
-            first->distance = length(hit.p - from);
+            first->distance = length(hit.p - path.from);
             first->normal = faceForward(hit.ng, hit.wo);
             first = nullptr;
         }
-        if (counted) sum += throughput * emissionAtHit(hit, from, pdf);
+        if (counted) sum += path.throughput * emissionAtHit(hit, path.from, path.pdf);
         if (!hit.primitive->material) {  // an emitter without a body
-            ray = hit.spawnRay(ray.d);
-            if (++chain > kMaxPassThrough) break;
+            path.ray = hit.spawnRay(path.ray.d);
+            if (++path.chain > kMaxPassThrough) break;
+            met = accel_.find(path.ray, found);
             continue;
         }
         counted = true;
-        if (depth >= settings_.maxDepth) break;
+        if (path.depth >= settings_.maxDepth) break;
 
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
-        if (bsdf.hasNonSpecular()) sum += throughput * lightSample(hit, bsdf, LobeFlags::All, sampler);
-
-        const float uLobe = sampler.get1D();
-        const auto s = bsdf.sample(hit.wo, uLobe, sampler.get2D());
-        if (!s || !(s->pdf > 0)) break;
-        throughput *= s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
-        if (isBlack(throughput)) break;
-        etaScale *= sqr(s->eta);
-        if (s->isSpecular()) {
-            pdf = kSpecular;
-            if (++chain > kMaxSpecularChain) break;
-        } else {
-            pdf = s->pdf;
-            ++depth;
-        }
-        from = hit.p;
-        ray = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
-
-        if (depth + chain >= settings_.rouletteDepth) {
-            const float survival = std::min(0.95f, maxComponent(throughput) * etaScale);
-            if (sampler.get1D() >= survival) break;
-            throughput *= 1 / survival;
-        }
+        const BsdfView view(bsdf, hit.wo);
+        LightProposal light;
+        if (bsdf.hasNonSpecular()) light = proposeLight(hit, view, sampler);
+        const Rgb throughput = path.throughput;
+        const bool goesOn = scatter(path, hit, view, sampler);
+        // The path's own ray before the shadow ray, which then hides the wait for the data of the surface met.
+        met = goesOn && accel_.find(path.ray, found);
+        sum += throughput * arriving(hit, light);
+        if (!goesOn) break;
     }
     if (!isFinite(sum)) return Rgb(0.f);
     const float l = luminance(sum);
@@ -155,11 +178,12 @@ Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) cons
     return trace(ray, sampler, Emission::SkippedAtFirst, first);
 }
 
-Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const Bsdf& bsdf, const Rgb& throughput, Sampler& sampler,
+Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, const Rgb& throughput, Sampler& sampler,
                            IndirectAlong* along) const {
     Rgb sum(0.f);
+    const Bsdf& bsdf = view.bsdf();
     const float uLobe = sampler.get1D();
-    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), LobeFlags::NonSpecular);
+    const auto s = view.sample(uLobe, sampler.get2D());
     if (!s) return sum;
     const Rgb scale = throughput * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     Ray next = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
@@ -196,8 +220,9 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* al
         }
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.hasNonSpecular()) {
-            sum += throughput * lightSample(hit, bsdf, LobeFlags::NonSpecular, sampler);
-            sum += bsdfSample(hit, bsdf, throughput, sampler, along);
+            const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);
+            sum += throughput * arriving(hit, proposeLight(hit, view, sampler));
+            sum += bsdfSample(hit, view, throughput, sampler, along);
         }
         if (along) {
             if (!along->traceWide && bsdf.has(LobeFlags::Narrow))

@@ -9,6 +9,7 @@
 #include "accel/accel.h"
 #include "integrators/light_sampler.h"
 #include "math/sampler.h"
+#include "scene/bsdf_view.h"
 
 namespace drc {
 
@@ -74,20 +75,40 @@ class PathTracer {
 
   private:
     enum class Emission { Counted, SkippedAtFirst };
+    // A path as it goes on from its latest vertex.
+    struct Path {
+        Ray ray;
+        Vec3 from;  // the vertex that the ray leaves, before it was moved off the surface
+        Rgb throughput{1.f};
+        float pdf = 0;       // of the ray's direction; 0: none that light sampling could have chosen
+        float etaScale = 1;  // undoes the scaling of radiance inside glass, which is no loss, for roulette
+        int depth = 0, chain = 0;
+    };
+    // A light sample that nothing may block yet: what arrives through the BSDF is weight times its radiance.
+    struct LightProposal {
+        const Light* light = nullptr;  // null: no light
+        LightSample sample{};
+        Rgb weight{0.f};
+    };
     // start: what the ray meets first, if that is known.
-    Rgb trace(Ray ray, Sampler& sampler, Emission emission, FirstHit* first,
+    Rgb trace(const Ray& ray, Sampler& sampler, Emission emission, FirstHit* first,
               const SurfaceInteraction* start = nullptr) const;
+    // Samples the next direction at a hit. False: the path ends.
+    bool scatter(Path& path, const SurfaceInteraction& hit, const BsdfView& bsdf, Sampler& sampler) const;
     // One sample of indirect light for the narrow lobes alone. Paths of little weight are not traced.
     Rgb indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
     // The BSDF's sample of direct light at a primary point, and with wide indirect light wanted the path beyond it.
-    Rgb bsdfSample(const SurfaceInteraction& at, const Bsdf& bsdf, const Rgb& throughput, Sampler& sampler,
+    Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, const Rgb& throughput, Sampler& sampler,
                    IndirectAlong* along) const;
     // Nearest surface that has a material or emits; passes through the others.
     bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;
+    bool nextSurface(Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) const;
     // Whether anything stands between a point and the light point that was sampled for it.
     bool shadowed(const SurfaceInteraction& at, const LightSample& light) const;
-    // Light sample at a non-specular vertex, weighted against the BSDF's density for `mask`.
-    Rgb lightSample(const SurfaceInteraction& at, const Bsdf& bsdf, LobeFlags mask, Sampler& sampler) const;
+    // Light sample at a non-specular vertex, weighted against the density of the BSDF's own samples, and what of it
+    // arrives if its shadow ray is free.
+    LightProposal proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, Sampler& sampler) const;
+    Rgb arriving(const SurfaceInteraction& at, const LightProposal& proposal) const;
     // Emission met by a ray that the BSDF sampled with the given density, weighted against light sampling.
     Rgb emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const;
     Rgb emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf) const;

@@ -7,16 +7,22 @@ double usable(float f) { return f > 0 && std::isfinite(f) ? static_cast<double>(
 
 float belowOne(double x) { return std::min(static_cast<float>(x), kOneMinusEpsilon); }
 
+// f's integral over [0,1), and from where to where each of its cells holds it: 0, ..., 1.
+std::vector<double> cumulative(std::span<const float> f, double& integral) {
+    const size_t n = std::max<size_t>(1, f.size());
+    std::vector<double> cdf(n + 1, 0.0);
+    for (size_t i = 0; i < f.size(); ++i) cdf[i + 1] = cdf[i] + usable(f[i]);
+    const double total = cdf.back();
+    integral = total / static_cast<double>(n);
+    for (size_t i = 1; i <= n; ++i)
+        cdf[i] = total > 0 ? cdf[i] / total : static_cast<double>(i) / static_cast<double>(n);
+    return cdf;
+}
+
 }  // namespace
 
-Distribution1D::Distribution1D(std::span<const float> f) {
-    const size_t n = std::max<size_t>(1, f.size());
-    cdf_.resize(n + 1, 0.0);
-    for (size_t i = 0; i < f.size(); ++i) cdf_[i + 1] = cdf_[i] + usable(f[i]);
-    const double total = cdf_.back();
-    integral_ = total / static_cast<double>(n);
-    for (size_t i = 1; i <= n; ++i)
-        cdf_[i] = total > 0 ? cdf_[i] / total : static_cast<double>(i) / static_cast<double>(n);
+Distribution1D::Distribution1D(std::span<const float> f) : cdf_(cumulative(f, integral_)) {
+    const auto n = static_cast<size_t>(size());
     guide_.resize(n);
     for (size_t k = 0, i = 0; k < n; ++k) {
         while (cdf_[i + 1] <= static_cast<double>(k) / static_cast<double>(n)) ++i;
@@ -55,26 +61,50 @@ DiscreteSample Distribution1D::sampleDiscrete(float u) const {
 }
 
 Distribution2D::Distribution2D(std::span<const float> f, int width, int height) {
-    if (width <= 0 || height <= 0) width = height = 0;
-    std::vector<float> integrals;
-    rows_.reserve(std::max(1, height));
-    for (int y = 0; y < height; ++y) {
-        rows_.emplace_back(f.subspan(static_cast<size_t>(y) * width, width));
-        integrals.push_back(static_cast<float>(rows_.back().integral()));
+    static constexpr float kNothing[] = {0};
+    if (width <= 0 || height <= 0) {
+        width = height = 1;
+        f = kNothing;
     }
-    if (rows_.empty()) rows_.emplace_back();
+    width_ = width;
+    const auto n = static_cast<size_t>(width);
+    std::vector<float> integrals;
+    entries_.reserve((n + 1) * static_cast<size_t>(height));
+    for (int y = 0; y < height; ++y) {
+        double integral = 0;
+        const std::vector<double> cdf = cumulative(f.subspan(static_cast<size_t>(y) * n, n), integral);
+        integrals.push_back(static_cast<float>(integral));
+        Entry* const entries = entries_.data() + entries_.size();
+        for (const double c : cdf) entries_.push_back({static_cast<float>(std::round(c * 0x1p24) * 0x1p-24), 0});
+        for (int k = 0, i = 0; k < width; ++k) {
+            while (entries[i + 1].cdf <= static_cast<float>(k) / static_cast<float>(width)) ++i;
+            entries[k].guide = i;
+        }
+    }
     marginal_ = Distribution1D(integrals);
 }
 
 Sample2D Distribution2D::sample(const Vec2& u) const {
-    const Sample1D y = marginal_.sampleContinuous(u.y);
-    const Sample1D x = rows_[y.index].sampleContinuous(u.x);
-    return {Vec2(x.x, y.x), x.pdf * y.pdf, x.index, y.index, Vec2(x.local, y.local)};
+    Sample2D s;
+    const DiscreteSample y = marginal_.sampleDiscrete(u.y);
+    s.y = y.index;
+    s.local.y = y.uRemapped;
+    const Entry* const entries = row(s.y);
+    const float x = std::clamp(u.x, 0.f, kOneMinusEpsilon);
+    // The guide of a part's lower end may by rounding be that of a number just above x.
+    int i = entries[static_cast<int>(x * static_cast<float>(width_))].guide;
+    while (i > 0 && entries[i].cdf > x) --i;
+    while (entries[i + 1].cdf <= x) ++i;
+    const float mass = entries[i + 1].cdf - entries[i].cdf;
+    s.x = i;
+    s.local.x = std::min((x - entries[i].cdf) / mass, kOneMinusEpsilon);
+    s.pdf = density(mass, y.probability);
+    return s;
 }
 
-float Distribution2D::pdf(const Vec2& p) const {
-    const int y = std::clamp(static_cast<int>(p.y * height()), 0, height() - 1);
-    return rows_[y].pdf(p.x) * marginal_.pdf(p.y);
+float Distribution2D::pdf(int x, int y) const {
+    const Entry* const entries = row(y) + x;
+    return density(entries[1].cdf - entries[0].cdf, marginal_.probability(y));
 }
 
 }  // namespace drc

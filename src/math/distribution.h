@@ -27,10 +27,9 @@ struct DiscreteSample {
 };
 
 struct Sample2D {
-    Vec2 p;  // in [0,1)^2
-    float pdf = 0;
-    int x = 0, y = 0;  // the table's cell that p lies in
-    Vec2 local;        // p within that cell, in [0,1)^2
+    int x = 0, y = 0;  // the table's cell that was chosen
+    Vec2 local;        // in [0,1)^2, uniform within that cell
+    float pdf = 0;     // over [0,1)^2
 };
 
 class Distribution1D {
@@ -52,27 +51,38 @@ class Distribution1D {
     int cell(float x) const { return std::clamp(static_cast<int>(x * size()), 0, size() - 1); }
     int find(float u) const;
 
+    double integral_ = 0;
     std::vector<double> cdf_;  // size() + 1 values, from 0 to 1
     // For each of size() equal parts of [0,1): the cell that its lower end falls in, where a search can start
     // (Chen and Asau, "On Generating Random Variates from an Empirical Distribution", 1974).
     std::vector<int> guide_;
-    double integral_ = 0;
 };
 
 class Distribution2D {
   public:
     Distribution2D() : Distribution2D({}, 0, 0) {}
-    // f: row-major, width x height; p.x runs along a row.
+    // f: row-major, width x height; x runs along a row. An empty table is one cell.
     Distribution2D(std::span<const float> f, int width, int height);
 
-    int width() const { return rows_.front().size(); }
+    int width() const { return width_; }
     int height() const { return marginal_.size(); }
     double integral() const { return marginal_.integral(); }
     Sample2D sample(const Vec2& u) const;
-    float pdf(const Vec2& p) const;
+    float pdf(int x, int y) const;
 
   private:
-    std::vector<Distribution1D> rows_;
+    // A row has width_ + 1 of them. Table and guide in one, because a sample costs the cache lines that it touches.
+    struct Entry {
+        float cdf;  // in whole 2^-24, as random numbers are: a cell is chosen exactly as often as its density says
+        int guide;
+    };
+    const Entry* row(int y) const { return &entries_[static_cast<size_t>(y) * static_cast<size_t>(width_ + 1)]; }
+    float density(float mass, float rowProbability) const {
+        return mass * rowProbability * static_cast<float>(width_ * height());
+    }
+
+    int width_ = 1;
+    std::vector<Entry> entries_;
     Distribution1D marginal_;
 };
 

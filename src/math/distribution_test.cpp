@@ -77,7 +77,7 @@ TEST(Distribution2D, DensityIntegratesToOneAndMatchesSampling) {
     double integral = 0;
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
-            const float p = d.pdf(Vec2((x + 0.5f) / w, (y + 0.5f) / h));
+            const float p = d.pdf(x, y);
             EXPECT_NEAR(p, f[y * w + x] / total * 15, 1e-5);
             integral += p / 15;
         }
@@ -87,7 +87,7 @@ TEST(Distribution2D, DensityIntegratesToOneAndMatchesSampling) {
     const int n = 200000;
     for (int i = 0; i < n; ++i) {
         const Sample2D s = d.sample(rng.nextVec2());
-        ASSERT_EQ(s.pdf, d.pdf(s.p));
+        ASSERT_EQ(s.pdf, d.pdf(s.x, s.y));
         counts[s.y * w + s.x] += 1;
     }
     double chiSquare = 0;

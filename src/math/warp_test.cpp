@@ -24,6 +24,23 @@ TEST(Warp, AtanInOctants) {
     for (float x = -1; x <= 1; x += 1e-4f) EXPECT_NEAR(atanInOctants(x), 4 / kPi * std::atan(x), 5e-7f);
 }
 
+TEST(Warp, SinCosInOctants) {
+    for (int i = -10000; i <= 10000; ++i) {
+        const float x = float(i) * 1e-4f;
+        EXPECT_NEAR(sinCosInOctants(x).sin, std::sin(std::numbers::pi / 4 * x), 1.2e-7);
+        EXPECT_NEAR(sinCosInOctants(x).cos, std::cos(std::numbers::pi / 4 * x), 1.2e-7);
+    }
+    EXPECT_EQ(sinCosInOctants(0).cos, 1);
+}
+
+TEST(Warp, SinCosOfTurn) {
+    for (int i = 0; i <= 10000; ++i) {
+        const float x = float(i) * 1e-4f;
+        EXPECT_NEAR(sinCosOfTurn(x).sin, std::sin(2 * std::numbers::pi * x), 5e-7) << x;
+        EXPECT_NEAR(sinCosOfTurn(x).cos, std::cos(2 * std::numbers::pi * x), 5e-7) << x;
+    }
+}
+
 TEST(Warp, DiskIsUniformAndInverts) {
     EXPECT_NEAR(squareMean([](const Vec2& u) { return lengthSquared(Vec3(squareToDisk(u).x, squareToDisk(u).y, 0)); }),
                 0.5, 1e-4);

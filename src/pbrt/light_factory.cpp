@@ -63,7 +63,7 @@ AreaLightBuilder makeDiffuse(const ParamSet& params) {
     params.ignore({"samples", "nsamples"});
     if (isBlack(radiance)) return {};
     return [=](const Primitive& primitive) {
-        return primitive.mesh ? makeMeshAreaLight(primitive.mesh, radiance, twoSided)
+        return primitive.mesh ? makeMeshAreaLight(*primitive.mesh, radiance, twoSided)
                               : makeShapeAreaLight(primitive.shape, radiance, twoSided);
     };
 }

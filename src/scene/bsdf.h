@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <new>
 #include <optional>
 #include <type_traits>
 
@@ -36,7 +37,14 @@ class Bsdf {
 
     // Lobes beyond kMaxLobes and lobes of zero weight are not added; materials are checked against kMaxLobes when
     // the scene is built.
-    void add(const Lobe& lobe, const Rgb& weight = Rgb(1.f));
+    template <class L>
+    void add(const L& lobe, const Rgb& weight = Rgb(1.f)) {
+        if (count_ == kMaxLobes || isBlack(weight)) return;
+        new (storage_ + count_ * sizeof(Lobe)) Lobe(lobe);
+        flags_[count_] = lobe.flags();
+        weights_[count_] = weight;
+        ++count_;
+    }
 
     // True if any lobe has all of these flags.
     bool has(LobeFlags flags) const;
@@ -48,38 +56,27 @@ class Bsdf {
     bool hasSpecular() const { return has(LobeFlags::Specular); }
     int size() const { return count_; }
 
-    // Sum of the non-specular lobes within mask; 0 for specular lobes.
+    // What a BsdfView of wo through mask says of one direction; a view is the cheaper way to ask more than once.
     Rgb f(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All,
           TransportMode mode = TransportMode::Radiance) const;
-    // f and pdf together, for less than the two apart. Where f is zero the density is not asked for, and is zero.
-    struct Value {
-        Rgb f{0.f};
-        float pdf = 0;
-    };
-    Value evaluate(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All,
-                   TransportMode mode = TransportMode::Radiance) const;
-    // Density of sample() for the same mask, per solid angle; 0 for specular lobes.
     float pdf(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All) const;
-    // Chooses among the lobes within mask in proportion to an estimate of their albedo. None: no lobe, or no light.
-    // If the sampled lobe is non-specular, f and pdf are those of all non-specular lobes within mask.
     std::optional<BsdfSample> sample(const Vec3& wo, float uLobe, const Vec2& u, LobeFlags mask = LobeFlags::All,
                                      TransportMode mode = TransportMode::Radiance) const;
 
+    // The shading frame.
     const Frame& frame() const { return frame_; }
+    void setFrame(const Frame& shading) { frame_ = shading; }
     const Vec3& ng() const { return ng_; }
 
     // Albedo towards wo, an estimate for AOVs and for choosing lobes.
     Rgb albedo(const Vec3& wo, LobeFlags mask = LobeFlags::All) const;
 
-  private:
-    using Probabilities = std::array<float, kMaxLobes>;
-
+    // i in [0, size()).
     const Lobe& lobe(int i) const { return reinterpret_cast<const Lobe*>(storage_)[i]; }
-    // Probability of choosing each lobe; returns how many match the mask (0 if none can be chosen).
-    int choices(const Vec3& woLocal, LobeFlags mask, Probabilities& p) const;
-    Rgb fLocal(const Vec3& wo, const Vec3& wi, bool reflects, LobeFlags mask, TransportMode mode) const;
-    float pdfLocal(const Vec3& wo, const Vec3& wi, LobeFlags mask, const Probabilities& p) const;
+    LobeFlags flags(int i) const { return flags_[i]; }
+    const Rgb& weight(int i) const { return weights_[i]; }
 
+  private:
     Frame frame_;
     Vec3 ng_{0, 0, 1};
     int count_ = 0;

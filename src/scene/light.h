@@ -67,7 +67,7 @@ struct EnvironmentMap {
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
 
 // Diffuse emitters (pbrt's "diffuse" area light). Radiance leaves the side of the geometric normal, or both.
-std::shared_ptr<const AreaLight> makeMeshAreaLight(TriangleMeshPtr mesh, const Rgb& radiance, bool twoSided);
+std::shared_ptr<const AreaLight> makeMeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided);
 std::shared_ptr<const AreaLight> makeShapeAreaLight(ShapePtr shape, const Rgb& radiance, bool twoSided);
 
 }  // namespace drc

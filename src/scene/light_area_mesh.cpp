@@ -8,31 +8,34 @@ namespace {
 
 class MeshAreaLight final : public AreaLight {
   public:
-    MeshAreaLight(TriangleMeshPtr mesh, const Rgb& radiance, bool twoSided)
-        : mesh_(std::move(mesh)), radiance_(radiance), twoSided_(twoSided) {
-        std::vector<float> areas(mesh_->triangleCount());
-        for (uint32_t i = 0; i < mesh_->triangleCount(); ++i) areas[i] = mesh_->area(i);
+    MeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided)
+        : radiance_(radiance), twoSided_(twoSided) {
+        std::vector<float> areas(mesh.triangleCount());
+        emitters_.resize(mesh.triangleCount());
+        for (uint32_t i = 0; i < mesh.triangleCount(); ++i) {
+            areas[i] = mesh.area(i);
+            for (uint32_t k = 0; k < 3; ++k) emitters_[i].p[k] = mesh.positions[mesh.indices[3 * size_t(i) + k]];
+            emitters_[i].ng = mesh.geometricNormal(i);
+        }
         // Not an alias table: the order of u is kept, and with it the stratification of the samples.
         triangles_ = Distribution1D(areas);
         area_ = static_cast<float>(triangles_.integral() * static_cast<double>(areas.size()));
-        for (const uint32_t v : mesh_->indices) bounds_.extend(mesh_->positions[v]);
+        for (const uint32_t v : mesh.indices) bounds_.extend(mesh.positions[v]);
     }
 
     std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const override {
         if (!(area_ > 0)) return {};
         const DiscreteSample chosen = triangles_.sampleDiscrete(u.x);
-        const auto triangle = static_cast<uint32_t>(chosen.index);
         const Vec2 b = sampleUniformTriangle(Vec2(chosen.uRemapped, u.y));
-        const uint32_t* v = &mesh_->indices[3 * size_t(triangle)];
-        const Vec3 point =
-            mesh_->positions[v[0]] * b.x + mesh_->positions[v[1]] * b.y + mesh_->positions[v[2]] * (1 - b.x - b.y);
+        const Emitter& emitter = emitters_[size_t(chosen.index)];
+        const Vec3 point = emitter.p[0] * b.x + emitter.p[1] * b.y + emitter.p[2] * (1 - b.x - b.y);
         const Vec3 d = point - p;
         const float distance = length(d);
         if (!(distance > 0)) return {};
         EmitterHit hit;
         hit.p = point;
-        hit.ng = mesh_->geometricNormal(triangle);
-        hit.triangle = triangle;
+        hit.ng = emitter.ng;
+        hit.triangle = static_cast<uint32_t>(chosen.index);
         LightSample s;
         s.wi = d / distance;
         s.radiance = emitted(hit, -s.wi);
@@ -55,7 +58,12 @@ class MeshAreaLight final : public AreaLight {
     }
 
   private:
-    TriangleMeshPtr mesh_;
+    // A triangle as sampling reads it, all in one place.
+    struct Emitter {
+        Vec3 p[3];
+        Vec3 ng;
+    };
+    std::vector<Emitter> emitters_;
     Rgb radiance_;
     bool twoSided_;
     Distribution1D triangles_;  // by area
@@ -65,8 +73,8 @@ class MeshAreaLight final : public AreaLight {
 
 }  // namespace
 
-std::shared_ptr<const AreaLight> makeMeshAreaLight(TriangleMeshPtr mesh, const Rgb& radiance, bool twoSided) {
-    return std::make_shared<MeshAreaLight>(std::move(mesh), radiance, twoSided);
+std::shared_ptr<const AreaLight> makeMeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided) {
+    return std::make_shared<MeshAreaLight>(mesh, radiance, twoSided);
 }
 
 }  // namespace drc

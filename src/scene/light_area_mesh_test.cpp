@@ -34,7 +34,7 @@ std::optional<EmitterHit> intersect(const TriangleMesh& m, const Vec3& o, const 
 
 void checkIrradiance(bool flip, bool twoSided, const Vec3& p) {
     const TriangleMeshPtr mesh = emitter(flip);
-    const auto light = makeMeshAreaLight(mesh, Rgb(3, 2, 1), twoSided);
+    const auto light = makeMeshAreaLight(*mesh, Rgb(3, 2, 1), twoSided);
     Pcg32 rng(11);
     RunningMean bySample[4], byDirection[4];
     for (int i = 0; i < 60000; ++i) {
@@ -69,22 +69,22 @@ TEST(MeshAreaLight, IrradianceMatchesUniformDirections) {
 
 TEST(MeshAreaLight, EmitsFromTheSideOfTheNormal) {
     // The winding makes the quad look down.
-    const auto light = makeMeshAreaLight(emitter(false), Rgb(1.f), false);
+    const auto light = makeMeshAreaLight(*emitter(false), Rgb(1.f), false);
     EXPECT_TRUE(light->sample(Vec3(0, 0, 0), Vec2(0.1f, 0.5f)));
     EXPECT_FALSE(light->sample(Vec3(0, 0, 4), Vec2(0.1f, 0.5f)));
-    EXPECT_TRUE(makeMeshAreaLight(emitter(true), Rgb(1.f), false)->sample(Vec3(0, 0, 4), Vec2(0.1f, 0.5f)));
-    EXPECT_TRUE(makeMeshAreaLight(emitter(false), Rgb(1.f), true)->sample(Vec3(0, 0, 4), Vec2(0.1f, 0.5f)));
+    EXPECT_TRUE(makeMeshAreaLight(*emitter(true), Rgb(1.f), false)->sample(Vec3(0, 0, 4), Vec2(0.1f, 0.5f)));
+    EXPECT_TRUE(makeMeshAreaLight(*emitter(false), Rgb(1.f), true)->sample(Vec3(0, 0, 4), Vec2(0.1f, 0.5f)));
 }
 
 TEST(MeshAreaLight, PowerAndBounds) {
     const TriangleMeshPtr mesh = emitter(false);
     const float area = mesh->area(0) + mesh->area(1) + mesh->area(2);
-    EXPECT_NEAR(makeMeshAreaLight(mesh, Rgb(2.f), false)->power(1).x, 2 * kPi * area, 1e-4);
-    EXPECT_NEAR(makeMeshAreaLight(mesh, Rgb(2.f), true)->power(1).x, 4 * kPi * area, 1e-4);
-    EXPECT_EQ(makeMeshAreaLight(mesh, Rgb(2.f), true)->bounds().max, Vec3(2, 3, 2));
+    EXPECT_NEAR(makeMeshAreaLight(*mesh, Rgb(2.f), false)->power(1).x, 2 * kPi * area, 1e-4);
+    EXPECT_NEAR(makeMeshAreaLight(*mesh, Rgb(2.f), true)->power(1).x, 4 * kPi * area, 1e-4);
+    EXPECT_EQ(makeMeshAreaLight(*mesh, Rgb(2.f), true)->bounds().max, Vec3(2, 3, 2));
     // No area, no light; and no division by zero.
     auto empty = std::make_shared<TriangleMesh>();
-    EXPECT_FALSE(makeMeshAreaLight(empty, Rgb(1.f), false)->sample(Vec3(0, 0, 0), Vec2(0.5f, 0.5f)));
+    EXPECT_FALSE(makeMeshAreaLight(*empty, Rgb(1.f), false)->sample(Vec3(0, 0, 0), Vec2(0.5f, 0.5f)));
 }
 
 }  // namespace

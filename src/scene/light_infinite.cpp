@@ -2,14 +2,23 @@
 #include <numbers>
 
 #include "math/distribution.h"
+#include "math/warp.h"
 #include "scene/light.h"
 
 namespace drc {
 namespace {
 
 // Texels, to a side, of the cells that the map may be sampled by, and what that may add to the second moment.
-constexpr int kLargestCell = 8;
+constexpr int kLargestCell = 32;
 constexpr double kNoiseAllowed = 1.05;
+
+// What a transform does to directions, by the images of the axes: a Transform itself reckons in doubles.
+struct Turn {
+    Vec3 x, y, z;
+    explicit Turn(const Transform& t)
+        : x(t.vector(Vec3(1, 0, 0))), y(t.vector(Vec3(0, 1, 0))), z(t.vector(Vec3(0, 0, 1))) {}
+    Vec3 operator()(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
+};
 
 // Bilinear interpolation, averaged over a texel's own cell, takes 1/8, 6/8 and 1/8 of a row of three texels.
 float cellAverage(float before, float here, float after) { return (before + 6 * here + after) / 8; }
@@ -27,9 +36,12 @@ class InfiniteLight final : public Light {
             c *= scale;
             c = isFinite(c) ? clampNonNegative(c) : Rgb(0.f);
         }
-        const Vec3 x = worldToLight_.vector(Vec3(1, 0, 0)), y = worldToLight_.vector(Vec3(0, 1, 0)),
-                   z = worldToLight_.vector(Vec3(0, 0, 1));
-        determinant_ = std::abs(dot(x, cross(y, z)));
+        const auto unit = [](const Vec3& v) { return std::abs(lengthSquared(v) - 1) < 1e-5f; };
+        rigid_ = unit(worldToLight_.x) && unit(worldToLight_.y) && unit(worldToLight_.z) &&
+                 std::abs(dot(worldToLight_.x, worldToLight_.y)) + std::abs(dot(worldToLight_.y, worldToLight_.z)) +
+                         std::abs(dot(worldToLight_.z, worldToLight_.x)) <
+                     1e-5f;
+        determinant_ = std::abs(dot(worldToLight_.x, cross(worldToLight_.y, worldToLight_.z)));
         buildDistribution();
     }
 
@@ -37,12 +49,16 @@ class InfiniteLight final : public Light {
         const Sample2D s = distribution_.sample(u);
         // Uniform in solid angle within the cell; uniform in (u, v) would crowd the poles.
         const float h = lerp(s.local.y, oneMinusCos_[s.y], oneMinusCos_[s.y + 1]);
-        const float phi = 2 * kPi * (s.x + s.local.x) / distribution_.width();
+        const SinCos phi = sinCosOfTurn((float(s.x) + s.local.x) / float(distribution_.width()));
         const float sinTheta = safeSqrt(h * (2 - h));
-        const Vec3 local(sinTheta * std::cos(phi), sinTheta * std::sin(phi), 1 - h);
+        const Vec3 local(sinTheta * phi.cos, sinTheta * phi.sin, 1 - h);
         LightSample r;
-        r.wi = normalize(lightToWorld_.vector(local));
-        r.pdf = s.pdf * rowDensity_[s.y] * stretch(worldToLight_.vector(r.wi));
+        r.wi = lightToWorld_(local);
+        r.pdf = s.pdf * rowDensity_[s.y];
+        if (!rigid_) {
+            r.wi = normalize(r.wi);
+            r.pdf *= stretch(worldToLight_(r.wi));
+        }
         r.distance = kInfinity;
         if (!(r.pdf > 0)) return {};
         return r;
@@ -51,14 +67,15 @@ class InfiniteLight final : public Light {
     Rgb power(float sceneRadius) const override { return mean_ * (kPi * sqr(sceneRadius)); }
     bool isInfinite() const override { return true; }
 
-    Rgb escaped(const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_.vector(wi))); }
+    Rgb escaped(const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_(wi))); }
 
     float pdfEscaped(const Vec3& wi) const override {
-        const Vec3 w = worldToLight_.vector(wi);
+        const Vec3 w = worldToLight_(wi);
         const Vec2 uv = mapCoordinates(w);
-        const int rows = distribution_.height();
+        const int columns = distribution_.width(), rows = distribution_.height();
         const int row = std::clamp(int(uv.y * rows), 0, rows - 1);
-        return distribution_.pdf(uv) * rowDensity_[row] * stretch(w);
+        const int column = std::clamp(int(uv.x * columns), 0, columns - 1);
+        return distribution_.pdf(column, row) * rowDensity_[row] * stretch(w);
     }
 
   private:
@@ -90,6 +107,7 @@ class InfiniteLight final : public Light {
     // Solid angle in light space over that in world space, about the direction whose light-space vector is w: 1 for
     // rotations, which is what lightToWorld nearly always is.
     float stretch(const Vec3& w) const {
+        if (rigid_) return 1;
         const float l = length(w);
         return determinant_ / (l * l * l);
     }
@@ -162,7 +180,7 @@ class InfiniteLight final : public Light {
         return 2 * std::sin((2 * row + 1) * half) * std::sin(half);
     }
 
-    Transform lightToWorld_, worldToLight_;
+    Turn lightToWorld_, worldToLight_;
     int width_ = 1, height_ = 1;
     std::vector<Rgb> texels_;      // scaled
     Distribution2D distribution_;  // over cells of one or more texels
@@ -171,6 +189,7 @@ class InfiniteLight final : public Light {
     std::vector<float> oneMinusCos_;  // 1 - cos(theta) at the upper edge of each row, and of the map's lower edge
     Rgb mean_;                        // over the sphere
     float determinant_ = 1;           // of worldToLight, absolute
+    bool rigid_ = false;              // worldToLight keeps lengths
 };
 
 }  // namespace

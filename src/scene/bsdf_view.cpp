@@ -1,0 +1,120 @@
+#include "scene/bsdf_view.h"
+
+namespace drc {
+namespace {
+
+// A lobe that is not specular is chosen with at least this part of the probability of the likeliest one: its albedo is
+// only an estimate, and may be zero where the lobe is not.
+constexpr float kFloor = 0.05f;
+
+bool isSpecular(LobeFlags flags) { return any(flags & LobeFlags::Specular); }
+
+Rgb evaluateLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi, TransportMode mode) {
+    return std::visit(
+        [&](const auto& l) {
+            if constexpr (requires { l.f(wo, wi, mode); })
+                return l.f(wo, wi, mode);
+            else
+                return l.f(wo, wi);
+        },
+        lobe);
+}
+
+}  // namespace
+
+BsdfView::BsdfView(const Bsdf& bsdf, const Vec3& wo, LobeFlags mask, TransportMode mode)
+    : bsdf_(bsdf), woWorld_(wo), wo_(bsdf.frame().toLocal(wo)), woSide_(dot(wo, bsdf.ng())), mode_(mode) {
+    if (wo_.z == 0) return;
+    for (int i = 0; i < bsdf.size(); ++i)
+        if (matches(bsdf.flags(i), mask)) choices_[count_++] = {i, bsdf.flags(i), 1};
+    if (count_ <= 1) return;
+
+    float largest = 0;
+    for (int k = 0; k < count_; ++k) {
+        const int i = choices_[k].lobe;
+        const Rgb albedo = std::visit([&](const auto& l) { return l.albedo(wo_); }, bsdf.lobe(i));
+        choices_[k].probability = std::max(0.f, luminance(bsdf.weight(i) * albedo));
+        largest = std::max(largest, choices_[k].probability);
+    }
+    const float floor = largest > 0 ? kFloor * largest : 1;
+    float sum = 0;
+    for (int k = 0; k < count_; ++k) {
+        Choice& c = choices_[k];
+        if (!isSpecular(c.flags)) c.probability = std::max(c.probability, floor);
+        sum += c.probability;
+    }
+    if (!(sum > 0)) count_ = 0;
+    for (int k = 0; k < count_; ++k) choices_[k].probability /= sum;
+}
+
+// The geometric normal decides, so that shading normals leak no light.
+LobeFlags BsdfView::sideOf(const Vec3& wi) const {
+    return dot(wi, bsdf_.ng()) * woSide_ > 0 ? LobeFlags::Reflection : LobeFlags::Transmission;
+}
+
+Rgb BsdfView::fWithout(const Choice* one, const Vec3& wi, LobeFlags side) const {
+    Rgb sum(0.f);
+    for (const Choice* c = choices_; c != choices_ + count_; ++c)
+        if (c != one && !isSpecular(c->flags) && any(c->flags & side))
+            sum += bsdf_.weight(c->lobe) * evaluateLobe(bsdf_.lobe(c->lobe), wo_, wi, mode_);
+    return sum;
+}
+
+float BsdfView::pdfWithout(const Choice* one, const Vec3& wi) const {
+    float sum = 0;
+    for (const Choice* c = choices_; c != choices_ + count_; ++c)
+        if (c != one && !isSpecular(c->flags))
+            sum += c->probability * std::visit([&](const auto& l) { return l.pdf(wo_, wi); }, bsdf_.lobe(c->lobe));
+    return sum;
+}
+
+Rgb BsdfView::f(const Vec3& wi) const { return fWithout(nullptr, bsdf_.frame().toLocal(wi), sideOf(wi)); }
+
+float BsdfView::pdf(const Vec3& wi) const { return pdfWithout(nullptr, bsdf_.frame().toLocal(wi)); }
+
+BsdfView::Value BsdfView::evaluate(const Vec3& wiWorld) const {
+    const Vec3 wi = bsdf_.frame().toLocal(wiWorld);
+    Value value;
+    value.f = fWithout(nullptr, wi, sideOf(wiWorld));
+    if (!isBlack(value.f)) value.pdf = pdfWithout(nullptr, wi);
+    return value;
+}
+
+std::optional<BsdfSample> BsdfView::sample(float uLobe, const Vec2& u) const {
+    // What is left of uLobe after the choice is uniform again, for lobes that choose within themselves. Rounding may
+    // carry it past the last lobe, which is then the choice.
+    const Choice* chosen = nullptr;
+    float below = 0;
+    for (const Choice* c = choices_; c != choices_ + count_; ++c) {
+        if (c->probability == 0) continue;
+        if (chosen) {
+            if (uLobe < below + chosen->probability) break;
+            below += chosen->probability;
+        }
+        chosen = c;
+    }
+    if (chosen == nullptr) return std::nullopt;
+    const float uRest = std::clamp((uLobe - below) / chosen->probability, 0.f, kOneMinusEpsilon);
+
+    const LobeSample s =
+        std::visit([&](const auto& l) { return l.sample(wo_, uRest, u, mode_); }, bsdf_.lobe(chosen->lobe));
+    if (!(s.pdf > 0)) return std::nullopt;
+    BsdfSample result;
+    result.wi = bsdf_.frame().toWorld(s.wi);
+    result.flags = s.flags;
+    result.eta = s.eta;
+    result.f = bsdf_.weight(chosen->lobe) * s.f;
+    result.pdf = chosen->probability * s.pdf;
+    if (!isSpecular(s.flags)) {
+        const LobeFlags side = sideOf(result.wi);
+        if (!any(chosen->flags & side)) result.f = Rgb(0.f);
+        if (count_ > 1) {
+            result.f += fWithout(chosen, s.wi, side);
+            result.pdf += pdfWithout(chosen, s.wi);
+        }
+    }
+    if (isBlack(result.f) || !(result.pdf > 0)) return std::nullopt;
+    return result;
+}
+
+}  // namespace drc
