@@ -67,44 +67,42 @@ Distribution2D::Distribution2D(std::span<const float> f, int width, int height) 
         f = kNothing;
     }
     width_ = width;
+    height_ = height;
     const auto n = static_cast<size_t>(width);
-    std::vector<float> integrals;
-    entries_.reserve((n + 1) * static_cast<size_t>(height));
-    for (int y = 0; y < height; ++y) {
-        double integral = 0;
-        const std::vector<double> cdf = cumulative(f.subspan(static_cast<size_t>(y) * n, n), integral);
-        integrals.push_back(static_cast<float>(integral));
-        Entry* const entries = entries_.data() + entries_.size();
-        for (const double c : cdf) entries_.push_back({static_cast<float>(std::round(c * 0x1p24) * 0x1p-24), 0});
-        for (int k = 0, i = 0; k < width; ++k) {
-            while (entries[i + 1].cdf <= static_cast<float>(k) / static_cast<float>(width)) ++i;
-            entries[k].guide = i;
-        }
+    entries_.reserve((n + 2) * static_cast<size_t>(height) + 1);
+    std::vector<float> means;
+    for (int y = 0; y < height; ++y) means.push_back(float(append(f.subspan(static_cast<size_t>(y) * n, n))));
+    integral_ = append(means);
+}
+
+double Distribution2D::append(std::span<const float> f) {
+    double mean = 0;
+    const size_t first = entries_.size();
+    for (const double c : cumulative(f, mean))
+        entries_.push_back({static_cast<float>(std::round(c * 0x1p24) * 0x1p-24), 0});
+    Entry* const table = entries_.data() + first;
+    const int cells = static_cast<int>(f.size());
+    for (int k = 0, i = 0; k < cells; ++k) {
+        while (table[i + 1].cdf <= static_cast<float>(k) / static_cast<float>(cells)) ++i;
+        table[k].guide = i;
     }
-    marginal_ = Distribution1D(integrals);
+    return mean;
+}
+
+Distribution2D::Chosen Distribution2D::choose(const Entry* table, int cells, float u) {
+    const float x = std::clamp(u, 0.f, kOneMinusEpsilon);
+    int i = table[std::min(static_cast<int>(x * static_cast<float>(cells)), cells - 1)].guide;
+    // The lower end of x's part may by rounding lie just above x.
+    while (i > 0 && table[i].cdf > x) --i;
+    while (table[i + 1].cdf <= x) ++i;
+    const float m = mass(table, i);
+    return {i, m, std::min((x - table[i].cdf) / m, kOneMinusEpsilon)};
 }
 
 Sample2D Distribution2D::sample(const Vec2& u) const {
-    Sample2D s;
-    const DiscreteSample y = marginal_.sampleDiscrete(u.y);
-    s.y = y.index;
-    s.local.y = y.uRemapped;
-    const Entry* const entries = row(s.y);
-    const float x = std::clamp(u.x, 0.f, kOneMinusEpsilon);
-    // The guide of a part's lower end may by rounding be that of a number just above x.
-    int i = entries[static_cast<int>(x * static_cast<float>(width_))].guide;
-    while (i > 0 && entries[i].cdf > x) --i;
-    while (entries[i + 1].cdf <= x) ++i;
-    const float mass = entries[i + 1].cdf - entries[i].cdf;
-    s.x = i;
-    s.local.x = std::min((x - entries[i].cdf) / mass, kOneMinusEpsilon);
-    s.pdf = density(mass, y.probability);
-    return s;
-}
-
-float Distribution2D::pdf(int x, int y) const {
-    const Entry* const entries = row(y) + x;
-    return density(entries[1].cdf - entries[0].cdf, marginal_.probability(y));
+    const Chosen y = choose(marginal(), height_, u.y);
+    const Chosen x = choose(row(y.cell), width_, u.x);
+    return {x.cell, y.cell, Vec2(x.local, y.local), y.mass * x.mass * float(width_ * height_)};
 }
 
 }  // namespace drc

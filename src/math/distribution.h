@@ -65,25 +65,32 @@ class Distribution2D {
     Distribution2D(std::span<const float> f, int width, int height);
 
     int width() const { return width_; }
-    int height() const { return marginal_.size(); }
-    double integral() const { return marginal_.integral(); }
+    int height() const { return height_; }
+    double integral() const { return integral_; }
     Sample2D sample(const Vec2& u) const;
-    float pdf(int x, int y) const;
+    float pdf(int x, int y) const { return mass(marginal(), y) * mass(row(y), x) * float(width_ * height_); }
 
   private:
-    // A row has width_ + 1 of them. Table and guide in one, because a sample costs the cache lines that it touches.
+    // A table of n cells has n + 1 of them. Cumulative table and guide in one, because a sample costs the cache lines
+    // that it touches.
     struct Entry {
         float cdf;  // in whole 2^-24, as random numbers are: a cell is chosen exactly as often as its density says
         int guide;
     };
-    const Entry* row(int y) const { return &entries_[static_cast<size_t>(y) * static_cast<size_t>(width_ + 1)]; }
-    float density(float mass, float rowProbability) const {
-        return mass * rowProbability * static_cast<float>(width_ * height());
-    }
+    struct Chosen {
+        int cell;
+        float mass, local;
+    };
+    // Appends a table; returns the mean of f.
+    double append(std::span<const float> f);
+    static Chosen choose(const Entry* table, int cells, float u);
+    static float mass(const Entry* table, int cell) { return table[cell + 1].cdf - table[cell].cdf; }
+    const Entry* row(int y) const { return &entries_[size_t(y) * size_t(width_ + 1)]; }
+    const Entry* marginal() const { return row(height_); }
 
-    int width_ = 1;
-    std::vector<Entry> entries_;
-    Distribution1D marginal_;
+    int width_ = 1, height_ = 1;
+    double integral_ = 0;
+    std::vector<Entry> entries_;  // the rows, and after them the table of rows
 };
 
 }  // namespace drc
