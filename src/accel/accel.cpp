@@ -4,6 +4,8 @@
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
+#include <unordered_map>
+
 #include "accel/packed_mesh.h"
 #include "base/error.h"
 #include "base/log.h"
@@ -15,6 +17,7 @@ namespace {
 struct GeometryData {
     const Primitive* primitive;
     std::optional<PackedMesh> mesh;  // none: the primitive is a shape
+    const Bsdf* lobes = nullptr;     // see SurfaceInteraction
 };
 
 struct Group {
@@ -145,14 +148,29 @@ struct Accel::Impl {
         if (world.scene) rtcReleaseScene(world.scene);
         if (device) rtcReleaseDevice(device);
     }
+    std::unordered_map<const Material*, std::unique_ptr<const Bsdf>> lobes;  // of the materials without textures
+
+    const Bsdf* lobesOf(const Material* material);
     void fill(Group& group, const std::vector<Primitive>& primitives);
 };
+
+const Bsdf* Accel::Impl::lobesOf(const Material* material) {
+    if (material == nullptr || !material->isConstant()) return nullptr;
+    std::unique_ptr<const Bsdf>& known = lobes[material];
+    if (known == nullptr) {
+        auto bsdf = std::make_unique<Bsdf>(Frame(), Vec3(0, 0, 1));
+        material->addLobes(TextureContext(), Rgb(1.f), *bsdf);
+        known = std::move(bsdf);
+    }
+    return known.get();
+}
 
 void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
     group.scene = rtcNewScene(device);
     for (const Primitive& primitive : primitives) {
         auto data = std::make_unique<GeometryData>();
         data->primitive = &primitive;
+        data->lobes = lobesOf(primitive.material.get());
         RTCGeometry geometry = nullptr;
         if (primitive.mesh) {
             const PackedMesh& mesh = data->mesh.emplace(*primitive.mesh);
@@ -250,6 +268,7 @@ bool Accel::find(const Ray& ray, Found& found) const {
 bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit) const {
     const GeometryData& data = *static_cast<const GeometryData*>(found.geometry);
     hit.primitive = data.primitive;
+    hit.lobes = data.lobes;
     if (data.mesh) {
         data.mesh->fill(found.triangle, found.b1, found.b2, hit);
     } else {

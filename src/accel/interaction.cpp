@@ -30,11 +30,14 @@ TextureContext SurfaceInteraction::textureContext() const {
 
 Bsdf SurfaceInteraction::bsdf() const {
     Bsdf bsdf(Frame::fromNormalAndTangent(ns, dpdu), ng);
-    if (const Material* material = primitive->material.get()) {
-        const TextureContext context = textureContext();
-        if (const FloatTexture* bump = material->bump()) bsdf.setFrame(bumpFrame(context, bsdf.frame(), *bump));
-        material->addLobes(context, Rgb(1.f), bsdf);
-    }
+    const Material* material = primitive->material.get();
+    if (material == nullptr) return bsdf;
+    const FloatTexture* bump = material->bump();
+    if (lobes) bsdf.copyLobes(*lobes);
+    if (lobes && bump == nullptr) return bsdf;
+    const TextureContext context = textureContext();
+    if (bump) bsdf.setFrame(bumpFrame(context, bsdf.frame(), *bump));
+    if (lobes == nullptr) material->addLobes(context, Rgb(1.f), bsdf);
     return bsdf;
 }
 

@@ -18,6 +18,8 @@ struct SurfaceInteraction {
     float coneSpread = 0;
     uint32_t triangle = 0;
     const Primitive* primitive = nullptr;
+    // The material's lobes, if they are the same everywhere and somebody has them ready.
+    const Bsdf* lobes = nullptr;
 
     TextureContext textureContext() const;
     // The material's lobes at this point; without lobes if the material is null or black.

@@ -25,7 +25,7 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
     // The maps' density follows what a diffuse surface integrates: there the BSDF's own samples would add but noise.
     const bool glossy = hit.bsdf.has(LobeFlags::Glossy);
     const BsdfView view(hit.bsdf, at.wo, LobeFlags::Wide);
-    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, const BsdfView::Value& bsdf) {
+    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, const LobeValue& bsdf) {
         const RadianceMap* map = dot(d, normal) >= 0 ? sides.front : sides.back;
         if (map == nullptr) return Rgb(0.f);
         // Directions between the shading and the geometric horizon, which paths never sample, are none of ours either.

@@ -84,7 +84,7 @@ PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at,
     const auto s = choice.light->sample(at.p, u);
     const bool infinite = choice.light->isInfinite();
     if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return {};
-    const BsdfView::Value value = bsdf.evaluate(s->wi);
+    const LobeValue value = bsdf.evaluate(s->wi);
     if (isBlack(value.f)) return {};
     const float pdf = s->pdf * choice.probability;
     const float weight = s->delta ? 1 : powerHeuristic(pdf, value.pdf);

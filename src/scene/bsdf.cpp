@@ -10,13 +10,17 @@ Bsdf& Bsdf::operator=(const Bsdf& other) {
     if (this == &other) return *this;
     frame_ = other.frame_;
     ng_ = other.ng_;
+    copyLobes(other);
+    return *this;
+}
+
+void Bsdf::copyLobes(const Bsdf& other) {
     count_ = other.count_;
     for (int i = 0; i < count_; ++i) {
         new (storage_ + i * sizeof(Lobe)) Lobe(other.lobe(i));
         flags_[i] = other.flags_[i];
         weights_[i] = other.weights_[i];
     }
-    return *this;
 }
 
 bool Bsdf::has(LobeFlags flags) const {
@@ -41,7 +45,9 @@ Rgb Bsdf::f(const Vec3& wo, const Vec3& wi, LobeFlags mask, TransportMode mode) 
     return BsdfView(*this, wo, mask, mode).f(wi);
 }
 
-float Bsdf::pdf(const Vec3& wo, const Vec3& wi, LobeFlags mask) const { return BsdfView(*this, wo, mask).pdf(wi); }
+float Bsdf::pdf(const Vec3& wo, const Vec3& wi, LobeFlags mask) const {
+    return BsdfView(*this, wo, mask).evaluate(wi).pdf;
+}
 
 std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, float uLobe, const Vec2& u, LobeFlags mask,
                                        TransportMode mode) const {

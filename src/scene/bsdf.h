@@ -46,6 +46,9 @@ class Bsdf {
         ++count_;
     }
 
+    // The lobes of another in place of its own.
+    void copyLobes(const Bsdf& other);
+
     // True if any lobe has all of these flags.
     bool has(LobeFlags flags) const;
     // True if any lobe lies within the mask.

@@ -9,13 +9,15 @@ constexpr float kFloor = 0.05f;
 
 bool isSpecular(LobeFlags flags) { return any(flags & LobeFlags::Specular); }
 
-Rgb evaluateLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi, TransportMode mode) {
+LobeValue evaluateLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi, TransportMode mode) {
     return std::visit(
-        [&](const auto& l) {
-            if constexpr (requires { l.f(wo, wi, mode); })
-                return l.f(wo, wi, mode);
+        [&](const auto& l) -> LobeValue {
+            if constexpr (requires { l.evaluate(wo, wi); })
+                return l.evaluate(wo, wi);
+            else if constexpr (requires { l.f(wo, wi, mode); })
+                return {l.f(wo, wi, mode), l.pdf(wo, wi)};
             else
-                return l.f(wo, wi);
+                return {l.f(wo, wi), l.pdf(wo, wi)};
         },
         lobe);
 }
@@ -26,7 +28,10 @@ BsdfView::BsdfView(const Bsdf& bsdf, const Vec3& wo, LobeFlags mask, TransportMo
     : bsdf_(bsdf), woWorld_(wo), wo_(bsdf.frame().toLocal(wo)), woSide_(dot(wo, bsdf.ng())), mode_(mode) {
     if (wo_.z == 0) return;
     for (int i = 0; i < bsdf.size(); ++i)
-        if (matches(bsdf.flags(i), mask)) choices_[count_++] = {i, bsdf.flags(i), 1};
+        if (matches(bsdf.flags(i), mask)) {
+            choices_[count_++] = {i, bsdf.flags(i), 1};
+            sides_ = sides_ | bsdf.flags(i);
+        }
     if (count_ <= 1) return;
 
     float largest = 0;
@@ -52,32 +57,21 @@ LobeFlags BsdfView::sideOf(const Vec3& wi) const {
     return dot(wi, bsdf_.ng()) * woSide_ > 0 ? LobeFlags::Reflection : LobeFlags::Transmission;
 }
 
-Rgb BsdfView::fWithout(const Choice* one, const Vec3& wi, LobeFlags side) const {
-    Rgb sum(0.f);
-    for (const Choice* c = choices_; c != choices_ + count_; ++c)
-        if (c != one && !isSpecular(c->flags) && any(c->flags & side))
-            sum += bsdf_.weight(c->lobe) * evaluateLobe(bsdf_.lobe(c->lobe), wo_, wi, mode_);
+LobeValue BsdfView::allBut(const Choice* one, const Vec3& wi, LobeFlags side) const {
+    LobeValue sum;
+    for (const Choice* c = choices_; c != choices_ + count_; ++c) {
+        if (c == one || isSpecular(c->flags)) continue;
+        const LobeValue value = evaluateLobe(bsdf_.lobe(c->lobe), wo_, wi, mode_);
+        if (any(c->flags & side)) sum.f += bsdf_.weight(c->lobe) * value.f;
+        sum.pdf += c->probability * value.pdf;
+    }
     return sum;
 }
 
-float BsdfView::pdfWithout(const Choice* one, const Vec3& wi) const {
-    float sum = 0;
-    for (const Choice* c = choices_; c != choices_ + count_; ++c)
-        if (c != one && !isSpecular(c->flags))
-            sum += c->probability * std::visit([&](const auto& l) { return l.pdf(wo_, wi); }, bsdf_.lobe(c->lobe));
-    return sum;
-}
-
-Rgb BsdfView::f(const Vec3& wi) const { return fWithout(nullptr, bsdf_.frame().toLocal(wi), sideOf(wi)); }
-
-float BsdfView::pdf(const Vec3& wi) const { return pdfWithout(nullptr, bsdf_.frame().toLocal(wi)); }
-
-BsdfView::Value BsdfView::evaluate(const Vec3& wiWorld) const {
-    const Vec3 wi = bsdf_.frame().toLocal(wiWorld);
-    Value value;
-    value.f = fWithout(nullptr, wi, sideOf(wiWorld));
-    if (!isBlack(value.f)) value.pdf = pdfWithout(nullptr, wi);
-    return value;
+LobeValue BsdfView::evaluate(const Vec3& wi) const {
+    const LobeFlags side = sideOf(wi);
+    if (!any(sides_ & side)) return {};
+    return allBut(nullptr, bsdf_.frame().toLocal(wi), side);
 }
 
 std::optional<BsdfSample> BsdfView::sample(float uLobe, const Vec2& u) const {
@@ -109,8 +103,9 @@ std::optional<BsdfSample> BsdfView::sample(float uLobe, const Vec2& u) const {
         const LobeFlags side = sideOf(result.wi);
         if (!any(chosen->flags & side)) result.f = Rgb(0.f);
         if (count_ > 1) {
-            result.f += fWithout(chosen, s.wi, side);
-            result.pdf += pdfWithout(chosen, s.wi);
+            const LobeValue others = allBut(chosen, s.wi, side);
+            result.f += others.f;
+            result.pdf += others.pdf;
         }
     }
     if (isBlack(result.f) || !(result.pdf > 0)) return std::nullopt;

@@ -13,15 +13,10 @@ class BsdfView {
 
     const Bsdf& bsdf() const { return bsdf_; }
     // Sum of the non-specular lobes; wi in world space.
-    Rgb f(const Vec3& wi) const;
-    // Density of sample(), per solid angle, without its specular lobes.
-    float pdf(const Vec3& wi) const;
-    // f and pdf together, for less than the two apart. Where f is zero the density is not asked for, and is zero.
-    struct Value {
-        Rgb f{0.f};
-        float pdf = 0;
-    };
-    Value evaluate(const Vec3& wi) const;
+    Rgb f(const Vec3& wi) const { return evaluate(wi).f; }
+    // The same with the density of sample() per solid angle, without its specular lobes. Where f is zero the density
+    // may be given as zero too.
+    LobeValue evaluate(const Vec3& wi) const;
     // Chooses among the lobes in proportion to an estimate of their albedo. None: no lobe, or no light. If the sampled
     // lobe is non-specular, f and pdf are those of all the non-specular ones together.
     std::optional<BsdfSample> sample(float uLobe, const Vec2& u) const;
@@ -33,15 +28,15 @@ class BsdfView {
         float probability;
     };
     // The sums over the non-specular lobes but one; wi in the shading frame.
-    Rgb fWithout(const Choice* one, const Vec3& wi, LobeFlags side) const;
-    float pdfWithout(const Choice* one, const Vec3& wi) const;
+    LobeValue allBut(const Choice* one, const Vec3& wi, LobeFlags side) const;
     LobeFlags sideOf(const Vec3& wiWorld) const;
 
     const Bsdf& bsdf_;
     Vec3 woWorld_, wo_;
     float woSide_;  // cosine of wo to the geometric normal
     TransportMode mode_;
-    int count_ = 0;  // lobes within the mask; 0 too where none can be chosen
+    LobeFlags sides_ = LobeFlags::None;  // of all lobes within the mask
+    int count_ = 0;                      // lobes within the mask; 0 too where none can be chosen
     Choice choices_[Bsdf::kMaxLobes];
 };
 

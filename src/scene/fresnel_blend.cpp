@@ -17,14 +17,15 @@ Rgb FresnelBlendBase::f(const Vec3& wo, const Vec3& wi) const {
 // 28/23 is what makes the integral over wi come out as one.
 Rgb FresnelBlendBase::albedo(const Vec3& wo) const { return reflectance_ * coatTransmission(absCosTheta(wo)); }
 
-Rgb FresnelBlendCoat::f(const Vec3& wo, const Vec3& wi) const {
+LobeValue FresnelBlendCoat::evaluate(const Vec3& wo, const Vec3& wi) const {
     Vec3 wh = wo + wi;
-    if (lengthSquared(wh) == 0) return Rgb(0.f);
+    if (lengthSquared(wh) == 0) return {};
     wh = normalize(wh);
     const float cosIH = dot(wi, wh);
     const float denominator = 4 * std::abs(cosIH) * std::max(absCosTheta(wi), absCosTheta(wo));
-    if (denominator == 0) return Rgb(0.f);
-    return fresnelSchlick(cosIH, specular_) * (distribution_.d(wh) / denominator);
+    if (denominator == 0) return {};
+    const float d = distribution_.d(wh);
+    return {fresnelSchlick(cosIH, specular_) * (d / denominator), microfacetPdf(distribution_, wo, wi, d)};
 }
 
 Rgb FresnelBlendCoat::albedo(const Vec3& wo) const { return fresnelSchlick(absCosTheta(wo), specular_); }

@@ -8,6 +8,7 @@
 //     float pdf(wo, wi) const;                       // of sample(), per solid angle; 0 for a specular lobe
 //     LobeSample sample(wo, uLobe, u, mode) const;   // pdf 0: no sample
 //     Rgb f(wo, wi, mode) const;                     // only where f depends on what is transported
+//     LobeValue evaluate(wo, wi) const;              // only where f and pdf together cost less than the two apart
 //     Rgb albedo(wo) const;                          // estimate of the directional albedo, for choosing lobes
 #pragma once
 #include <cstdint>
@@ -38,6 +39,11 @@ constexpr LobeFlags operator&(LobeFlags a, LobeFlags b) { return LobeFlags(uint8
 constexpr bool any(LobeFlags f) { return f != LobeFlags::None; }
 // A lobe takes part if all its flags are in the mask.
 constexpr bool matches(LobeFlags lobe, LobeFlags mask) { return (lobe & mask) == lobe; }
+
+struct LobeValue {
+    Rgb f{0.f};
+    float pdf = 0;
+};
 
 struct LobeSample {
     Vec3 wi{0, 0, 0};

@@ -22,10 +22,9 @@ LobeSample sampleByCosine(const Lobe& lobe, const Vec3& wo, const Vec2& u) {
 }
 
 // Reflected off a microfacet that wo sees (PBR 3e, section 14.1.1).
-inline float microfacetPdf(const TrowbridgeReitz& distribution, const Vec3& wo, const Vec3& wi) {
-    if (!sameHemisphere(wo, wi)) return 0;
-    const Vec3 wh = normalize(wo + wi);
-    return distribution.pdf(wo, wh) / (4 * dot(wo, wh));
+// d: distribution.d of the normal halfway between wo and wi.
+inline float microfacetPdf(const TrowbridgeReitz& distribution, const Vec3& wo, const Vec3& wi, float d) {
+    return sameHemisphere(wo, wi) ? d * distribution.g1(wo) / (4 * absCosTheta(wo)) : 0;
 }
 template <class Lobe>
 LobeSample sampleByMicrofacet(const Lobe& lobe, const TrowbridgeReitz& distribution, const Vec3& wo, const Vec2& u) {
@@ -36,8 +35,9 @@ LobeSample sampleByMicrofacet(const Lobe& lobe, const TrowbridgeReitz& distribut
     s.wi = reflect(wo, wh);
     // Reflected into the surface: the energy that single scattering loses.
     if (!sameHemisphere(wo, s.wi)) return s;
-    s.f = lobe.f(wo, s.wi);
-    s.pdf = lobe.pdf(wo, s.wi);
+    const LobeValue value = lobe.evaluate(wo, s.wi);
+    s.f = value.f;
+    s.pdf = value.pdf;
     s.flags = lobe.flags();
     return s;
 }

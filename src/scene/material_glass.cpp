@@ -30,6 +30,10 @@ class Glass final : public Material {
         if (!isBlack(kt)) bsdf.add(MicrofacetTransmission(kt, distribution, 1, eta), weight);
     }
 
+    bool isConstant() const override {
+        return areConstant(params_.kr, params_.kt, params_.eta, params_.uRoughness, params_.vRoughness);
+    }
+
   private:
     GlassParams params_;
 };

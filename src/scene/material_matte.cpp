@@ -22,6 +22,8 @@ class Matte final : public Material {
             bsdf.add(OrenNayar(kd, sigma), weight);
     }
 
+    bool isConstant() const override { return areConstant(params_.kd, params_.sigma); }
+
   private:
     MatteParams params_;
 };

@@ -21,6 +21,10 @@ class Metal final : public Material {
                  weight);
     }
 
+    bool isConstant() const override {
+        return areConstant(params_.eta, params_.k, params_.roughness, params_.uRoughness, params_.vRoughness);
+    }
+
   private:
     MetalParams params_;
 };

@@ -16,6 +16,8 @@ class Mirror final : public Material {
         if (!isBlack(kr)) bsdf.add(SpecularReflection(kr, Fresnel::none()), weight);
     }
 
+    bool isConstant() const override { return areConstant(params_.kr); }
+
   private:
     MirrorParams params_;
 };

@@ -16,6 +16,9 @@ class Mix final : public Material {
         if (!isBlack(first)) params_.first->addLobes(at, weight * first, bsdf);
         if (!isBlack(second)) params_.second->addLobes(at, weight * second, bsdf);
     }
+    bool isConstant() const override {
+        return areConstant(params_.amount) && params_.first->isConstant() && params_.second->isConstant();
+    }
     const FloatTexture* bump() const override { return params_.first->bump(); }
 
   private:

@@ -13,6 +13,12 @@ inline RgbTexturePtr orConstant(RgbTexturePtr texture, const Rgb& value) {
     return texture ? std::move(texture) : std::make_shared<ConstantTexture<Rgb>>(value);
 }
 
+// None of these textures varies; null ones do not.
+template <class... Textures>
+bool areConstant(const Textures&... textures) {
+    return (... && (textures == nullptr || textures->isConstant()));
+}
+
 // Reflectances are clamped from below only: like pbrt, a material may be told to create energy.
 inline Rgb evalClamped(const RgbTexture& texture, const TextureContext& at) {
     return clampNonNegative(texture.eval(at));

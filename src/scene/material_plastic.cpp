@@ -26,6 +26,8 @@ class Plastic final : public Material {
                  weight);
     }
 
+    bool isConstant() const override { return areConstant(params_.kd, params_.ks, params_.roughness); }
+
   private:
     PlasticParams params_;
 };

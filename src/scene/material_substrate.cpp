@@ -22,6 +22,10 @@ class Substrate final : public Material {
         bsdf.add(FresnelBlendCoat(ks, distributionFor(u, v, params_.remapRoughness)), weight);
     }
 
+    bool isConstant() const override {
+        return areConstant(params_.kd, params_.ks, params_.uRoughness, params_.vRoughness);
+    }
+
   private:
     SubstrateParams params_;
 };

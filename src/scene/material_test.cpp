@@ -171,5 +171,58 @@ TEST(Material, BumpBelongsToTheFirstOfAMix) {
     EXPECT_EQ(makeGlass({})->bump(), nullptr);
 }
 
+struct VaryingColour final : RgbTexture {
+    Rgb eval(const TextureContext& at) const override { return Rgb(at.uv.x); }
+};
+struct VaryingNumber final : FloatTexture {
+    float eval(const TextureContext& at) const override { return at.uv.x; }
+};
+
+// Constant as it is, and not with any one of these parameters varied.
+template <typename Params, typename... Members>
+void checkConstancy(MaterialPtr (*make)(Params), const Params& params, Members... members) {
+    EXPECT_TRUE(make(params)->isConstant());
+    int i = 0;
+    const auto vary = [&](auto member) {
+        Params varied = params;
+        if constexpr (requires { varied.*member = std::make_shared<VaryingColour>(); })
+            varied.*member = std::make_shared<VaryingColour>();
+        else
+            varied.*member = std::make_shared<VaryingNumber>();
+        EXPECT_FALSE(make(varied)->isConstant()) << "parameter " << i;
+        ++i;
+    };
+    (vary(members), ...);
+    // A bump map turns the frame and leaves the lobes.
+    if constexpr (requires { params.bump; }) {
+        Params bumpy = params;
+        bumpy.bump = std::make_shared<VaryingNumber>();
+        EXPECT_TRUE(make(bumpy)->isConstant());
+    }
+}
+
+TEST(Material, IsConstantUnlessATextureVaries) {
+    checkConstancy<MatteParams>(makeMatte, {}, &MatteParams::kd, &MatteParams::sigma);
+    checkConstancy<PlasticParams>(makePlastic, {}, &PlasticParams::kd, &PlasticParams::ks, &PlasticParams::roughness);
+    checkConstancy<MetalParams>(makeMetal, {}, &MetalParams::eta, &MetalParams::k, &MetalParams::roughness,
+                                &MetalParams::uRoughness, &MetalParams::vRoughness);
+    checkConstancy<MirrorParams>(makeMirror, {}, &MirrorParams::kr);
+    checkConstancy<GlassParams>(makeGlass, {}, &GlassParams::kr, &GlassParams::kt, &GlassParams::eta,
+                                &GlassParams::uRoughness, &GlassParams::vRoughness);
+    checkConstancy<UberParams>(makeUber, {}, &UberParams::kd, &UberParams::ks, &UberParams::kr, &UberParams::kt,
+                               &UberParams::opacity, &UberParams::roughness, &UberParams::uRoughness,
+                               &UberParams::vRoughness, &UberParams::eta);
+    checkConstancy<SubstrateParams>(makeSubstrate, {}, &SubstrateParams::kd, &SubstrateParams::ks,
+                                    &SubstrateParams::uRoughness, &SubstrateParams::vRoughness);
+    checkConstancy<TranslucentParams>(makeTranslucent, {}, &TranslucentParams::kd, &TranslucentParams::ks,
+                                      &TranslucentParams::reflect, &TranslucentParams::transmit,
+                                      &TranslucentParams::roughness);
+    const MaterialPtr plain = makeMatte({});
+    const MaterialPtr textured = makeMatte({.kd = std::make_shared<VaryingColour>(), .sigma = {}, .bump = {}});
+    checkConstancy<MixParams>(makeMix, {plain, plain, {}}, &MixParams::amount);
+    EXPECT_FALSE(makeMix({plain, textured, {}})->isConstant());
+    EXPECT_FALSE(makeMix({textured, plain, {}})->isConstant());
+}
+
 }  // namespace
 }  // namespace drc

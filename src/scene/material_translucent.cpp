@@ -32,6 +32,10 @@ class Translucent final : public Material {
         if (!isBlack(t * ks)) bsdf.add(MicrofacetTransmission(t * ks, distribution, 1, kEta), weight);
     }
 
+    bool isConstant() const override {
+        return areConstant(params_.kd, params_.ks, params_.reflect, params_.transmit, params_.roughness);
+    }
+
   private:
     TranslucentParams params_;
 };

@@ -38,6 +38,11 @@ class Uber final : public Material {
         if (!isBlack(kt)) bsdf.add(SpecularTransmission(kt, 1, eta), weight);
     }
 
+    bool isConstant() const override {
+        return areConstant(params_.kd, params_.ks, params_.kr, params_.kt, params_.opacity, params_.roughness,
+                           params_.uRoughness, params_.vRoughness, params_.eta);
+    }
+
   private:
     UberParams params_;
 };

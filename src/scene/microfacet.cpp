@@ -9,20 +9,6 @@ float roughnessToAlpha(float roughness) {
     return 1.62142f + x * (0.819955f + x * (0.1734f + x * (0.0171201f + x * 0.000640711f)));
 }
 
-float TrowbridgeReitz::d(const Vec3& wh) const {
-    // The textbook's cos^4 (1 + tan^2 (...))^2, multiplied out: no tangent that overflows at the horizon.
-    const float e = sqr(wh.x / alphaX_) + sqr(wh.y / alphaY_) + wh.z * wh.z;
-    return 1 / (kPi * alphaX_ * alphaY_ * e * e);
-}
-
-float TrowbridgeReitz::lambda(const Vec3& w) const {
-    const float cos2 = w.z * w.z;
-    // Infinite at the horizon, which makes g1 and g vanish there.
-    if (cos2 == 0) return kInfinity;
-    const float alphaTan2 = (sqr(alphaX_ * w.x) + sqr(alphaY_ * w.y)) / cos2;
-    return 0.5f * (std::sqrt(1 + alphaTan2) - 1);
-}
-
 Vec3 TrowbridgeReitz::sample(const Vec3& wo, const Vec2& u) const {
     const bool below = wo.z < 0;
     const Vec3 w = below ? -wo : wo;

@@ -16,11 +16,24 @@ class TrowbridgeReitz {
 
     TrowbridgeReitz() : TrowbridgeReitz(1, 1) {}
     TrowbridgeReitz(float alphaX, float alphaY)
-        : alphaX_(std::max(kMinAlpha, alphaX)), alphaY_(std::max(kMinAlpha, alphaY)) {}
+        : alphaX_(std::max(kMinAlpha, alphaX)),
+          alphaY_(std::max(kMinAlpha, alphaY)),
+          inverseX_(1 / alphaX_),
+          inverseY_(1 / alphaY_) {}
 
     // Density of microfacets of normal wh per unit area and solid angle; even in wh.
-    float d(const Vec3& wh) const;
-    float lambda(const Vec3& w) const;
+    float d(const Vec3& wh) const {
+        // The textbook's cos^4 (1 + tan^2 (...))^2, multiplied out: no tangent that overflows at the horizon.
+        const float e = sqr(wh.x * inverseX_) + sqr(wh.y * inverseY_) + wh.z * wh.z;
+        return kInvPi * inverseX_ * inverseY_ / (e * e);
+    }
+    float lambda(const Vec3& w) const {
+        const float cos2 = w.z * w.z;
+        // Infinite at the horizon, which makes g1 and g vanish there.
+        if (cos2 == 0) return kInfinity;
+        const float alphaTan2 = (sqr(alphaX_ * w.x) + sqr(alphaY_ * w.y)) / cos2;
+        return 0.5f * (std::sqrt(1 + alphaTan2) - 1);
+    }
     float g1(const Vec3& w) const { return 1 / (1 + lambda(w)); }
     float g(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
 
@@ -34,7 +47,7 @@ class TrowbridgeReitz {
 
   private:
     static constexpr float kNarrowAlpha = 0.2f;
-    float alphaX_, alphaY_;
+    float alphaX_, alphaY_, inverseX_, inverseY_;
 };
 
 }  // namespace drc

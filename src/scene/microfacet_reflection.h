@@ -11,8 +11,9 @@ class MicrofacetReflection {
         : reflectance_(reflectance), distribution_(distribution), fresnel_(fresnel) {}
 
     LobeFlags flags() const { return LobeFlags::Reflection | glossiness(distribution_); }
-    Rgb f(const Vec3& wo, const Vec3& wi) const;
-    float pdf(const Vec3& wo, const Vec3& wi) const { return microfacetPdf(distribution_, wo, wi); }
+    LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;
+    Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
+    float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }
     LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
         return sampleByMicrofacet(*this, distribution_, wo, u);
     }
