@@ -50,13 +50,17 @@ Rgb PathTracer::emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, f
     return emitted * powerHeuristic(pdf, lightPdf);
 }
 
-Rgb PathTracer::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf) const {
+Rgb PathTracer::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, int group) const {
     Rgb sum(0.f);
     for (const Light* light : lights_.infiniteLights()) {
         const Rgb radiance = light->escaped(d);
         if (isBlack(radiance)) continue;
-        const float weight =
-            pdf == kSpecular ? 1 : powerHeuristic(pdf, lights_.probability(from, light) * light->pdfEscaped(d));
+        float weight = 1;
+        if (pdf != kSpecular) {
+            float lightPdf = lights_.probability(from, light) * light->pdfEscaped(d);
+            if (group != kNoGroup && light == guide_->light()) lightPdf *= guide_->density(group, light->inverse(d));
+            weight = powerHeuristic(pdf, lightPdf);
+        }
         sum += radiance * weight;
     }
     return sum;
@@ -75,24 +79,38 @@ bool PathTracer::shadowed(const SurfaceInteraction& at, const LightSample& light
     return tMax > 0 && accel_.occluded(o, d * (1 / distance), tMax);
 }
 
-PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf,
+PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group,
                                                    Sampler& sampler) const {
     const float uLight = sampler.get1D();
-    const Vec2 u = sampler.get2D();
+    Vec2 u = sampler.get2D();
     const auto choice = lights_.sample(at.p, uLight);
     if (choice.light == nullptr) return {};
+    float pdf = choice.probability;
+    int slot = -1;
+    if (group != kNoGroup && choice.light == guide_->light()) {
+        const EnvironmentGuide::Guided guided = guide_->sample(group, u);
+        u = guided.u;
+        pdf *= guided.density;
+        slot = guided.slot;
+    }
     const auto s = choice.light->sample(at.p, u);
     const bool infinite = choice.light->isInfinite();
     if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return {};
     const LobeValue value = bsdf.evaluate(s->wi);
-    if (isBlack(value.f)) return {};
-    const float pdf = s->pdf * choice.probability;
+    if (isBlack(value.f)) {
+        if (slot >= 0) guide_->learn(slot, false);
+        return {};
+    }
+    pdf *= s->pdf;
     const float weight = s->delta ? 1 : powerHeuristic(pdf, value.pdf);
-    return {choice.light, *s, value.f * (absDot(s->wi, bsdf.bsdf().frame().n) * weight / pdf)};
+    return {choice.light, *s, value.f * (absDot(s->wi, bsdf.bsdf().frame().n) * weight / pdf), slot};
 }
 
 Rgb PathTracer::arriving(const SurfaceInteraction& at, const LightProposal& proposal) const {
-    if (proposal.light == nullptr || shadowed(at, proposal.sample)) return Rgb(0.f);
+    if (proposal.light == nullptr) return Rgb(0.f);
+    const bool blocked = shadowed(at, proposal.sample);
+    if (proposal.slot >= 0) guide_->learn(proposal.slot, !blocked);
+    if (blocked) return Rgb(0.f);
     const LightSample& s = proposal.sample;
     return proposal.weight * (proposal.light->isInfinite() ? proposal.light->escaped(s.wi) : s.radiance);
 }
@@ -135,7 +153,7 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
             hit = *start;
             start = nullptr;
         } else if (!met || !nextSurface(path.ray, found, hit)) {
-            if (counted) sum += path.throughput * emissionAtInfinity(path.ray.d, path.from, path.pdf);
+            if (counted) sum += path.throughput * emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group);
             break;
         }
         if (first) {
@@ -156,8 +174,9 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
         const BsdfView view(bsdf, hit.wo);
+        path.group = groupOf(hit, bsdf);
         LightProposal light;
-        if (bsdf.hasNonSpecular()) light = proposeLight(hit, view, sampler);
+        if (bsdf.hasNonSpecular()) light = proposeLight(hit, view, path.group, sampler);
         const Rgb throughput = path.throughput;
         const bool goesOn = scatter(path, hit, view, sampler);
         // The path's own ray before the shadow ray, which then hides the wait for the data of the surface met.
@@ -178,8 +197,8 @@ Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) cons
     return trace(ray, sampler, Emission::SkippedAtFirst, first);
 }
 
-Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, const Rgb& throughput, Sampler& sampler,
-                           IndirectAlong* along) const {
+Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, int group, const Rgb& throughput,
+                           Sampler& sampler, IndirectAlong* along) const {
     Rgb sum(0.f);
     const Bsdf& bsdf = view.bsdf();
     const float uLobe = sampler.get1D();
@@ -190,7 +209,7 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, c
     SurfaceInteraction hit;
     // Emitters without a body do not end the search for the environment or for others behind them.
     for (int i = 0; i < kMaxPassThrough; ++i) {
-        if (!nextSurface(next, hit)) return sum + scale * s->f * emissionAtInfinity(s->wi, at.p, s->pdf);
+        if (!nextSurface(next, hit)) return sum + scale * s->f * emissionAtInfinity(s->wi, at.p, s->pdf, group);
         sum += scale * s->f * emissionAtHit(hit, at.p, s->pdf);
         if (hit.primitive->material) break;
         next = hit.spawnRay(s->wi);
@@ -210,7 +229,7 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* al
     SurfaceInteraction hit;
     for (int chain = 0; chain <= kMaxSpecularChain; ++chain) {
         if (!nextSurface(ray, hit)) {
-            sum += throughput * emissionAtInfinity(ray.d, ray.o, kSpecular);
+            sum += throughput * emissionAtInfinity(ray.d, ray.o, kSpecular, kNoGroup);
             break;
         }
         sum += throughput * emissionAtHit(hit, ray.o, kSpecular);
@@ -221,8 +240,9 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* al
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.hasNonSpecular()) {
             const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);
-            sum += throughput * arriving(hit, proposeLight(hit, view, sampler));
-            sum += bsdfSample(hit, view, throughput, sampler, along);
+            const int group = groupOf(hit, bsdf);
+            sum += throughput * arriving(hit, proposeLight(hit, view, group, sampler));
+            sum += bsdfSample(hit, view, group, throughput, sampler, along);
         }
         if (along) {
             if (!along->traceWide && bsdf.has(LobeFlags::Narrow))

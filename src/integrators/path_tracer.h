@@ -7,6 +7,7 @@
 // chain counts for nothing in path depth. Radiance is linear RGB.
 #pragma once
 #include "accel/accel.h"
+#include "integrators/environment_guide.h"
 #include "integrators/light_sampler.h"
 #include "math/sampler.h"
 #include "scene/bsdf_view.h"
@@ -51,6 +52,8 @@ class PathTracer {
     // All arguments must outlive the tracer.
     PathTracer(const Scene& scene, const Accel& accel, const LightSampler& lights, const PathSettings& settings = {})
         : scene_(scene), accel_(accel), lights_(lights), settings_(settings) {}
+    // From here on samples of the guide's light are guided, and what becomes of them is learned. Null: no longer.
+    void setGuide(EnvironmentGuide* guide) { guide_ = guide; }
 
     // All light that arrives at the ray's origin along it.
     Rgb radiance(const Ray& ray, Sampler& sampler) const;
@@ -75,6 +78,7 @@ class PathTracer {
 
   private:
     enum class Emission { Counted, SkippedAtFirst };
+    static constexpr int kNoGroup = -1;
     // A path as it goes on from its latest vertex.
     struct Path {
         Ray ray;
@@ -83,13 +87,19 @@ class PathTracer {
         float pdf = 0;       // of the ray's direction; 0: none that light sampling could have chosen
         float etaScale = 1;  // undoes the scaling of radiance inside glass, which is no loss, for roulette
         int depth = 0, chain = 0;
+        int group = kNoGroup;  // of the vertex that the ray leaves
     };
     // A light sample that nothing may block yet: what arrives through the BSDF is weight times its radiance.
     struct LightProposal {
         const Light* light = nullptr;  // null: no light
         LightSample sample{};
         Rgb weight{0.f};
+        int slot = -1;  // of the guide, which is told whether the sample arrives; -1: not guided
     };
+    // The guide's group for a point on a surface.
+    int groupOf(const SurfaceInteraction& at, const Bsdf& bsdf) const {
+        return guide_ ? guide_->group(at.p, faceForward(bsdf.frame().n, at.wo)) : kNoGroup;
+    }
     // start: what the ray meets first, if that is known.
     Rgb trace(const Ray& ray, Sampler& sampler, Emission emission, FirstHit* first,
               const SurfaceInteraction* start = nullptr) const;
@@ -98,8 +108,8 @@ class PathTracer {
     // One sample of indirect light for the narrow lobes alone. Paths of little weight are not traced.
     Rgb indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
     // The BSDF's sample of direct light at a primary point, and with wide indirect light wanted the path beyond it.
-    Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, const Rgb& throughput, Sampler& sampler,
-                   IndirectAlong* along) const;
+    Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, int group, const Rgb& throughput,
+                   Sampler& sampler, IndirectAlong* along) const;
     // Nearest surface that has a material or emits; passes through the others.
     bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;
     bool nextSurface(Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) const;
@@ -107,16 +117,17 @@ class PathTracer {
     bool shadowed(const SurfaceInteraction& at, const LightSample& light) const;
     // Light sample at a non-specular vertex, weighted against the density of the BSDF's own samples, and what of it
     // arrives if its shadow ray is free.
-    LightProposal proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, Sampler& sampler) const;
+    LightProposal proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group, Sampler& sampler) const;
     Rgb arriving(const SurfaceInteraction& at, const LightProposal& proposal) const;
     // Emission met by a ray that the BSDF sampled with the given density, weighted against light sampling.
     Rgb emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const;
-    Rgb emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf) const;
+    Rgb emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, int group) const;
 
     const Scene& scene_;
     const Accel& accel_;
     const LightSampler& lights_;
     PathSettings settings_;
+    EnvironmentGuide* guide_ = nullptr;
 };
 
 }  // namespace drc

@@ -105,4 +105,8 @@ Sample2D Distribution2D::sample(const Vec2& u) const {
     return {x.cell, y.cell, Vec2(x.local, y.local), y.mass * x.mass * float(width_ * height_)};
 }
 
+Vec2 Distribution2D::inverse(int x, int y, const Vec2& local) const {
+    return Vec2(row(y)[x].cdf + local.x * mass(row(y), x), marginal()[y].cdf + local.y * mass(marginal(), y));
+}
+
 }  // namespace drc

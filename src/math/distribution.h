@@ -68,6 +68,8 @@ class Distribution2D {
     int height() const { return height_; }
     double integral() const { return integral_; }
     Sample2D sample(const Vec2& u) const;
+    // The u that is sampled as this point of this cell.
+    Vec2 inverse(int x, int y, const Vec2& local) const;
     float pdf(int x, int y) const { return mass(marginal(), y) * mass(row(y), x) * float(width_ * height_); }
 
   private:

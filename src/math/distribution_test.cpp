@@ -102,5 +102,16 @@ TEST(Distribution2D, DensityIntegratesToOneAndMatchesSampling) {
     EXPECT_LT(chiSquare, 24.3);  // 99.9 % quantile for 7 degrees of freedom
 }
 
+TEST(Distribution2D, InverseGivesBackTheRandomNumbers) {
+    const std::vector<float> f = {1, 2, 0, 4, 5, 0, 3, 1, 7, 0, 2, 6};
+    const Distribution2D d(f, 4, 3);
+    Pcg32 rng(2);
+    for (int i = 0; i < 10000; ++i) {
+        const Vec2 u = rng.nextVec2();
+        const Sample2D s = d.sample(u);
+        EXPECT_LT((d.inverse(s.x, s.y, s.local) - u).length(), 1e-6f);
+    }
+}
+
 }  // namespace
 }  // namespace drc

@@ -5,7 +5,9 @@
 namespace drc {
 namespace {
 
-constexpr uint64_t kSampleStream = 0x2001, kCorrectionStream = 0x2002;
+constexpr uint64_t kSampleStream = 0x2001, kCorrectionStream = 0x2002, kProbeStream = 0x2003;
+// Of the guide: voxels between the camera and what it sees.
+constexpr float kVoxelsInDistance = 8;
 // Pixels. Below it more passes serve better than more maps in one.
 constexpr float kFinestInTime = 3;
 
@@ -28,9 +30,40 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
       correction_(scene.settings.region()),
       start_(Clock::now()) {
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
+    if (params_.guide) startGuide();
 }
 
 Renderer::~Renderer() = default;
+
+void Renderer::startGuide() {
+    const Light* brightest = nullptr;
+    float most = 0;
+    for (const Light* light : lights_.infiniteLights()) {
+        const float power = luminance(light->power(1));
+        if (light->isDelta() || !(power > most)) continue;
+        brightest = light;
+        most = power;
+    }
+    if (brightest == nullptr) return;
+    // Voxels in proportion to the distances that the picture shows.
+    constexpr int kProbes = 16;
+    std::vector<float> distances;
+    const PixelRegion& region = samples_.region();
+    for (uint32_t i = 0; i < kProbes * kProbes; ++i) {
+        Sampler sampler(hashCombine(params_.seed, kProbeStream), i);
+        const Vec2 u = sampler.get2D(), uLens = sampler.get2D();
+        const Vec2 film(float(region.x0) + u.x * float(region.width()),
+                        float(region.y0) + u.y * float(region.height()));
+        PrimaryHit hit;
+        if (tracer_.primaryHit(scene_.camera->generateRay(film, uLens, sampler.get1D()), sampler, hit))
+            distances.push_back(hit.distance);
+    }
+    if (distances.empty()) return;
+    const auto median = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), median, distances.end());
+    guide_.emplace(*brightest, *median / kVoxelsInDistance);
+    tracer_.setGuide(&*guide_);
+}
 
 bool Renderer::nextIsPass(float& spacing) const {
     if (params_.integrator != Integrator::Drc) return false;
@@ -75,7 +108,9 @@ bool Renderer::step(const CancelToken* cancel) {
         return false;
     }
     float spacing = 0;
-    return nextIsPass(spacing) ? passStep(spacing, cancel) : sampleStep(cancel);
+    const bool whole = nextIsPass(spacing) ? passStep(spacing, cancel) : sampleStep(cancel);
+    if (guide_) guide_->update();
+    return whole;
 }
 
 bool Renderer::sampleStep(const CancelToken* cancel) {

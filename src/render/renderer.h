@@ -25,6 +25,8 @@ struct RenderParams {
     // Of the sweeps of direct light, every how manieth follows its paths further and takes a sample of indirect light
     // for the correction of the maps' errors; 0: no correction.
     int correctionEvery = 2;
+    // Whether samples of an environment learn where its light comes in.
+    bool guide = true;
     float directShare = 0.7f;  // of the time before a deadline that the direct layer gets
 };
 
@@ -53,6 +55,7 @@ class Renderer {
 
   private:
     using Clock = std::chrono::steady_clock;
+    void startGuide();
     bool sampleStep(const CancelToken* cancel);
     bool passStep(float spacing, const CancelToken* cancel);
     bool nextIsPass(float& spacing) const;
@@ -64,6 +67,7 @@ class Renderer {
     Accel accel_;
     LightSampler lights_;
     PathTracer tracer_;
+    std::optional<EnvironmentGuide> guide_;  // none: there is no environment to learn about
     std::shared_ptr<const Enhancer> enhancer_;
     Stats* stats_;
     FilmLayer samples_;   // paths, or the direct layer

@@ -32,6 +32,8 @@ class Light {
     virtual bool isInfinite() const { return false; }
     virtual Rgb escaped(const Vec3&) const { return Rgb(0.f); }
     virtual float pdfEscaped(const Vec3&) const { return 0; }
+    // The u in the unit square for which sample() gives direction wi. Of lights at infinity that are not delta lights.
+    virtual Vec2 inverse(const Vec3&) const { return Vec2(0, 0); }
     // Point and extent of a light of finite size, for choosing among many; empty for lights at infinity.
     virtual Bounds bounds() const { return {}; }
 };

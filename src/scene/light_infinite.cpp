@@ -71,11 +71,21 @@ class InfiniteLight final : public Light {
 
     float pdfEscaped(const Vec3& wi) const override {
         const Vec3 w = worldToLight_(wi);
+        const Cell cell = cellAt(mapCoordinates(w));
+        return distribution_.pdf(cell.column, cell.row) * rowDensity_[cell.row] * stretch(w);
+    }
+
+    Vec2 inverse(const Vec3& wi) const override {
+        const Vec3 w = normalize(worldToLight_(wi));
         const Vec2 uv = mapCoordinates(w);
-        const int columns = distribution_.width(), rows = distribution_.height();
-        const int row = std::clamp(int(uv.y * rows), 0, rows - 1);
-        const int column = std::clamp(int(uv.x * columns), 0, columns - 1);
-        return distribution_.pdf(column, row) * rowDensity_[row] * stretch(w);
+        const Cell cell = cellAt(uv);
+        // 1 - cos(theta), without its cancellation at the upper pole.
+        const float sin2 = w.x * w.x + w.y * w.y;
+        const float h = w.z > 0 ? sin2 / (1 + w.z) : 1 - w.z;
+        const float top = oneMinusCos_[cell.row], bottom = oneMinusCos_[cell.row + 1];
+        const Vec2 local(uv.x * float(distribution_.width()) - float(cell.column), (h - top) / (bottom - top));
+        return distribution_.inverse(cell.column, cell.row,
+                                     Vec2(std::clamp(local.x, 0.f, 1.f), std::clamp(local.y, 0.f, 1.f)));
     }
 
   private:
@@ -86,6 +96,15 @@ class InfiniteLight final : public Light {
         // atan2 rather than acos keeps its precision at the poles.
         const float theta = std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z);
         return Vec2(std::min(phi * (0.5f * kInvPi), kOneMinusEpsilon), theta * kInvPi);
+    }
+
+    // Of the distribution.
+    struct Cell {
+        int column, row;
+    };
+    Cell cellAt(const Vec2& uv) const {
+        const int columns = distribution_.width(), rows = distribution_.height();
+        return {std::clamp(int(uv.x * columns), 0, columns - 1), std::clamp(int(uv.y * rows), 0, rows - 1)};
     }
 
     // Bilinear.

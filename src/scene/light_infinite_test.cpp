@@ -112,5 +112,21 @@ TEST(InfiniteLight, BlackAndBrokenMaps) {
     EXPECT_TRUE(isFinite(makeInfiniteLight(Transform(), Rgb(1.f), broken)->escaped(Vec3(0, 0, 1))));
 }
 
+TEST(InfiniteLight, InverseGivesBackTheRandomNumbers) {
+    for (const Transform& t : {Transform(), Transform::rotate(70, Vec3(1, 2, 3)), Transform::scale(-1, 1, 1)}) {
+        const LightPtr light = makeInfiniteLight(t, Rgb(1.f), randomMap(32, 16, 0.7f));
+        Pcg32 rng(4);
+        int far = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const Vec2 u = rng.nextVec2();
+            const auto s = light->sample(Vec3(0, 0, 0), u);
+            ASSERT_TRUE(s);
+            // A direction on the very edge of a cell may be taken for the next one's.
+            far += (light->inverse(s->wi) - u).length() > 1e-3f;
+        }
+        EXPECT_LE(far, 4);
+    }
+}
+
 }  // namespace
 }  // namespace drc

@@ -1,0 +1,144 @@
+#include "integrators/environment_guide.h"
+
+#include <bit>
+
+#include "base/parallel.h"
+#include "math/rng.h"
+
+namespace drc {
+namespace {
+
+constexpr int kOne = 1 << 16;
+// Of all samples, the part that is not guided.
+constexpr double kUnguided = 0.25;
+// What is known of a block before anything was tried weighs as this many tries.
+constexpr double kPriorTries = 1;
+// By then the guide knows what it can, and counting would only cost time.
+constexpr int kSweepsToLearn = 64;
+// Beyond this many tries of a block the counts are halved: half a word holds 65535, and a sweep may add many.
+constexpr uint32_t kManyTries = 8192;
+
+// cumulative[i]: sum of the weights before i, of 2^16, with at least one for each.
+template <size_t N>
+void accumulate(const std::array<double, N>& weights, std::array<uint16_t, N>& cumulative) {
+    double total = 0, sum = 0;
+    for (const double w : weights) total += w;
+    for (size_t i = 0; i < N; ++i) {
+        cumulative[i] = uint16_t(i + size_t(sum / total * double(kOne - int(N)) + 0.5));
+        sum += weights[i];
+    }
+}
+
+struct Cell {
+    int index;
+    float local;  // in [0, 1)
+    int mass;     // of 2^16
+};
+
+template <size_t N>
+int massOf(const std::array<uint16_t, N>& cumulative, int i) {
+    return (i + 1 < int(N) ? cumulative[size_t(i) + 1] : kOne) - cumulative[size_t(i)];
+}
+
+template <size_t N>
+Cell choose(const std::array<uint16_t, N>& cumulative, float u) {
+    const float x = u * float(kOne);
+    int i = 0;
+    for (int step = int(N) / 2; step > 0; step /= 2)
+        if (float(cumulative[size_t(i + step)]) <= x) i += step;
+    const int mass = massOf(cumulative, i);
+    return {i, std::min((x - float(cumulative[size_t(i)])) / float(mass), kOneMinusEpsilon), mass};
+}
+
+}  // namespace
+
+EnvironmentGuide::EnvironmentGuide(const Light& light, float size)
+    : light_(light), perSize_(1 / std::max(size, 1e-20f)), tables_(kGroups) {
+    static_assert(std::has_single_bit(unsigned(kRows)) && std::has_single_bit(unsigned(kColumns)));
+    Table uniform;
+    std::array<double, kRows> rows;
+    std::array<double, kColumns> columns;
+    rows.fill(1);
+    columns.fill(1);
+    accumulate(rows, uniform.rows);
+    for (auto& c : uniform.columns) accumulate(columns, c);
+    std::fill(tables_.begin(), tables_.end(), uniform);
+    counts_ = std::make_unique<std::atomic<uint32_t>[]>(size_t(kGroups) * kBlocks);
+}
+
+int EnvironmentGuide::group(const Vec3& p, const Vec3& n) const {
+    const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+    const int axis = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+    // Moved at random by up to half a voxel, or else the voxels would show as squares of more and of less noise. The
+    // point's own digits serve as random numbers: the same point is always of the same group.
+    const auto bits = [](float f) { return uint64_t(std::bit_cast<uint32_t>(f)); };
+    const uint64_t random = mixBits(bits(p.x) ^ mixBits(bits(p.y) ^ mixBits(bits(p.z))));
+    uint64_t key = uint64_t(2 * axis + (n[axis] < 0));
+    for (int i = 0; i < 3; ++i) {
+        const float jitter = float((random >> (20 * i)) & 0xfffff) * 0x1p-20f;
+        // Bounded, because what is beyond an integer's range must not become one.
+        const float voxel = std::clamp(std::floor(p[i] * perSize_ + jitter), -1e9f, 1e9f);
+        key = mixBits(key ^ uint64_t(int64_t(voxel)));
+    }
+    return int(key % kGroups);
+}
+
+EnvironmentGuide::Guided EnvironmentGuide::sample(int group, const Vec2& u) const {
+    const Table& table = tables_[size_t(group)];
+    const Cell row = choose(table.rows, u.y);
+    const Cell column = choose(table.columns[size_t(row.index)], u.x);
+    Guided g;
+    g.u = Vec2((float(column.index) + column.local) / kColumns, (float(row.index) + row.local) / kRows);
+    g.density = float(row.mass) * float(column.mass) * (kBlocks * 0x1p-32f);
+    g.slot = group * kBlocks + row.index * kColumns + column.index;
+    return g;
+}
+
+float EnvironmentGuide::density(int group, const Vec2& u) const {
+    const Table& table = tables_[size_t(group)];
+    const int row = std::clamp(int(u.y * kRows), 0, kRows - 1);
+    const int column = std::clamp(int(u.x * kColumns), 0, kColumns - 1);
+    return float(massOf(table.rows, row)) * float(massOf(table.columns[size_t(row)], column)) * (kBlocks * 0x1p-32f);
+}
+
+void EnvironmentGuide::update() {
+    if (!learning_) return;
+    ++sweeps_;
+    if (sweeps_ >= kSweepsToLearn) learning_ = false;
+    // Ever more rarely, as there is ever less to learn.
+    if (!std::has_single_bit(unsigned(sweeps_))) return;
+    parallelFor(0, kGroups, 256, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) rebuild(tables_[size_t(i)], &counts_[size_t(i) * kBlocks]);
+    });
+}
+
+void EnvironmentGuide::rebuild(Table& table, std::atomic<uint32_t>* counts) const {
+    uint64_t tries = 0, arrivals = 0;
+    bool many = false;
+    for (int b = 0; b < kBlocks; ++b) {
+        const uint32_t count = counts[b].load(std::memory_order_relaxed);
+        tries += count % kArrival;
+        arrivals += count / kArrival;
+        many |= count % kArrival > kManyTries;
+    }
+    if (tries == 0) return;
+    // Never none: that nothing has arrived yet does not mean that nothing will.
+    const double rate = (double(arrivals) + 0.5) / (double(tries) + 1);
+    double total = 0;
+    std::array<std::array<double, kColumns>, kRows> p;
+    for (int b = 0; b < kBlocks; ++b) {
+        const uint32_t count = counts[b].load(std::memory_order_relaxed);
+        const double known = (double(count / kArrival) + kPriorTries * rate) / (double(count % kArrival) + kPriorTries);
+        total += p[size_t(b / kColumns)][size_t(b % kColumns)] = std::sqrt(known);
+        if (many) counts[b].store((count / kArrival / 2) * kArrival + count % kArrival / 2, std::memory_order_relaxed);
+    }
+    std::array<double, kRows> rows;
+    for (size_t y = 0; y < kRows; ++y) {
+        rows[y] = 0;
+        for (double& x : p[y]) rows[y] += x = (1 - kUnguided) * x / total + kUnguided / kBlocks;
+        accumulate(p[y], table.columns[y]);
+    }
+    accumulate(rows, table.rows);
+}
+
+}  // namespace drc
