@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "base/log.h"
+#include "image/color.h"
+#include "image/image_io.h"
 #include "pbrt/param_parser.h"
 #include "pbrt/test_scenes.h"
 #include "scene/noise.h"
@@ -118,6 +120,38 @@ TEST_F(TextureFactoryTest, ParametersOfAnotherMappingAreWarnedOf) {
     const int before = warningCount();
     color("uv", "\"string mapping\" \"spherical\" \"float uscale\" 3 \"float vscale\" 3");
     EXPECT_EQ(warningCount(), before + 2);
+}
+
+TEST_F(TextureFactoryTest, ImageMaps) {
+    const TemporaryFolder folder;
+    Image image(2, 1);
+    image.setRgb(0, 0, Rgb(0.2f));
+    image.setRgb(1, 0, Rgb(0.8f));
+    folder.write("a.png", encodePng(image));
+    writeExr(folder.path() + "/a.exr", image);
+    files_ = FileSearch(folder.path());
+    const auto valueAt = [&](float u, const std::string& params, const std::string& name = "a.png") {
+        const std::string all = "\"string filename\" \"" + name + "\" " + params;
+        const float value = color("imagemap", all)->eval(at(Vec2(u, 0.5f))).y;
+        EXPECT_NEAR(number("imagemap", all)->eval(at(Vec2(u, 0.5f))), value, 1e-4f) << all;
+        return value;
+    };
+    // Integers are taken for sRGB and floats for linear, unless the scene says otherwise.
+    EXPECT_NEAR(valueAt(0.25f, ""), 0.2f, 5e-3f);
+    EXPECT_NEAR(valueAt(0.25f, "\"bool gamma\" \"false\""), srgbEncode(0.2f), 5e-3f);
+    EXPECT_NEAR(valueAt(0.25f, "", "a.exr"), 0.2f, 1e-4f);
+    EXPECT_NEAR(valueAt(0.25f, "\"bool gamma\" \"true\"", "a.exr"), srgbDecode(0.2f), 1e-4f);
+    EXPECT_NEAR(valueAt(0.75f, "\"float scale\" 2", "a.exr"), 1.6f, 1e-4f);
+    EXPECT_NEAR(valueAt(0.375f, "\"float uscale\" 2", "a.exr"), 0.8f, 1e-4f);
+    EXPECT_NEAR(valueAt(1.25f, "", "a.exr"), 0.2f, 1e-4f);
+    EXPECT_NEAR(valueAt(1.25f, "\"string wrap\" \"clamp\"", "a.exr"), 0.8f, 1e-4f);
+    EXPECT_EQ(valueAt(1.25f, "\"string wrap\" \"black\"", "a.exr"), 0);
+
+    const auto errorFor = [&](const std::string& params) { return errorOf([&] { valueAt(0, params); }); };
+    EXPECT_THAT(errorFor("\"string wrap\" \"repaet\""),
+                HasSubstr("unknown wrap mode 'repaet'; did you mean 'repeat'?"));
+    EXPECT_THAT(errorFor("\"float maxanisotropy\" 0"), HasSubstr("'maxanisotropy' of texture 't' must be at least 1"));
+    EXPECT_THAT(errorOf([&] { color("imagemap"); }), HasSubstr("texture 't' needs the parameter 'filename'"));
 }
 
 TEST_F(TextureFactoryTest, ConstantsFold) {
