@@ -123,9 +123,12 @@ void shapeOccluded(const RTCOccludedFunctionNArguments* a) {
     const GeometryData& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1 || !data.primitive->material) continue;
-        const auto found = data.primitive->shape->intersect(rayOf(a->ray, a->N, i), RTCRayN_tnear(a->ray, a->N, i));
+        const Ray ray = rayOf(a->ray, a->N, i);
+        const auto found = data.primitive->shape->intersect(ray, RTCRayN_tnear(a->ray, a->N, i));
         if (!found) continue;
         SurfaceInteraction hit;
+        hit.p = ray.o + ray.d * found->t;
+        hit.ng = hit.ns = found->ng;
         hit.uv = found->uv;
         const TextureContext context = hit.textureContext();
         const auto hole = [&](const FloatTexturePtr& alpha) { return alpha && alpha->eval(context) == 0; };

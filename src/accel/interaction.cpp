@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "scene/bump.h"
+#include "scene/texture_footprint.h"
 
 namespace drc {
 namespace {
@@ -20,11 +21,7 @@ TextureContext SurfaceInteraction::textureContext() const {
     c.uv = uv;
     c.dpdu = dpdu;
     c.dpdv = dpdv;
-    c.footprint = kSampleShare * footprint;
-    // Length of a unit of uv: square root of the area that it covers, so that a stretched mapping gets neither
-    // blur nor aliasing in full.
-    const float uvArea = length(cross(dpdu, dpdv));
-    c.uvFootprint = uvArea > 0 ? c.footprint / std::sqrt(uvArea) : 0;
+    setFootprint(c, kSampleShare * footprint, ng, wo);
     return c;
 }
 

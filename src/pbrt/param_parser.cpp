@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "image/color.h"
+#include "pbrt/metal_spectra.h"
 #include "pbrt/spectrum.h"
 #include "pbrt/suggest.h"
 
@@ -114,10 +115,7 @@ class ParamParser {
             std::vector<SpectrumSample> samples;
             for (size_t i = 0; i + 1 < n.size(); i += 2) samples.push_back({float(n[i]), float(n[i + 1])});
             if (!samples.empty()) param_.colors.push_back(spectrumToRgb(std::move(samples)));
-            for (const std::string& name : param_.strings) {
-                const std::string path = files_.find(name, param_.valuePos, "spectrum file");
-                param_.colors.push_back(spectrumToRgb(readSpdFile(path)));
-            }
+            for (const std::string& name : param_.strings) param_.colors.push_back(namedSpectrum(name));
         } else if (param_.typeName == "blackbody") {
             checkGroups(2);
             for (size_t i = 0; i + 1 < n.size(); i += 2)
@@ -129,6 +127,21 @@ class ParamParser {
                 param_.colors.push_back(param_.typeName == "xyz" ? xyzToRgb(c) : Rgb(c.x, c.y, c.z));
             }
         }
+    }
+
+    Rgb namedSpectrum(const std::string& name) const {
+        const auto metal = metalSpectrum(name);
+        if (metal && name.starts_with("metal-")) return spectrumToRgb(*metal);
+        std::string path;
+        try {
+            path = files_.find(name, param_.valuePos, "spectrum file");
+        } catch (const Error&) {
+            if (!metal) throw;
+            warn(param_.valuePos,
+                 "cannot find the spectrum file '" + name + "'; measurements of this metal stand in for it");
+            return spectrumToRgb(*metal);
+        }
+        return spectrumToRgb(readSpdFile(path));
     }
 
     TokenStream& tokens_;

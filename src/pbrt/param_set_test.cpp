@@ -107,6 +107,12 @@ TEST_F(ParamSetTest, SpectraOfEveryKind) {
     EXPECT_EQ(a, b);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], c[i], 2e-3f);
     EXPECT_GT(p.getColor("d", Rgb(0.f)).y, 1);
+    const ParamSet q = parse(R"("blackbody one" [3000 1] "blackbody two" [3000 2] "xyz white" [0.950456 1 1.08906]
+                               "spectrum many" ["half.spd" "half.spd"] "blackbody many2" [3000 1 3000 2])");
+    EXPECT_EQ(q.getColor("two", Rgb(0.f)), q.getColor("one", Rgb(0.f)) * 2.f);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(q.getColor("white", Rgb(0.f))[i], 1, 2e-3f);
+    EXPECT_EQ(q.find("many", {ParamType::Color})->colors.size(), 2u);
+    EXPECT_EQ(q.find("many2", {ParamType::Color})->colors[1], q.getColor("two", Rgb(0.f)));
     EXPECT_THAT(errorOfParsing("\"spectrum a\" \"absent.spd\""),
                 HasSubstr("cannot find the spectrum file 'absent.spd'"));
     EXPECT_THAT(errorOfParsing("\"spectrum a\" [400 1 500]"), HasSubstr("in groups of 2, found 3"));

@@ -137,7 +137,7 @@ TEST(SceneFile, NamedButUnbuiltThingsAreWarningsAndTheRestIsLoaded) {
             "Camera \"orthographic\" \"float screenwindow\" [1 2 3 4]\nWorldBegin\nMaterial \"disney\" \"float "
             "metallic\" 1\n"
             "Shape \"cone\" \"float height\" 2\nLightSource \"spot\" \"float coneangle\" 20\n"
-            "Texture \"f\" \"spectrum\" \"fbm\" \"integer octaves\" 3\nMakeNamedMedium \"fog\" \"string type\" "
+            "Texture \"f\" \"spectrum\" \"ptex\" \"float gamma\" 2\nMakeNamedMedium \"fog\" \"string type\" "
             "\"homogeneous\"\n"
             "MediumInterface \"\" \"fog\"\nShape \"sphere\"\nMaterial \"matte\" \"texture Kd\" \"f\"\n" +
                 kTriangle + "WorldEnd",

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <tuple>
+
+#include "image/color.h"
 #include "pbrt/cie.h"
 #include "pbrt/test_scenes.h"
 
@@ -40,6 +43,29 @@ TEST(Spectrum, BlackbodyOfDaylightIsNearlyWhiteAndOfALampWarm) {
     EXPECT_GT(lamp.x, 1.5f * lamp.y);
     EXPECT_GT(lamp.y, 1.5f * lamp.z);
     EXPECT_EQ(blackbodyToRgb(0), Rgb(0.f));
+}
+
+// Chromaticities that the CIE gives: illuminant A is a black body of 2856 K.
+TEST(Spectrum, BlackbodyHasTheChromaticityOfPlancksLaw) {
+    for (const auto& [kelvin, x, y] : {std::tuple(2856.f, 0.4476f, 0.4074f), std::tuple(6500.f, 0.3135f, 0.3237f),
+                                       std::tuple(10000.f, 0.2807f, 0.2884f)}) {
+        const Vec3 xyz = rgbToXyz(blackbodyToRgb(kelvin));
+        const float sum = xyz.x + xyz.y + xyz.z;
+        EXPECT_NEAR(xyz.x / sum, x, 1e-3f) << kelvin;
+        EXPECT_NEAR(xyz.y / sum, y, 1e-3f) << kelvin;
+    }
+    // Scaled to a maximum of one: the most of it is seen if that lies where the eye is most sensitive, near 5200 K.
+    EXPECT_NEAR(luminance(blackbodyToRgb(5200)), 0.986f, 0.003f);
+    EXPECT_LT(luminance(blackbodyToRgb(1500)), 0.1f);
+}
+
+TEST(Spectrum, IsLinearAndNarrowBandsAreThoseOfTheObserver) {
+    const Rgb one = spectrumToRgb({{500, 1}, {501, 0}, {499, 0}}), two = spectrumToRgb({{499, 0}, {500, 2}, {501, 0}});
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(two[i], 2 * one[i], 1e-6f);
+    const CieEntry at500 = cieAt(500);
+    const Vec3 xyz = rgbToXyz(one);
+    EXPECT_NEAR(xyz.x / xyz.y, at500.x / at500.y, 1e-3f);
+    EXPECT_NEAR(xyz.y, at500.y / 106.857f, 1e-5f);
 }
 
 TEST(SpdFile, SaysWhereItIsMalformed) {

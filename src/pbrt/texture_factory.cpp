@@ -3,10 +3,16 @@
 #include <type_traits>
 
 #include "pbrt/registry.h"
+#include "pbrt/texture_mappings.h"
+#include "scene/texture_bilerp.h"
 #include "scene/texture_checkerboard.h"
+#include "scene/texture_dots.h"
 #include "scene/texture_imagemap.h"
+#include "scene/texture_marble.h"
 #include "scene/texture_mix.h"
+#include "scene/texture_noise.h"
 #include "scene/texture_scale.h"
+#include "scene/texture_uv.h"
 
 namespace drc::pbrt {
 namespace {
@@ -28,23 +34,17 @@ TexturePtr<T> placeholder() {
     return std::make_shared<ConstantTexture<T>>(T(0.5f));
 }
 
-// The 2D mapping of an image or a checkerboard.
-UvMapping mappingOf(const TextureRequest& request) {
-    const TextureParams& p = request.params;
-    const std::string type = p.getString("mapping", "uv");
-    UvMapping mapping;
-    mapping.uScale = p.getFloat("uscale", 1);
-    mapping.vScale = p.getFloat("vscale", 1);
-    mapping.uDelta = p.getFloat("udelta", 0);
-    mapping.vDelta = p.getFloat("vdelta", 0);
-    if (type == "planar" || type == "spherical" || type == "cylindrical") {
-        warn(p.own().pos(), "texture mapping '" + type + "' is not supported yet; 'uv' is used");
-        p.own().ignore({"v1", "v2"});
-    } else if (type != "uv") {
-        fail(p.own().pos(),
-             "unknown texture mapping '" + type + "'" + suggestion(type, {"uv", "planar", "spherical", "cylindrical"}));
-    }
-    return mapping;
+Mapping2D mapping2DOf(const TextureRequest& request) {
+    return makeMapping2D(request.params.own(), request.textureToWorld);
+}
+Mapping3D mapping3DOf(const TextureRequest& request) { return makeMapping3D(request.textureToWorld); }
+
+NoiseSum noiseOf(const ParamSet& own) {
+    const NoiseSum sum{own.getInt("octaves", 8), own.getFloat("roughness", 0.5f)};
+    // At most as many as there are with features that a float tells apart; more would take time and change nothing.
+    if (sum.octaves < 1 || sum.octaves > 64)
+        fail(own.pos(), own.owner() + " must have 1 to 64 octaves, not " + std::to_string(sum.octaves));
+    return sum;
 }
 
 template <typename T>
@@ -63,19 +63,81 @@ TexturePtr<T> mix(const TextureRequest& request) {
                              request.params.scalar("amount", 0.5f));
 }
 
+CheckerboardEdges edgesOf(const ParamSet& own) {
+    const std::string mode = own.getString("aamode", "closedform");
+    if (mode == "closedform") return CheckerboardEdges::Averaged;
+    if (mode == "none") return CheckerboardEdges::Sharp;
+    fail(own.pos(), "unknown antialiasing mode '" + mode + "'" + suggestion(mode, {"closedform", "none"}));
+}
+
 template <typename T>
 TexturePtr<T> checkerboard(const TextureRequest& request) {
     const ParamSet& own = request.params.own();
     const int dimension = own.getInt("dimension", 2);
     if (dimension != 2 && dimension != 3)
         fail(own.pos(), "a checkerboard has dimension 2 or 3, not " + std::to_string(dimension));
-    own.ignore({"aamode"});  // samples do it
-    if (dimension == 3) {
-        warn(own.pos(), "a checkerboard of dimension 3 is not supported yet; the constant 0.5 is used");
-        own.ignoreAll();
-        return placeholder<T>();
+    const TexturePtr<T> a = part<T>(request, "tex1", 1), b = part<T>(request, "tex2", 0);
+    const CheckerboardEdges edges = edgesOf(own);
+    if (dimension == 3) return makeSolidCheckerboardTexture<T>(a, b, mapping3DOf(request));
+    return makeCheckerboardTexture<T>(a, b, mapping2DOf(request), edges);
+}
+
+template <typename T>
+TexturePtr<T> dots(const TextureRequest& request) {
+    return makeDotsTexture<T>(part<T>(request, "inside", 1), part<T>(request, "outside", 0), mapping2DOf(request));
+}
+
+template <typename T>
+TexturePtr<T> bilerp(const TextureRequest& request) {
+    const auto corner = [&](std::string_view name, float fallback) -> T {
+        if constexpr (std::is_same_v<T, float>)
+            return request.params.own().getFloat(name, fallback);
+        else
+            return request.params.own().getColor(name, Rgb(fallback));
+    };
+    return makeBilerpTexture<T>({corner("v00", 0), corner("v01", 1), corner("v10", 0), corner("v11", 1)},
+                                mapping2DOf(request));
+}
+
+template <typename T>
+TexturePtr<T> fbmTexture(const TextureRequest& request) {
+    return makeFbmTexture<T>(noiseOf(request.params.own()), mapping3DOf(request));
+}
+
+template <typename T>
+TexturePtr<T> wrinkled(const TextureRequest& request) {
+    return makeWrinkledTexture<T>(noiseOf(request.params.own()), mapping3DOf(request));
+}
+
+template <typename T>
+TexturePtr<T> windy(const TextureRequest& request) {
+    return makeWindyTexture<T>(mapping3DOf(request));
+}
+
+// For textures whose values pbrt-v3 has no numbers for.
+[[noreturn]] void failForNumbers(const TextureRequest& request, const std::string& type) {
+    const ParamSet& own = request.params.own();
+    fail(own.pos(), own.owner() + " must be of type 'spectrum': '" + type + "' gives colours, not numbers");
+}
+
+template <typename T>
+TexturePtr<T> uv(const TextureRequest& request) {
+    if constexpr (std::is_same_v<T, float>)
+        failForNumbers(request, "uv");
+    else
+        return makeUvTexture(mapping2DOf(request));
+}
+
+template <typename T>
+TexturePtr<T> marble(const TextureRequest& request) {
+    if constexpr (std::is_same_v<T, float>) {
+        failForNumbers(request, "marble");
+    } else {
+        const ParamSet& own = request.params.own();
+        const NoiseSum noise = noiseOf(own);
+        const float scale = own.getFloat("scale", 1), variation = own.getFloat("variation", 0.2f);
+        return makeMarbleTexture({noise, scale, variation}, mapping3DOf(request));
     }
-    return makeCheckerboardTexture<T>(part<T>(request, "tex1", 1), part<T>(request, "tex2", 0), mappingOf(request));
 }
 
 ImageWrap wrapOf(const TextureParams& p) {
@@ -96,11 +158,13 @@ TexturePtr<T> imageMap(const TextureRequest& request) {
                              : p.own().getBool("gamma", true) ? TexelGamma::Srgb
                                                               : TexelGamma::Linear;
     ImageMapParams params;
-    params.mapping = mappingOf(request);
+    params.mapping = mapping2DOf(request);
     params.wrap = wrapOf(p);
     params.scale = p.getFloat("scale", 1);
     params.trilinear = p.getBool("trilinear", false);
-    p.own().ignore({"maxanisotropy"});
+    params.maxAnisotropy = p.getFloat("maxanisotropy", 8);
+    if (!(params.maxAnisotropy >= 1))
+        fail(p.own().pos(), "the 'maxanisotropy' of " + p.own().owner() + " must be at least 1");
     if constexpr (std::is_same_v<T, float>)
         return makeImageMap(request.images.scalar(path, gamma, name->valuePos), params);
     else
@@ -111,13 +175,19 @@ template <typename T>
 using TextureMaker = TexturePtr<T> (*)(const TextureRequest&);
 template <typename T>
 constexpr Registered<TextureMaker<T>> kTextures[] = {
-    {"bilerp", nullptr},       {"checkerboard", checkerboard<T>},
-    {"constant", constant<T>}, {"dots", nullptr},
-    {"fbm", nullptr},          {"imagemap", imageMap<T>},
-    {"marble", nullptr},       {"mix", mix<T>},
-    {"ptex", nullptr},         {"scale", scale<T>},
-    {"uv", nullptr},           {"windy", nullptr},
-    {"wrinkled", nullptr},
+    {"bilerp", bilerp<T>},
+    {"checkerboard", checkerboard<T>},
+    {"constant", constant<T>},
+    {"dots", dots<T>},
+    {"fbm", fbmTexture<T>},
+    {"imagemap", imageMap<T>},
+    {"marble", marble<T>},
+    {"mix", mix<T>},
+    {"ptex", nullptr},
+    {"scale", scale<T>},
+    {"uv", uv<T>},
+    {"windy", windy<T>},
+    {"wrinkled", wrinkled<T>},
 };
 
 template <typename T>

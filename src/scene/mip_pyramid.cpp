@@ -117,6 +117,28 @@ std::vector<T> halved(const std::vector<T>& from, int width, int height, int new
     return to;
 }
 
+// A footprint on an image.
+struct Ellipse {
+    float length, width;  // in texels
+    Vec2 along;           // the longest diameter, in units of the image
+};
+
+// The ellipse which two vectors, in units of the image, are conjugate diameters of: the image of a circle under the map
+// that has them as columns. Its principal axes are the map's singular vectors.
+Ellipse ellipseWithDiameters(const Vec2& axis0, const Vec2& axis1, int imageWidth, int imageHeight) {
+    const Vec2 size(static_cast<float>(imageWidth), static_cast<float>(imageHeight));
+    const Vec2 a = axis0 * size, b = axis1 * size;
+    const float xx = a.x * a.x + b.x * b.x, xy = a.x * a.y + b.x * b.y, yy = a.y * a.y + b.y * b.y;
+    const float mean = 0.5f * (xx + yy), half = 0.5f * (xx - yy);
+    const float difference = std::sqrt(half * half + xy * xy);
+    const float longest = std::sqrt(mean + difference);
+    // Eigenvector of the greater eigenvalue; of its two forms, the one without cancellation.
+    Vec2 direction = half >= 0 ? Vec2(half + difference, xy) : Vec2(xy, difference - half);
+    const float norm = direction.length();
+    direction = norm > 0 ? direction * (longest / norm) : Vec2(longest, 0);
+    return {longest, safeSqrt(mean - difference), direction / size};
+}
+
 }  // namespace
 
 float srgbToLinear(float encoded) {
@@ -230,15 +252,39 @@ T MipPyramid<T>::bilinear(const Level& level, const Vec2& st, ImageWrap wrap) co
 }
 
 template <typename T>
-T MipPyramid<T>::lookup(const Vec2& st, float width, ImageWrap wrap) const {
-    // The level whose texels are as wide as the filter.
-    const float level = width > 0 ? maxResolutionLog2_ + std::log2(width) : 0;
+T MipPyramid<T>::trilinear(const Vec2& st, float level, ImageWrap wrap) const {
     if (!(level > 0)) return bilinear(levels_.front(), st, wrap);
     const int last = levels() - 1;
     if (level >= static_cast<float>(last)) return bilinear(levels_[last], Vec2(0.5f, 0.5f), wrap);
     const int finer = static_cast<int>(level);
     return lerp(level - static_cast<float>(finer), bilinear(levels_[finer], st, wrap),
                 bilinear(levels_[finer + 1], st, wrap));
+}
+
+template <typename T>
+T MipPyramid<T>::lookup(const Vec2& st, float width, ImageWrap wrap) const {
+    // The level whose texels are as wide as the filter.
+    return trilinear(st, width > 0 ? maxResolutionLog2_ + std::log2(width) : 0, wrap);
+}
+
+template <typename T>
+T MipPyramid<T>::lookup(const Vec2& st, const Vec2& axis0, const Vec2& axis1, float maxAnisotropy,
+                        ImageWrap wrap) const {
+    const Ellipse e = ellipseWithDiameters(axis0, axis1, width(), height());
+    if (!(e.length > 1)) return bilinear(levels_.front(), st, wrap);
+    // Nothing is narrower than a texel.
+    const float across = std::max({e.width, e.length / maxAnisotropy, 1.f});
+    const float level = std::log2(across);
+    if (!(level < static_cast<float>(levels() - 1))) return trilinear(st, level, wrap);
+    // A little longer than wide is round enough.
+    const int count = static_cast<int>(std::ceil(e.length / across - 0.25f));
+    if (count <= 1) return trilinear(st, level, wrap);
+    // The first and the last lookup touch the ellipse's ends.
+    const Vec2 span = e.along * ((e.length - across) / e.length);
+    T sum(0.f);
+    for (int i = 0; i < count; ++i)
+        sum += trilinear(st + span * (static_cast<float>(i) / static_cast<float>(count - 1) - 0.5f), level, wrap);
+    return sum * (1 / static_cast<float>(count));
 }
 
 template class MipPyramid<float>;

@@ -1,4 +1,5 @@
-// An image at all its resolutions, for textures that are filtered by trilinear interpolation (PBR 3e, section 10.4.3).
+// An image at all its resolutions, for textures that are filtered by trilinear interpolation (PBR 3e, section 10.4.3),
+// over an ellipse by several of them.
 //
 // Texels are kept as small as they can be without harm: an image whose values all come from 8 bits is kept as bytes
 // and its coarser levels as halves, any other as floats.
@@ -41,9 +42,15 @@ class MipPyramid {
     // (s, t) = (0, 0) is the image's bottom left corner and (1, 1) its top right one, as in pbrt. width: of the filter,
     // in the same units; 0: the finest level.
     T lookup(const Vec2& st, float width, ImageWrap wrap) const;
+    // The filter is the ellipse with these axes (conjugate diameters, in the same units). As many trilinear lookups as
+    // it is longer than wide lie in a row along it (McCormack et al., "Feline: Fast Elliptical Lines for Anisotropic
+    // Texture Mapping", SIGGRAPH 1999): where it is round, which it mostly is, this costs what one lookup does, and not
+    // the dozens of texels of an elliptically weighted average. maxAnisotropy: a longer ellipse is widened.
+    T lookup(const Vec2& st, const Vec2& axis0, const Vec2& axis1, float maxAnisotropy, ImageWrap wrap) const;
 
   private:
     struct Level;
+    T trilinear(const Vec2& st, float level, ImageWrap wrap) const;
     T bilinear(const Level& level, const Vec2& st, ImageWrap wrap) const;
 
     std::vector<Level> levels_;

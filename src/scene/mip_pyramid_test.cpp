@@ -69,6 +69,53 @@ TEST(MipPyramid, WidthChoosesTheLevel) {
     EXPECT_NEAR(p.lookup(st, 2.f / 16, ImageWrap::Repeat), 0.5f, 1e-3f);
 }
 
+// Against the mean of many lookups at the finest level, spread over the ellipse.
+TEST(MipPyramid, FiltersOverAnEllipse) {
+    // Waves of 8 texels along x and of 16 along y.
+    const auto wave = [](int k, float period) { return 0.5f + 0.5f * std::sin(2 * kPi * (float(k) + 0.5f) / period); };
+    const FloatPyramid p(image(64, 32, [&](int x, int y) { return Rgb(wave(x, 8) * wave(y, 16)); }),
+                         TexelEncoding::Linear);
+    const Vec2 st(0.37f, 0.71f);
+    for (const auto& [axis0, axis1] :
+         {std::pair(Vec2(12.f / 64, 0), Vec2(0, 1.f / 32)), std::pair(Vec2(0, 12.f / 32), Vec2(1.f / 64, 0)),
+          std::pair(Vec2(7.f / 64, 5.f / 32), Vec2(-0.5f / 64, 0.7f / 32)),
+          std::pair(Vec2(5.f / 64, 5.f / 32), Vec2(5.f / 64, 3.5f / 32)), std::pair(Vec2(0, 0), Vec2(6.f / 64, 0))}) {
+        float mean = 0;
+        int count = 0;
+        for (float x = -0.5f; x <= 0.5f; x += 0.02f)
+            for (float y = -0.5f; y <= 0.5f; y += 0.02f) {
+                if (x * x + y * y > 0.25f) continue;
+                mean += p.lookup(st + axis0 * x + axis1 * y, 0, ImageWrap::Repeat);
+                ++count;
+            }
+        mean /= float(count);
+        EXPECT_NEAR(p.lookup(st, axis0, axis1, 16, ImageWrap::Repeat), mean, 0.08f) << axis0 << axis1;
+    }
+}
+
+TEST(MipPyramid, LongEllipsesAreNeitherBlurredAcrossNorLetThroughAlong) {
+    // Stripes of four texels along s: an ellipse along t keeps them, and only one along s removes them.
+    const FloatPyramid p(image(64, 64, [](int x, int) { return Rgb(float(x / 4 % 2)); }), TexelEncoding::Linear);
+    const Vec2 st(6.f / 64, 0.5f), alongS(16.f / 64, 0), alongT(0, 16.f / 64), across(1.f / 64, 0);
+    EXPECT_NEAR(p.lookup(st, alongT, across, 16, ImageWrap::Repeat), 1, 1e-4f);
+    EXPECT_NEAR(p.lookup(st, across, alongT, 16, ImageWrap::Repeat), 1, 1e-4f);
+    EXPECT_NEAR(p.lookup(st, alongS, Vec2(0, 1.f / 64), 16, ImageWrap::Repeat), 0.5f, 0.06f);
+    // Bounded to round: as blurred as its length asks for.
+    EXPECT_NEAR(p.lookup(st, alongT, across, 1, ImageWrap::Repeat), 0.5f, 1e-3f);
+}
+
+TEST(MipPyramid, RoundEllipsesAreTrilinearLookups) {
+    const RgbPyramid p(noise(32, 32, true), TexelEncoding::Linear);
+    for (const float width : {0.f, 0.01f, 0.1f, 0.3f, 5.f}) {
+        const Vec2 st(0.3f, 0.8f), a = Vec2(0.6f, 0.8f) * width, b = Vec2(-0.8f, 0.6f) * width;
+        const Rgb round = p.lookup(st, a, b, 8, ImageWrap::Repeat), one = p.lookup(st, width, ImageWrap::Repeat);
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(round[k], one[k], 1e-3f) << width;
+    }
+    const Vec2 nothing(std::nanf(""), 0);
+    EXPECT_TRUE(isFinite(p.lookup(Vec2(0.5f, 0.5f), nothing, nothing, 8, ImageWrap::Repeat)));
+    EXPECT_TRUE(isFinite(p.lookup(Vec2(0.5f, 0.5f), Vec2(kInfinity, 0), Vec2(0, 1), 8, ImageWrap::Repeat)));
+}
+
 TEST(MipPyramid, EightBitImagesAreKeptSmallAndExact) {
     const TexelImage source = noise(64, 32, true);
     const RgbPyramid p(source, TexelEncoding::Linear);

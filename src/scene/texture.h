@@ -8,13 +8,17 @@ namespace drc {
 
 // Where a texture is looked up. Lengths are in world units.
 struct TextureContext {
-    Vec3 p;  // world space
-    Vec3 n;  // shading normal, world space
-    Vec2 uv;
-    Vec3 dpdu, dpdv;      // world-space derivatives of position by u and v
-    float footprint = 0;  // width of the pixel's or path's cone where it meets the surface; 0: finest level
+    Vec3 p{0.f};  // world space
+    Vec3 n{0.f};  // shading normal, world space
+    Vec2 uv{0.f};
+    Vec3 dpdu{0.f}, dpdv{0.f};  // world-space derivatives of position by u and v
+    float footprint = 0;        // width of the pixel's or path's cone where it meets the surface; 0: finest level
     // The same, in uv units: footprint divided by the length of a unit of uv.
     float uvFootprint = 0;
+    // Axes of the ellipse in which the cone meets the surface, as long as it is wide, and how uv changes along each;
+    // zero: finest level. setFootprint makes all of these.
+    Vec3 dpdx{0.f}, dpdy{0.f};
+    Vec2 duvdx{0.f}, duvdy{0.f};
 };
 
 template <typename T>
@@ -41,5 +45,16 @@ class ConstantTexture final : public Texture<T> {
   private:
     T value_;
 };
+
+template <typename T>
+std::shared_ptr<const Texture<T>> constantTexture(const T& value) {
+    return std::make_shared<ConstantTexture<T>>(value);
+}
+
+// Whether both give the same value everywhere, so that choosing between them by place is of no use.
+template <typename T>
+bool areEqualConstants(const Texture<T>& a, const Texture<T>& b) {
+    return a.isConstant() && b.isConstant() && a.eval({}) == b.eval({});
+}
 
 }  // namespace drc

@@ -7,19 +7,20 @@ template <typename T>
 class ImageMap final : public Texture<T> {
   public:
     ImageMap(std::shared_ptr<const MipPyramid<T>> pyramid, const ImageMapParams& params)
-        : pyramid_(std::move(pyramid)),
-          params_(params),
-          widthScale_(std::max(std::abs(params.mapping.uScale), std::abs(params.mapping.vScale)) *
-                      (params.trilinear ? 2 : 1)) {}
+        : pyramid_(std::move(pyramid)), params_(params) {}
     T eval(const TextureContext& at) const override {
-        return pyramid_->lookup(params_.mapping.apply(at.uv), at.uvFootprint * widthScale_, params_.wrap) *
-               params_.scale;
+        const PlanePoint point = params_.mapping.at(at);
+        if (!params_.trilinear)
+            return pyramid_->lookup(point.st, point.dstdx, point.dstdy, params_.maxAnisotropy, params_.wrap) *
+                   params_.scale;
+        const float width = std::max(
+            {std::abs(point.dstdx.x), std::abs(point.dstdx.y), std::abs(point.dstdy.x), std::abs(point.dstdy.y)});
+        return pyramid_->lookup(point.st, 2 * width, params_.wrap) * params_.scale;
     }
 
   private:
     std::shared_ptr<const MipPyramid<T>> pyramid_;
     ImageMapParams params_;
-    float widthScale_;
 };
 
 }  // namespace

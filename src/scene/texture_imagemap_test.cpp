@@ -5,10 +5,12 @@
 namespace drc {
 namespace {
 
-TextureContext at(float u, float v, float footprint = 0) {
+// With a round footprint of that width in uv.
+TextureContext at(float u, float v, float width = 0) {
     TextureContext c;
     c.uv = Vec2(u, v);
-    c.uvFootprint = footprint;
+    c.duvdx = Vec2(width, 0);
+    c.duvdy = Vec2(0, width);
     return c;
 }
 
@@ -17,7 +19,7 @@ const auto kStripes =
 
 TEST(ImageMap, MappingAndScale) {
     ImageMapParams p;
-    p.mapping = {0.5f, 1, 0.25f, 0};
+    p.mapping = UvMapping{0.5f, 1, 0.25f, 0};
     p.scale = 3;
     // s = 0.5 * 0.25 + 0.25 = 0.375, the centre of texel 1.
     EXPECT_EQ(makeImageMap(kStripes, p)->eval(at(0.25f, 0.5f)), Rgb(3.f));
@@ -29,8 +31,12 @@ TEST(ImageMap, FootprintIsScaledWithTheMapping) {
     p.trilinear = true;
     EXPECT_NEAR(makeImageMap(kStripes, p)->eval(at(0.375f, 0.5f, 0.25f)).x, 0.5f, 1e-3f);
     p.trilinear = false;
-    p.mapping.uScale = 8;
-    EXPECT_NEAR(makeImageMap(kStripes, p)->eval(at(0.375f / 8, 0.5f, 0.25f)).x, 0.5f, 1e-3f);
+    p.mapping = UvMapping{8, 1, 0, 0};
+    EXPECT_NEAR(makeImageMap(kStripes, p)->eval(at(0.375f / 8, 0.5f, 0.25f)).x, 0.5f, 0.02f);
+    // What is long along the stripes does not blur them.
+    TextureContext alongStripes = at(0.375f, 0.5f, 0);
+    alongStripes.duvdx = Vec2(0, 4);
+    EXPECT_NEAR(makeImageMap(kStripes, ImageMapParams())->eval(alongStripes).x, 1, 1e-5f);
 }
 
 TEST(ImageMap, Float) {

@@ -12,7 +12,6 @@ class MixTexture final : public Texture<T> {
         const float amount = amount_->eval(at);
         return a_->eval(at) * (1 - amount) + b_->eval(at) * amount;
     }
-    bool isConstant() const override { return a_->isConstant() && b_->isConstant() && amount_->isConstant(); }
 
   private:
     std::shared_ptr<const Texture<T>> a_, b_;
@@ -24,7 +23,14 @@ class MixTexture final : public Texture<T> {
 template <typename T>
 std::shared_ptr<const Texture<T>> makeMixTexture(std::shared_ptr<const Texture<T>> a,
                                                  std::shared_ptr<const Texture<T>> b, FloatTexturePtr amount) {
-    return std::make_shared<MixTexture<T>>(std::move(a), std::move(b), std::move(amount));
+    if (areEqualConstants(*a, *b)) return a;
+    const bool isFixed = amount->isConstant();
+    if (isFixed && amount->eval({}) == 0) return a;
+    if (isFixed && amount->eval({}) == 1) return b;
+    const bool isConstant = isFixed && a->isConstant() && b->isConstant();
+    auto mix = std::make_shared<MixTexture<T>>(std::move(a), std::move(b), std::move(amount));
+    if (isConstant) return constantTexture(mix->eval({}));
+    return mix;
 }
 template FloatTexturePtr makeMixTexture<float>(FloatTexturePtr, FloatTexturePtr, FloatTexturePtr);
 template RgbTexturePtr makeMixTexture<Rgb>(RgbTexturePtr, RgbTexturePtr, FloatTexturePtr);

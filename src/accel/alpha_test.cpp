@@ -1,0 +1,40 @@
+// Alpha masks that are looked up by position.
+#include <gtest/gtest.h>
+
+#include "accel/accel.h"
+#include "scene/material_matte.h"
+#include "scene/shape_sphere.h"
+#include "scene/texture_checkerboard.h"
+
+namespace drc {
+namespace {
+
+TEST(Alpha, SolidTexturesHideTheSamePartsOfAShapeFromEveryRay) {
+    Scene scene;
+    Primitive sphere;
+    sphere.shape = makeSphere({});
+    sphere.material = makeMatte({});
+    sphere.alpha = makeSolidCheckerboardTexture<float>(constantTexture(1.f), constantTexture(0.f),
+                                                       Mapping3D(Transform::scale(3, 3, 0.1f)));
+    scene.primitives.push_back(sphere);
+    const Accel accel(scene);
+    int holes = 0, hits = 0;
+    for (float x = -0.63f; x < 0.65f; x += 0.05f)
+        for (float y = -0.63f; y < 0.65f; y += 0.05f) {
+            // From within, so that there is one surface along the ray, and it has z > 0.
+            const Vec3 o(x, y, 0), d(0, 0, 1);
+            Ray ray;
+            ray.o = o;
+            ray.d = d;
+            SurfaceInteraction hit;
+            const bool isHole = int(std::floor(3 * x) + std::floor(3 * y)) % 2 != 0;
+            EXPECT_EQ(accel.intersect(ray, hit), !isHole) << x << " " << y;
+            EXPECT_EQ(accel.occluded(o, d, 5), !isHole) << x << " " << y;
+            ++(isHole ? holes : hits);
+        }
+    EXPECT_GT(holes, 100);
+    EXPECT_GT(hits, 100);
+}
+
+}  // namespace
+}  // namespace drc

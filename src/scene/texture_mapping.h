@@ -1,0 +1,62 @@
+// From a point of a surface to the coordinates in which a texture is looked up, and how these change over the lookup's
+// footprint (PBR 3e, section 10.2).
+#pragma once
+#include "math/transform.h"
+#include "scene/texture.h"
+
+namespace drc {
+
+// Coordinates of a 2D texture, and their changes along the two axes of the footprint.
+struct PlanePoint {
+    Vec2 st;
+    Vec2 dstdx, dstdy;
+};
+
+// pbrt's "uv" mapping: (s, t) = (u * uScale + uDelta, v * vScale + vDelta).
+struct UvMapping {
+    float uScale = 1, vScale = 1;
+    float uDelta = 0, vDelta = 0;
+};
+
+class Mapping2D {
+  public:
+    Mapping2D(const UvMapping& uv = {}) : uv_(uv) {}  // implicit: it is the mapping of nearly every texture
+    // About the texture's z axis: s is the angle to the axis over pi, t the angle about it over 2 pi.
+    static Mapping2D spherical(const Transform& worldToTexture);
+    // About the texture's z axis: s is the angle about it over 2 pi, from -x on, t the z of the direction from the
+    // texture's origin.
+    static Mapping2D cylindrical(const Transform& worldToTexture);
+    // s and t are dot products of the position, in world space, with vs and vt, shifted by the deltas.
+    static Mapping2D planar(const Vec3& vs, const Vec3& vt, const Vec2& delta);
+
+    PlanePoint at(const TextureContext& context) const;
+
+  private:
+    enum class Kind { Uv, Spherical, Cylindrical, Planar };
+    PlanePoint sphericalPoint(const TextureContext& context) const;
+    PlanePoint cylindricalPoint(const TextureContext& context) const;
+    PlanePoint planarPoint(const TextureContext& context) const;
+
+    Kind kind_ = Kind::Uv;
+    UvMapping uv_;
+    Transform worldToTexture_;
+    Vec3 vs_{0.f}, vt_{0.f};
+};
+
+// Position in the space of a 3D texture, and its changes along the two axes of the footprint.
+struct SolidPoint {
+    Vec3 p;
+    Vec3 dpdx, dpdy;
+};
+
+// The identity in the texture's own space.
+class Mapping3D {
+  public:
+    explicit Mapping3D(const Transform& worldToTexture = {}) : worldToTexture_(worldToTexture) {}
+    SolidPoint at(const TextureContext& context) const;
+
+  private:
+    Transform worldToTexture_;
+};
+
+}  // namespace drc
