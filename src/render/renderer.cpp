@@ -101,16 +101,20 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
                     const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
                     const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
                     const Vec2 uLens = sampler.get2D();
-                    const Ray ray = scene_.camera->generateRay(film, uLens, sampler.get1D());
+                    const CameraRay camera = scene_.camera->generateRay(film, uLens, sampler.get1D());
+                    const bool seen = camera.weight > 0;
                     if (path) {
-                        samples_.add(x, y, tracer_.radiance(ray, sampler), f.weight);
+                        const Rgb radiance = seen ? tracer_.radiance(camera.ray, sampler) : Rgb(0.f);
+                        samples_.add(x, y, radiance * camera.weight, f.weight);
                         continue;
                     }
                     IndirectAlong along;
                     along.traceWide = correct;
-                    samples_.add(x, y, tracer_.direct(ray, sampler, drc ? &along : nullptr), f.weight);
+                    const Rgb direct = seen ? tracer_.direct(camera.ray, sampler, drc ? &along : nullptr) : Rgb(0.f);
+                    along.scale(camera.weight);
+                    samples_.add(x, y, direct * camera.weight, f.weight);
                     if (drc) narrow_.add(x, y, along.narrow, f.weight);
-                    if (correct) correction_.add(x, y, group, along, f.weight);
+                    if (correct) correction_.add(x, y, group, along, f.weight, seen);
                 }
         },
         cancel);
