@@ -98,7 +98,7 @@ std::vector<Site> findSites(const Scene& scene, const PathTracer& tracer) {
                         float(region.y0) + u.y * float(region.height()));
         const Vec2 uLens = sampler.get2D();
         PrimaryHit hit;
-        if (!tracer.primaryHit(scene.camera->generateRay(film, uLens, sampler.get1D()), sampler, hit)) continue;
+        if (!tracer.primaryHit(scene.camera->generateRay(film, uLens, sampler.get1D()).ray, sampler, hit)) continue;
         if (!hit.bsdf.hasNonSpecular()) continue;
         const SurfaceInteraction& at = hit.surface;
         sites.push_back({at.p,

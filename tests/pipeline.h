@@ -21,7 +21,7 @@ struct Pipeline {
         const Vec2 film(float(region.x0 + pixel % region.width()) + u.x,
                         float(region.y0 + pixel / region.width()) + u.y);
         const Vec2 uLens = sampler.get2D();
-        return scene->camera->generateRay(film, uLens, sampler.get1D());
+        return scene->camera->generateRay(film, uLens, sampler.get1D()).ray;
     }
     static Sampler sampler(uint64_t stream, int pixel, int i) {
         return Sampler(hashCombine(stream, uint64_t(pixel)), uint32_t(i));

@@ -46,8 +46,10 @@ bool IndirectPass::wideHit(int x, int y, int index, Vec2& film, float& weight, P
     film = Vec2(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
     weight = f.weight;
     const Vec2 uLens = sampler.get2D();
-    const Ray ray = scene.camera->generateRay(film, uLens, sampler.get1D());
-    return tracer_.primaryHit(ray, sampler, hit) && hit.bsdf.hasWithin(LobeFlags::Wide);
+    const CameraRay camera = scene.camera->generateRay(film, uLens, sampler.get1D());
+    if (!(camera.weight > 0) || !tracer_.primaryHit(camera.ray, sampler, hit)) return false;
+    hit.throughput *= camera.weight;
+    return hit.bsdf.hasWithin(LobeFlags::Wide);
 }
 
 // Captures and enhances the maps of sites whose film position is set, in batches.
@@ -70,7 +72,8 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
             Sampler sampler(hashCombine(stream, 1), 0);
             const Vec2 uLens = sampler.get2D();
             PrimaryHit hit;
-            if (!tracer_.primaryHit(scene.camera->generateRay(site.film, uLens, sampler.get1D()), sampler, hit) ||
+            const CameraRay camera = scene.camera->generateRay(site.film, uLens, sampler.get1D());
+            if (!(camera.weight > 0) || !tracer_.primaryHit(camera.ray, sampler, hit) ||
                 !hit.bsdf.hasWithin(LobeFlags::Wide))
                 continue;
             site.p = hit.surface.p;

@@ -21,10 +21,10 @@ Example makeExample(const PathTracer& tracer, const ExampleSettings& settings, i
     const Vec2 u = sampler.get2D();
     const Vec2 film(float(region.x0) + u.x * float(region.width()), float(region.y0) + u.y * float(region.height()));
     const Vec2 uLens = sampler.get2D();
-    const Ray ray = scene.camera->generateRay(film, uLens, sampler.get1D());
+    const CameraRay camera = scene.camera->generateRay(film, uLens, sampler.get1D());
     Example example;
     PrimaryHit hit;
-    if (!tracer.primaryHit(ray, sampler, hit)) return example;
+    if (!(camera.weight > 0) || !tracer.primaryHit(camera.ray, sampler, hit)) return example;
     Vec3 n = faceForward(hit.surface.ng, hit.surface.wo);
     // What is seen through the surface is as good an example as what is seen in front of it.
     if (hit.bsdf.hasWideTransmission() && sampler.get1D() < 0.5f) n = -n;

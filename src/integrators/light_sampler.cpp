@@ -3,52 +3,74 @@
 namespace drc {
 namespace {
 
-// Share of the choice that ignores distance, so that no light that matters is starved.
+// Share of the choice that ignores what lights could bring, so that none that matters is starved: of a few lights some
+// may be hidden from the point, and the sky from all of a room.
 constexpr float kUniformShare = 0.1f;
 
 }  // namespace
 
-LightSampler::LightSampler(const Scene& scene) : sceneRadius_(std::max(1e-6f, scene.bounds().radius())) {
+LightSampler::LightSampler(const Scene& scene) {
+    const float sceneRadius = std::max(1e-6f, scene.bounds().radius());
+    std::vector<const Light*> distant;
+    std::vector<LightReach> reaches;
     for (const LightPtr& light : scene.lights) {
-        const float power = luminance(light->power(sceneRadius_));
+        const float power = luminance(light->power(sceneRadius));
+        if (light->isInfinite() && power > 0) infinite_.push_back(light.get());
         if (!(power > 0)) continue;
-        index_[light.get()] = int(lights_.size());
-        lights_.push_back(light.get());
-        power_.push_back(power);
-        const Bounds b = light->bounds();
-        center_.push_back(b.empty() ? Vec3(0, 0, 0) : b.center());
-        radius_.push_back(b.empty() ? -1.f : b.radius());
-        if (light->isInfinite()) infinite_.push_back(light.get());
+        if (light->bounds().empty()) {
+            distant.push_back(light.get());
+            distant_.push_back(power / sqr(sceneRadius));
+            distantSum_ += distant_.back();
+        } else {
+            lights_.push_back(light.get());
+            reaches.push_back(light->reach());
+            bounds_.emplace_back(reaches.back());
+        }
     }
-    if (!lights_.empty()) byPower_ = Distribution1D(power_);
+    finite_ = lights_.size();
+    lights_.insert(lights_.end(), distant.begin(), distant.end());
+    for (size_t i = 0; i < lights_.size(); ++i) index_[lights_[i]] = int(i);
+    byIrradiance_ = Distribution1D(distant_);
+    if (!weighsAll()) tree_ = LightTree(reaches);
 }
 
-float LightSampler::importance(size_t i, const Vec3& p) const {
-    // Power over the area that it spreads on: a sphere about a near light, the scene's disk for one at infinity.
-    if (radius_[i] < 0) return power_[i] / sqr(sceneRadius_);
-    return power_[i] / (4 * std::max(lengthSquared(p - center_[i]), sqr(radius_[i])));
+float LightSampler::weigh(const Vec3& p, float* weights) const {
+    float sum = 0;
+    for (size_t i = 0; i < finite_; ++i) sum += weights[i] = bounds_[i].irradiance(p);
+    for (size_t i = finite_; i < lights_.size(); ++i) sum += weights[i] = distant_[i - finite_];
+    if (sum > 0 && std::isfinite(sum)) return sum;
+    std::fill_n(weights, lights_.size(), 1.f);
+    return float(lights_.size());
+}
+
+float LightSampler::distantShare(const Vec3& p) const {
+    if (finite_ == 0) return 1;
+    if (distant_.empty()) return 0;
+    const float near = tree_.empty() ? 0 : tree_.bound().irradiance(p);
+    return lerp(kUniformShare, distantSum_ / (distantSum_ + near), 0.5f);
 }
 
 LightSampler::Choice LightSampler::sample(const Vec3& p, float u) const {
     if (lights_.empty()) return {};
     if (lights_.size() == 1) return {lights_[0], 1};
-    if (lights_.size() > kMaxWeighed) {
-        const DiscreteSample s = byPower_.sampleDiscrete(u);
-        return {lights_[size_t(s.index)], s.probability};
+    if (weighsAll()) {
+        float weights[kMaxWeighed];
+        const float scale = (1 - kUniformShare) / weigh(p, weights), uniform = kUniformShare / float(lights_.size());
+        float cdf = 0;
+        for (size_t i = 0;; ++i) {
+            const float probability = uniform + scale * weights[i];
+            cdf += probability;
+            if (u < cdf || i + 1 == lights_.size()) return {lights_[i], probability};
+        }
     }
-    float weights[kMaxWeighed];
-    float sum = 0;
-    for (size_t i = 0; i < lights_.size(); ++i) sum += weights[i] = importance(i, p);
-    const float uniform = kUniformShare / float(lights_.size());
-    float cdf = 0;
-    size_t i = 0;
-    float probability = 0;
-    for (;; ++i) {
-        probability = uniform + (1 - kUniformShare) * weights[i] / sum;
-        cdf += probability;
-        if (u < cdf || i + 1 == lights_.size()) break;
+    const float distant = distantShare(p);
+    if (u < distant) {
+        const DiscreteSample s = byIrradiance_.sampleDiscrete(std::min(u / distant, kOneMinusEpsilon));
+        return {lights_[finite_ + size_t(s.index)], distant * s.probability};
     }
-    return {lights_[i], probability};
+    const LightTree::Choice s = tree_.sample(p, std::min((u - distant) / (1 - distant), kOneMinusEpsilon));
+    if (s.index < 0) return {};
+    return {lights_[size_t(s.index)], (1 - distant) * s.probability};
 }
 
 float LightSampler::probability(const Vec3& p, const Light* light) const {
@@ -56,10 +78,14 @@ float LightSampler::probability(const Vec3& p, const Light* light) const {
     if (it == index_.end()) return 0;
     if (lights_.size() == 1) return 1;
     const auto index = size_t(it->second);
-    if (lights_.size() > kMaxWeighed) return byPower_.probability(int(index));
-    float sum = 0;
-    for (size_t i = 0; i < lights_.size(); ++i) sum += importance(i, p);
-    return kUniformShare / float(lights_.size()) + (1 - kUniformShare) * importance(index, p) / sum;
+    if (weighsAll()) {
+        float weights[kMaxWeighed];
+        const float scale = (1 - kUniformShare) / weigh(p, weights);
+        return kUniformShare / float(lights_.size()) + scale * weights[index];
+    }
+    const float distant = distantShare(p);
+    if (index >= finite_) return distant * byIrradiance_.probability(int(index - finite_));
+    return (1 - distant) * tree_.probability(p, int(index));
 }
 
 }  // namespace drc

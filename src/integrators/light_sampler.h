@@ -1,10 +1,11 @@
-// Chooses one light for a point: by the irradiance that each could bring there where lights are few, by power where
-// they are many.
+// Chooses one light for a point, by the irradiance that each could bring there: all of few lights are weighed, among
+// many a tree finds the way. Lights at infinity stand beside the tree.
 #pragma once
 #include <unordered_map>
 #include <vector>
 
 #include "math/distribution.h"
+#include "scene/light_tree.h"
 #include "scene/scene.h"
 
 namespace drc {
@@ -26,16 +27,22 @@ class LightSampler {
   private:
     // At most this many lights are weighed at every point.
     static constexpr size_t kMaxWeighed = 32;
-    float importance(size_t i, const Vec3& p) const;
+    bool weighsAll() const { return lights_.size() <= kMaxWeighed; }
+    // The weights of all lights, where they are few; returns their sum, which is positive.
+    float weigh(const Vec3& p, float* weights) const;
+    // Among many: the probability that the light is one of those at infinity.
+    float distantShare(const Vec3& p) const;
 
+    // First those of finite size, then those at infinity.
     std::vector<const Light*> lights_;
-    std::vector<const Light*> infinite_;
-    std::vector<float> power_;  // luminance of each light's power
-    std::vector<Vec3> center_;
-    std::vector<float> radius_;  // negative: at infinity
+    size_t finite_ = 0;
+    std::vector<LightBound> bounds_;  // of those of finite size
+    std::vector<float> distant_;      // of those at infinity, the irradiance on what faces them
+    float distantSum_ = 0;
+    LightTree tree_;               // over those of finite size, if there are many lights
+    Distribution1D byIrradiance_;  // over those at infinity
     std::unordered_map<const Light*, int> index_;
-    Distribution1D byPower_;
-    float sceneRadius_ = 0;
+    std::vector<const Light*> infinite_;
 };
 
 }  // namespace drc

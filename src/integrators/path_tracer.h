@@ -45,6 +45,13 @@ struct IndirectAlong {
     Rgb albedo{0.f};
     Vec3 position{0.f}, normal{0.f};
     float pixelSize = 0;
+
+    // For a camera whose rays do not all count alike.
+    void scale(float weight) {
+        narrow *= weight;
+        wide *= weight;
+        albedo *= weight;
+    }
 };
 
 class PathTracer {

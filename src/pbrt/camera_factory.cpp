@@ -1,7 +1,10 @@
 #include "pbrt/camera_factory.h"
 
+#include <tuple>
 #include <utility>
 
+#include "base/log.h"
+#include "pbrt/lens_file.h"
 #include "pbrt/registry.h"
 
 namespace drc::pbrt {
@@ -11,26 +14,28 @@ struct CameraContext {
     const ParamSet& params;
     const Transform& worldToCamera;
     const FilmGeometry& film;
+    const FileSearch& files;
 };
 
-std::unique_ptr<Camera> makePerspective(const CameraContext& context) {
+std::pair<float, float> shutterOf(const ParamSet& params) {
+    std::pair<float, float> shutter(params.getFloat("shutteropen", 0), params.getFloat("shutterclose", 1));
+    if (shutter.second < shutter.first) {
+        warn(params.pos(), "the camera's shutter closes before it opens; the two times are swapped");
+        std::swap(shutter.first, shutter.second);
+    }
+    return shutter;
+}
+
+// What perspective and orthographic cameras have in common.
+ProjectiveCameraParams projectiveParams(const CameraContext& context) {
     const ParamSet& params = context.params;
-    PerspectiveParams p;
+    ProjectiveCameraParams p;
     p.worldToCamera = context.worldToCamera;
-    p.fov = params.getFloat("fov", 90);
-    const float half = params.getFloat("halffov", -1);
-    if (half > 0) p.fov = 2 * half;
-    if (!(p.fov > 0 && p.fov < 180)) fail(params.pos(), "the camera's field of view must be between 0 and 180 degrees");
     p.lensRadius = params.getFloat("lensradius", 0);
     p.focalDistance = params.getFloat("focaldistance", 1e6f);
     if (!(p.lensRadius >= 0)) fail(params.pos(), "the camera's lens radius must not be negative");
     if (p.lensRadius > 0 && !(p.focalDistance > 0)) fail(params.pos(), "the camera's focal distance must be positive");
-    p.shutterOpen = params.getFloat("shutteropen", 0);
-    p.shutterClose = params.getFloat("shutterclose", 1);
-    if (p.shutterClose < p.shutterOpen) {
-        warn(params.pos(), "the camera's shutter closes before it opens; the two times are swapped");
-        std::swap(p.shutterOpen, p.shutterClose);
-    }
+    std::tie(p.shutterOpen, p.shutterClose) = shutterOf(params);
     p.frameAspectRatio = params.getFloat("frameaspectratio", 0);
     if (!(p.frameAspectRatio >= 0)) fail(params.pos(), "the camera's frame aspect ratio must be positive");
     if (const Param* window = params.find("screenwindow", {ParamType::Float})) {
@@ -40,27 +45,71 @@ std::unique_ptr<Camera> makePerspective(const CameraContext& context) {
         if (p.screenWindow[0] == p.screenWindow[1] || p.screenWindow[2] == p.screenWindow[3])
             params.failAt(*window, "is empty");
     }
+    return p;
+}
+
+std::unique_ptr<Camera> makePerspective(const CameraContext& context) {
+    const ParamSet& params = context.params;
+    ProjectiveCameraParams p = projectiveParams(context);
+    p.fov = params.getFloat("fov", 90);
+    const float half = params.getFloat("halffov", -1);
+    if (half > 0) p.fov = 2 * half;
+    if (!(p.fov > 0 && p.fov < 180)) fail(params.pos(), "the camera's field of view must be between 0 and 180 degrees");
     return makePerspectiveCamera(p, context.film);
+}
+
+std::unique_ptr<Camera> makeOrthographic(const CameraContext& context) {
+    return makeOrthographicCamera(projectiveParams(context), context.film);
+}
+
+std::unique_ptr<Camera> makeEnvironment(const CameraContext& context) {
+    EnvironmentCameraParams p;
+    p.worldToCamera = context.worldToCamera;
+    std::tie(p.shutterOpen, p.shutterClose) = shutterOf(context.params);
+    for (const char* name : {"lensradius", "focaldistance", "frameaspectratio", "screenwindow"}) {
+        if (!context.params.has(name)) continue;
+        context.params.ignore({name});
+        logDebug(std::string("camera 'environment' sees all directions from one point: '") + name +
+                 "' has no effect, as in pbrt");
+    }
+    return makeEnvironmentCamera(p, context.film);
+}
+
+std::unique_ptr<Camera> makeRealistic(const CameraContext& context) {
+    const ParamSet& params = context.params;
+    RealisticCameraParams p;
+    p.worldToCamera = context.worldToCamera;
+    std::tie(p.shutterOpen, p.shutterClose) = shutterOf(params);
+    const float stop = params.getFloat("aperturediameter", 1);
+    if (!(stop > 0)) params.failAt(*params.find("aperturediameter", {ParamType::Float}), "must be positive");
+    p.focusDistance = params.getFloat("focusdistance", 10);
+    if (!(p.focusDistance > 0)) params.failAt(*params.find("focusdistance", {ParamType::Float}), "must be positive");
+    p.simpleWeighting = params.getBool("simpleweighting", true);
+    const std::string lens = params.getString("lensfile", "");
+    if (lens.empty()) fail(params.pos(), "the realistic camera needs the parameter \"string lensfile\"");
+    const SourcePos pos = params.find("lensfile", {ParamType::String})->valuePos;
+    p.lens = readLensFile(context.files.find(lens, pos, "lens file"), stop);
+    try {
+        return makeRealisticCamera(p, context.film);
+    } catch (const Error& error) {
+        fail(params.pos(), error.what());
+    }
 }
 
 using CameraMaker = std::unique_ptr<Camera> (*)(const CameraContext&);
 constexpr Registered<CameraMaker> kCameras[] = {
-    {"environment", nullptr},
-    {"orthographic", nullptr},
+    {"environment", makeEnvironment},
+    {"orthographic", makeOrthographic},
     {"perspective", makePerspective},
-    {"realistic", nullptr},
+    {"realistic", makeRealistic},
 };
 
 }  // namespace
 
 std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
-                                   const FilmGeometry& film) {
-    const auto make = findMaker<CameraMaker>(kCameras, "camera", type, params.pos(), "a perspective camera is used");
-    if (make == nullptr) {
-        const ParamSet none("camera 'perspective'", params.pos());
-        return makePerspective({none, worldToCamera, film});
-    }
-    auto camera = make({params, worldToCamera, film});
+                                   const FilmGeometry& film, const FileSearch& files) {
+    const auto make = findMaker<CameraMaker>(kCameras, "camera", type, params.pos(), "");
+    auto camera = make({params, worldToCamera, film, files});
     params.warnUnused();
     return camera;
 }

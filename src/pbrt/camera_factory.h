@@ -3,13 +3,14 @@
 #include <memory>
 #include <string>
 
+#include "pbrt/file_search.h"
 #include "pbrt/param_set.h"
 #include "scene/camera.h"
 
 namespace drc::pbrt {
 
-// What is not built becomes a perspective camera, with a warning. Throws Error for an unknown type.
+// Throws Error for an unknown type or wrong parameters.
 std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
-                                   const FilmGeometry& film);
+                                   const FilmGeometry& film, const FileSearch& files);
 
 }  // namespace drc::pbrt

@@ -1,5 +1,9 @@
 #include "pbrt/light_factory.h"
 
+#include <fmt/core.h>
+
+#include "base/log.h"
+#include "math/frame.h"
 #include "pbrt/decoded_image.h"
 #include "pbrt/registry.h"
 
@@ -14,6 +18,36 @@ struct LightContext {
 
 // pbrt multiplies every light's colour by this one.
 Rgb scaleOf(const ParamSet& params) { return params.getColor("scale", Rgb(1.f)); }
+
+// pbrt's number of samples a light: here every sample of a pixel chooses one light by what it can bring.
+void samplesNotNeeded(const ParamSet& params) {
+    if (!params.has("samples") && !params.has("nsamples")) return;
+    params.ignore({"samples", "nsamples"});
+    logDebug(params.owner() + ": its number of samples is not needed: lights are sampled by what they bring");
+}
+
+// Throws Error unless low < value < high.
+float between(const ParamSet& params, std::string_view name, float fallback, float low, float high) {
+    const float value = params.getFloat(name, fallback);
+    if (!(value > low && value < high))
+        params.failAt(*params.find(name, {ParamType::Float}),
+                      fmt::format("must be between {:g} and {:g} degrees, not {:g}", low, high, value));
+    return value;
+}
+
+// The picture that the parameter "mapname" names; empty if there is none.
+LightImage mapOf(const LightContext& context, const std::string& what) {
+    const std::string name = context.params.getString("mapname", "");
+    if (name.empty()) return {};
+    const SourcePos pos = context.params.find("mapname", {ParamType::String})->valuePos;
+    const std::string path = context.files.find(name, pos, what);
+    try {
+        DecodedImage image = readLinear(path);
+        return {image.width, image.height, std::move(image.texels)};
+    } catch (const Error& error) {
+        fail(pos, error.what());
+    }
+}
 
 LightPtr makePoint(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
@@ -30,37 +64,54 @@ LightPtr makeDistant(const LightContext& context) {
     return makeDistantLight(direction, radiance);
 }
 
-EnvironmentMap readEnvironment(const std::string& path, const SourcePos& pos) {
-    try {
-        DecodedImage image = readLinear(path);
-        return {image.width, image.height, std::move(image.texels)};
-    } catch (const Error& error) {
-        fail(pos, error.what());
-    }
+// A space whose origin is `from` and whose +z points to `to`.
+Transform aimed(const ParamSet& params, const Transform& toWorld) {
+    const Vec3 from = params.getPoint("from", Vec3(0, 0, 0)), to = params.getPoint("to", Vec3(0, 0, 1));
+    const Vec3 z = normalize(to - from);
+    if (z == Vec3(0, 0, 0)) fail(params.pos(), "the " + params.owner() + " has no direction: 'from' equals 'to'");
+    const Frame f = Frame::fromNormal(z);
+    return toWorld * Transform({f.s.x, f.t.x, f.n.x, from.x,  //
+                                f.s.y, f.t.y, f.n.y, from.y,  //
+                                f.s.z, f.t.z, f.n.z, from.z, 0, 0, 0, 1});
+}
+
+LightPtr makeSpot(const LightContext& context) {
+    const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
+    const float cone = between(context.params, "coneangle", 30, 0, 180);
+    const float fade = context.params.getFloat("conedeltaangle", 5);
+    if (!(fade >= 0))
+        context.params.failAt(*context.params.find("conedeltaangle", {ParamType::Float}), "must not be negative");
+    return makeSpotLight(aimed(context.params, context.toWorld), intensity, cone, fade);
+}
+
+LightPtr makeGoniometric(const LightContext& context) {
+    const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
+    return makeGoniometricLight(context.toWorld, intensity, mapOf(context, "goniometric diagram"));
+}
+
+LightPtr makeProjection(const LightContext& context) {
+    const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
+    const float fov = between(context.params, "fov", 45, 0, 180);
+    return makeProjectionLight(context.toWorld, intensity, fov, mapOf(context, "picture to project"));
 }
 
 LightPtr makeInfinite(const LightContext& context) {
     const Rgb radiance = context.params.getColor("L", Rgb(1.f)) * scaleOf(context.params);
-    context.params.ignore({"samples", "nsamples"});
-    EnvironmentMap map;
-    const std::string name = context.params.getString("mapname", "");
-    if (!name.empty()) {
-        const SourcePos pos = context.params.find("mapname", {ParamType::String})->valuePos;
-        map = readEnvironment(context.files.find(name, pos, "environment map"), pos);
-    }
-    return makeInfiniteLight(context.toWorld, radiance, std::move(map));
+    samplesNotNeeded(context.params);
+    return makeInfiniteLight(context.toWorld, radiance, mapOf(context, "environment map"));
 }
 
 using LightMaker = LightPtr (*)(const LightContext&);
 constexpr Registered<LightMaker> kLights[] = {
-    {"distant", makeDistant}, {"exinfinite", makeInfinite}, {"goniometric", nullptr}, {"infinite", makeInfinite},
-    {"point", makePoint},     {"projection", nullptr},      {"spot", nullptr},
+    {"distant", makeDistant},   {"exinfinite", makeInfinite}, {"goniometric", makeGoniometric},
+    {"infinite", makeInfinite}, {"point", makePoint},         {"projection", makeProjection},
+    {"spot", makeSpot},
 };
 
 AreaLightBuilder makeDiffuse(const ParamSet& params) {
     const Rgb radiance = params.getColor("L", Rgb(1.f)) * scaleOf(params);
     const bool twoSided = params.getBool("twosided", false);
-    params.ignore({"samples", "nsamples"});
+    samplesNotNeeded(params);
     if (isBlack(radiance)) return {};
     return [=](const Primitive& primitive) {
         return primitive.mesh ? makeMeshAreaLight(*primitive.mesh, radiance, twoSided)

@@ -1,8 +1,13 @@
 #include "pbrt/render_settings.h"
 
-#include <algorithm>
-#include <cmath>
+#include <fmt/core.h>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+#include "base/log.h"
 #include "pbrt/registry.h"
 
 namespace drc::pbrt {
@@ -33,7 +38,11 @@ void applyFilm(const std::string& type, const ParamSet& params, RenderSettings& 
     settings.outputFile = params.getString("filename", settings.outputFile);
     settings.filmScale = params.getFloat("scale", 1);
     settings.maxSampleLuminance = params.getFloat("maxsampleluminance", kInfinity);
-    params.ignore({"diagonal"});  // millimetres; for the realistic camera alone
+    settings.film.diagonal = params.getFloat("diagonal", settings.film.diagonal);
+    if (!(settings.film.diagonal > 0)) params.failAt(*params.find("diagonal", {ParamType::Float}), "must be positive");
+    if (!(settings.filmScale >= 0)) params.failAt(*params.find("scale", {ParamType::Float}), "must not be negative");
+    if (!(settings.maxSampleLuminance > 0))
+        params.failAt(*params.find("maxsampleluminance", {ParamType::Float}), "must be positive");
     if (const Param* window = params.find("cropwindow", {ParamType::Float})) {
         if (window->numbers.size() != 4) params.failAt(*window, "must have four values of type 'float'");
         float crop[4];
@@ -57,22 +66,68 @@ void applySampler(const std::string& type, const ParamSet& params, RenderSetting
         const int64_t samples = int64_t(positive(params, "xsamples", 4, 4096)) * positive(params, "ysamples", 4, 4096);
         settings.samplesPerPixel = int(std::min<int64_t>(samples, kMost));
     } else {
-        settings.samplesPerPixel = positive(params, "pixelsamples", 16, kMost);
+        settings.samplesPerPixel = positive(params, "pixelsamples", type == "random" ? 4 : 16, kMost);
+        // As in pbrt: these are good at powers of two alone.
+        if (type != "random" && type != "halton")
+            settings.samplesPerPixel = int(std::bit_ceil(unsigned(settings.samplesPerPixel)));
     }
     // How the samples are laid out is ours to choose.
     params.ignore({"dimensions", "jitter", "samplepixelcenter"});
     params.warnUnused();
+    logDebug("sampler '" + type + "': Owen-scrambled Sobol points are used, as for every sampler");
 }
+
+namespace {
+
+// The knobs of pbrt-v3's integrators that are for their own algorithms: nothing here has use for them.
+const std::map<std::string_view, std::vector<std::string_view>> kIntegratorKnobs = {
+    {"ambientocclusion", {"cossample", "nsamples"}},
+    {"ao", {"cossample", "nsamples"}},
+    {"bdpt", {"visualizestrategies", "visualizeweights"}},
+    {"directlighting", {"strategy"}},
+    {"mlt", {"bootstrapsamples", "chains", "largestepprobability", "mutationsperpixel", "sigma"}},
+    {"path", {}},
+    {"sppm", {"imagewritefrequency", "iterations", "numiterations", "photonsperiteration", "radius"}},
+    {"volpath", {}},
+    {"whitted", {}},
+};
+
+}  // namespace
 
 void applyIntegrator(const std::string& type, const ParamSet& params, RenderSettings& settings) {
     settings.integrator = type;
     settings.maxDepth = params.getInt("maxdepth", 5);
     if (settings.maxDepth < 0) params.failAt(*params.find("maxdepth", {ParamType::Integer}), "must not be negative");
     settings.rrThreshold = params.getFloat("rrthreshold", 1);
+    if (params.has("rrthreshold"))
+        logDebug("integrator '" + type + "': 'rrthreshold' is not needed: paths end by their own throughput");
     settings.lightStrategy = params.getString("lightsamplestrategy", type == "bdpt" ? "power" : "spatial");
-    params.notBuilt({"pixelbounds"});
-    // Each integrator of pbrt's and of the original DRC's has knobs of its own; none of them changes the result.
-    params.ignoreAll();
+    if (const Param* strategy = params.find("lightsamplestrategy", {ParamType::String})) {
+        if (settings.lightStrategy != "uniform" && settings.lightStrategy != "power" &&
+            settings.lightStrategy != "spatial")
+            params.failAt(*strategy, "must be 'uniform', 'power' or 'spatial', not '" + settings.lightStrategy + "'");
+        logDebug("integrator '" + type + "': lights are chosen by what they can bring to a point, not by '" +
+                 settings.lightStrategy + "'");
+    }
+    if (const Param* bounds = params.find("pixelbounds", {ParamType::Integer})) {
+        if (bounds->numbers.size() != 4) params.failAt(*bounds, "must have four values of type 'integer'");
+        PixelRegion& r = settings.pixelBounds.emplace();
+        r = {int(bounds->numbers[0]), int(bounds->numbers[2]), int(bounds->numbers[1]), int(bounds->numbers[3])};
+        if (r.width() < 1 || r.height() < 1)
+            params.failAt(*bounds, "is empty: it must be x0 x1 y0 y1 in pixels, with x0 < x1 and y0 < y1");
+    }
+    const auto knobs = kIntegratorKnobs.find(type);
+    if (knobs == kIntegratorKnobs.end()) {
+        // Of an integrator that is not pbrt's own nothing is known.
+        params.ignoreAll();
+        return;
+    }
+    for (const std::string_view name : knobs->second) {
+        if (!params.has(name)) continue;
+        params.ignore({name});
+        logDebug(fmt::format("integrator '{}': '{}' has no effect", type, name));
+    }
+    params.warnUnused();
 }
 
 void checkAccelerator(const std::string& type, const ParamSet& params) {

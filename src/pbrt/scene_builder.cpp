@@ -243,10 +243,13 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     applyFilm(film_.type, film_.params, settings);
     applySampler(sampler_.type, sampler_.params, settings);
     applyIntegrator(integrator_.type, integrator_.params, settings);
-    if (options.resolution) settings.film = *options.resolution;
+    if (options.resolution) {
+        settings.film.width = options.resolution->width;
+        settings.film.height = options.resolution->height;
+    }
     if (worldToCamera_.isAnimated())
         warn(camera_.params.pos(), "moving cameras are not supported yet; that of the start time is used");
-    scene_->camera = makeCamera(camera_.type, camera_.params, worldToCamera_.start(), settings.film);
+    scene_->camera = makeCamera(camera_.type, camera_.params, worldToCamera_.start(), settings.film, files_);
 
     loadMeshes();
     for (PendingPrimitive& p : pending_) {

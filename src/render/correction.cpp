@@ -80,9 +80,10 @@ IndirectCorrection::IndirectCorrection(const PixelRegion& region)
       position_(region),
       size_(region) {}
 
-void IndirectCorrection::add(int x, int y, int group, const IndirectAlong& along, float filterWeight) {
+void IndirectCorrection::add(int x, int y, int group, const IndirectAlong& along, float filterWeight, bool looked) {
     traced_[size_t(group)].add(x, y, along.wide, filterWeight);
     albedo_.add(x, y, along.albedo, filterWeight);
+    if (!looked) return;
     normal_.add(x, y, Rgb(along.normal.x, along.normal.y, along.normal.z), filterWeight);
     position_.add(x, y, Rgb(along.position.x, along.position.y, along.position.z), filterWeight);
     size_.add(x, y, Rgb(along.pixelSize), filterWeight);

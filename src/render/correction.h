@@ -16,8 +16,9 @@ class IndirectCorrection {
 
     // Samples are kept in groups, independent of each other, that tell how far the difference can be believed.
     static constexpr int kGroups = 4;
-    // A sample of the light that the maps hold (along.wide), for a group from 0 to kGroups - 1.
-    void add(int x, int y, int group, const IndirectAlong& along, float filterWeight);
+    // A sample of the light that the maps hold (along.wide), for a group from 0 to kGroups - 1. Not looked: the camera
+    // let nothing through, which darkens the pixel, but says nothing of the surface that it shows.
+    void add(int x, int y, int group, const IndirectAlong& along, float filterWeight, bool looked = true);
 
     // Adds the filtered difference to the layer, in place. A group without samples: leaves it as it is.
     void apply(Image& indirect) const;

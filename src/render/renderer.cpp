@@ -55,7 +55,8 @@ void Renderer::startGuide() {
         const Vec2 film(float(region.x0) + u.x * float(region.width()),
                         float(region.y0) + u.y * float(region.height()));
         PrimaryHit hit;
-        if (tracer_.primaryHit(scene_.camera->generateRay(film, uLens, sampler.get1D()), sampler, hit))
+        const CameraRay camera = scene_.camera->generateRay(film, uLens, sampler.get1D());
+        if (camera.weight > 0 && tracer_.primaryHit(camera.ray, sampler, hit))
             distances.push_back(hit.distance);
     }
     if (distances.empty()) return;
@@ -136,16 +137,20 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
                     const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
                     const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
                     const Vec2 uLens = sampler.get2D();
-                    const Ray ray = scene_.camera->generateRay(film, uLens, sampler.get1D());
+                    const CameraRay camera = scene_.camera->generateRay(film, uLens, sampler.get1D());
+                    const bool seen = camera.weight > 0;
                     if (path) {
-                        samples_.add(x, y, tracer_.radiance(ray, sampler), f.weight);
+                        const Rgb radiance = seen ? tracer_.radiance(camera.ray, sampler) : Rgb(0.f);
+                        samples_.add(x, y, radiance * camera.weight, f.weight);
                         continue;
                     }
                     IndirectAlong along;
                     along.traceWide = correct;
-                    samples_.add(x, y, tracer_.direct(ray, sampler, drc ? &along : nullptr), f.weight);
+                    const Rgb direct = seen ? tracer_.direct(camera.ray, sampler, drc ? &along : nullptr) : Rgb(0.f);
+                    along.scale(camera.weight);
+                    samples_.add(x, y, direct * camera.weight, f.weight);
                     if (drc) narrow_.add(x, y, along.narrow, f.weight);
-                    if (correct) correction_.add(x, y, group, along, f.weight);
+                    if (correct) correction_.add(x, y, group, along, f.weight, seen);
                 }
         },
         cancel);

@@ -1,6 +1,7 @@
 // Cameras. Film coordinates are pixels: (0,0) is the top left corner of the top left pixel, x to the right, y down.
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "math/transform.h"
 #include "scene/ray.h"
@@ -10,13 +11,21 @@ namespace drc {
 struct FilmGeometry {
     int width = 1280;
     int height = 720;
+    float diagonal = 35;  // millimetres; for the realistic camera alone
+};
+
+struct CameraRay {
+    Ray ray;
+    // The radiance along the ray counts for the pixel with this weight. 0: the camera let nothing through, and there is
+    // no ray. Other than 1 only for cameras with real lenses.
+    float weight = 1;
 };
 
 class Camera {
   public:
     virtual ~Camera() = default;
     // Ray through a film position; uLens in [0,1)^2 chooses the point on the lens, uTime in [0,1) the time.
-    virtual Ray generateRay(const Vec2& film, const Vec2& uLens, float uTime) const = 0;
+    virtual CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const = 0;
     // World-space position and viewing direction, for frames and bounds.
     virtual Vec3 position() const = 0;
     // The same camera for a film of another size: pbrt's rule for the screen window is applied to the new aspect.
@@ -25,9 +34,10 @@ class Camera {
     virtual Vec3 up() const = 0;
 };
 
-struct PerspectiveParams {
+// Of the perspective and the orthographic camera.
+struct ProjectiveCameraParams {
     Transform worldToCamera;
-    float fov = 90;  // degrees, of the shorter axis
+    float fov = 90;  // degrees, of the shorter axis; perspective alone
     float lensRadius = 0;
     float focalDistance = 1e6f;
     float shutterOpen = 0, shutterClose = 1;
@@ -35,6 +45,33 @@ struct PerspectiveParams {
     bool hasScreenWindow = false;
     float screenWindow[4] = {-1, 1, -1, 1};  // xmin xmax ymin ymax
 };
-std::unique_ptr<Camera> makePerspectiveCamera(const PerspectiveParams& params, const FilmGeometry& film);
+std::unique_ptr<Camera> makePerspectiveCamera(const ProjectiveCameraParams& params, const FilmGeometry& film);
+std::unique_ptr<Camera> makeOrthographicCamera(const ProjectiveCameraParams& params, const FilmGeometry& film);
+
+// All directions from one point: the film's width is a full turn, its height goes from the camera's +y to -y.
+struct EnvironmentCameraParams {
+    Transform worldToCamera;
+    float shutterOpen = 0, shutterClose = 1;
+};
+std::unique_ptr<Camera> makeEnvironmentCamera(const EnvironmentCameraParams& params, const FilmGeometry& film);
+
+// One surface of a lens, or the stop. Lengths in metres, which the scene's units then are.
+struct LensElement {
+    float radius = 0;     // of curvature; positive: the centre is on the film's side; 0: the stop, which is flat
+    float thickness = 0;  // distance along the axis to the next element, or from the last one to the film
+    float eta = 1;        // index of refraction of what lies behind it, towards the film
+    float aperture = 0;   // half of its diameter
+};
+struct RealisticCameraParams {
+    Transform worldToCamera;
+    std::vector<LensElement> lens;  // from the scene to the film; not empty
+    float focusDistance = 10;       // from the film, which moves away from the lens until this is sharp
+    // Weights of rays: as if the film's middle had all the light that the lens lets through, whatever the aperture; or
+    // else as the irradiance on the film, times the time that the shutter is open.
+    bool simpleWeighting = true;
+    float shutterOpen = 0, shutterClose = 1;
+};
+// Throws Error if the lens cannot be focused so near.
+std::unique_ptr<Camera> makeRealisticCamera(const RealisticCameraParams& params, const FilmGeometry& film);
 
 }  // namespace drc

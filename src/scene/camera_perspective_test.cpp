@@ -10,7 +10,7 @@ void expectNear(const Vec3& a, const Vec3& b, float tolerance = 1e-5f) {
 }
 
 Vec3 directionAt(const Camera& camera, float x, float y) {
-    const Ray r = camera.generateRay(Vec2(x, y), Vec2(0.5f, 0.5f), 0);
+    const Ray r = camera.generateRay(Vec2(x, y), Vec2(0.5f, 0.5f), 0).ray;
     EXPECT_NEAR(length(r.d), 1, 1e-6);
     return r.d;
 }
@@ -33,7 +33,7 @@ TEST(PerspectiveCamera, CornersOfATallFilm) {
 }
 
 TEST(PerspectiveCamera, LookAtIsLeftHanded) {
-    PerspectiveParams p;
+    ProjectiveCameraParams p;
     p.worldToCamera = Transform::lookAt(Vec3(0, 0, 5), Vec3(0, 0, 0), Vec3(0, 1, 0));
     const auto camera = makePerspectiveCamera(p, {100, 100});
     expectNear(camera->position(), Vec3(0, 0, 5));
@@ -51,7 +51,7 @@ TEST(PerspectiveCamera, FrameAspectAndScreenWindow) {
     expectNear(
         directionAt(*makePerspectiveCamera({.worldToCamera = Transform(), .frameAspectRatio = 4}, {100, 100}), 0, 0),
         normalize(Vec3(-4, 1, 1)));
-    PerspectiveParams p;
+    ProjectiveCameraParams p;
     p.hasScreenWindow = true;
     const float window[4] = {-0.5f, 1, -2, 0.25f};
     std::copy(window, window + 4, p.screenWindow);
@@ -69,17 +69,17 @@ TEST(PerspectiveCamera, WithFilmAppliesTheRuleAnew) {
 
 TEST(PerspectiveCamera, ConeCoversThePixel) {
     const auto camera = makePerspectiveCamera({}, {1000, 1000});
-    const Ray centre = camera->generateRay(Vec2(500, 500), Vec2(0, 0), 0);
+    const Ray centre = camera->generateRay(Vec2(500, 500), Vec2(0, 0), 0).ray;
     EXPECT_NEAR(centre.coneSpread, 0.002, 1e-8);
     EXPECT_EQ(centre.coneWidth, 0);
     // Towards a corner: the solid angle between four neighbouring rays.
     const Vec3 a = directionAt(*camera, 0, 0), b = directionAt(*camera, 1, 0), c = directionAt(*camera, 0, 1);
-    const Ray corner = camera->generateRay(Vec2(0.5f, 0.5f), Vec2(0, 0), 0);
+    const Ray corner = camera->generateRay(Vec2(0.5f, 0.5f), Vec2(0, 0), 0).ray;
     EXPECT_NEAR(sqr(corner.coneSpread) / length(cross(b - a, c - a)), 1, 2e-2);
 }
 
 TEST(PerspectiveCamera, ThinLensFocuses) {
-    PerspectiveParams p;
+    ProjectiveCameraParams p;
     p.worldToCamera = Transform::lookAt(Vec3(1, 2, 3), Vec3(4, 0, 1), Vec3(0, 0, 1));
     p.lensRadius = 0.2f;
     p.focalDistance = 5;
@@ -91,7 +91,7 @@ TEST(PerspectiveCamera, ThinLensFocuses) {
     // All rays of a film position meet on the plane at the focal distance, and leave from a disk.
     const Vec3 focus = pinhole->position() + d * (5 / dot(d, forward));
     for (const Vec2& u : {Vec2(0.1f, 0.2f), Vec2(0.9f, 0.5f), Vec2(0.5f, 0.5f), Vec2(1, 1)}) {
-        const Ray r = camera->generateRay(film, u, 0);
+        const Ray r = camera->generateRay(film, u, 0).ray;
         expectNear(r.o + r.d * dot(focus - r.o, r.d), focus, 1e-4f);
         EXPECT_LE(length(r.o - camera->position()), 0.2f + 1e-5f);
         EXPECT_NEAR(dot(r.o - camera->position(), forward), 0, 1e-5);
@@ -105,7 +105,7 @@ TEST(PerspectiveCamera, ThinLensFocuses) {
 TEST(PerspectiveCamera, Shutter) {
     const auto camera =
         makePerspectiveCamera({.worldToCamera = Transform(), .shutterOpen = 2, .shutterClose = 6}, {10, 10});
-    EXPECT_EQ(camera->generateRay(Vec2(5, 5), Vec2(0, 0), 0.25f).time, 3);
+    EXPECT_EQ(camera->generateRay(Vec2(5, 5), Vec2(0, 0), 0.25f).ray.time, 3);
 }
 
 }  // namespace

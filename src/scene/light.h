@@ -5,6 +5,8 @@
 
 #include "math/transform.h"
 #include "math/vec.h"
+#include "scene/light_image.h"
+#include "scene/light_reach.h"
 #include "scene/shape.h"
 #include "scene/texture.h"
 #include "scene/triangle_mesh.h"
@@ -36,6 +38,13 @@ class Light {
     virtual Vec2 inverse(const Vec3&) const { return Vec2(0, 0); }
     // Point and extent of a light of finite size, for choosing among many; empty for lights at infinity.
     virtual Bounds bounds() const { return {}; }
+    // Of lights of finite size; by default equally bright from all sides.
+    virtual LightReach reach() const {
+        LightReach r;
+        r.bounds = bounds();
+        r.intensity = luminance(power(0)) / (4 * kPi);
+        return r;
+    }
 };
 
 using LightPtr = std::shared_ptr<const Light>;
@@ -57,14 +66,19 @@ class AreaLight : public Light {
 };
 
 LightPtr makePointLight(const Vec3& position, const Rgb& intensity);
+// The three below shine from the origin of their space. Spot: along +z, fading to nothing over the outermost degrees of
+// a cone whose half-angle is coneDegrees.
+LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees);
+// image empty: equally bright everywhere; else it multiplies the intensity, and says what its rows and columns are
+// where the lights are written. fovDegrees: of the picture's shorter side.
+LightPtr makeGoniometricLight(const Transform& lightToWorld, const Rgb& intensity, LightImage image);
+LightPtr makeProjectionLight(const Transform& lightToWorld, const Rgb& intensity, float fovDegrees, LightImage image);
 // direction: from the lit points towards the light, world space.
 LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
 
-// An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, u = phi / 2 pi.
-struct EnvironmentMap {
-    int width = 0, height = 0;
-    std::vector<Rgb> texels;  // row-major, row 0 at theta = 0
-};
+// An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, u = phi / 2 pi; row 0 at
+// theta = 0.
+using EnvironmentMap = LightImage;
 // map empty: constant. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
 

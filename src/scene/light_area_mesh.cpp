@@ -1,33 +1,64 @@
-// Diffuse area light over a triangle mesh: one light for all its triangles (PBR 3e, sections 12.5 and 14.2.3).
+// Diffuse area light over a triangle mesh: one light for all its triangles (PBR 3e, sections 12.5 and 14.2.3). A few
+// triangles are chosen by area; of many a tree finds those that matter to the lit point.
 #include "math/distribution.h"
 #include "math/warp.h"
 #include "scene/light.h"
+#include "scene/light_tree.h"
 
 namespace drc {
 namespace {
+
+// Up to this many triangles are chosen by area, which costs less and keeps samples better spread.
+constexpr uint32_t kFewTriangles = 8;
 
 class MeshAreaLight final : public AreaLight {
   public:
     MeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided)
         : radiance_(radiance), twoSided_(twoSided) {
-        std::vector<float> areas(mesh.triangleCount());
-        emitters_.resize(mesh.triangleCount());
-        for (uint32_t i = 0; i < mesh.triangleCount(); ++i) {
-            areas[i] = mesh.area(i);
-            for (uint32_t k = 0; k < 3; ++k) emitters_[i].p[k] = mesh.positions[mesh.indices[3 * size_t(i) + k]];
-            emitters_[i].ng = mesh.geometricNormal(i);
+        const uint32_t count = mesh.triangleCount();
+        std::vector<float> areas(count);
+        std::vector<LightReach> reaches(count);
+        emitters_.resize(count);
+        const float brightness = luminance(radiance);
+        for (uint32_t i = 0; i < count; ++i) {
+            Emitter& e = emitters_[i];
+            LightReach& r = reaches[i];
+            for (uint32_t k = 0; k < 3; ++k) {
+                e.p[k] = mesh.positions[mesh.indices[3 * size_t(i) + k]];
+                r.bounds.extend(e.p[k]);
+            }
+            e.ng = mesh.geometricNormal(i);
+            e.area = areas[i] = mesh.area(i);
+            r.axis = e.ng;
+            r.spread = 0;
+            r.twoSided = twoSided;
+            r.intensity = brightness * e.area;
         }
         // Not an alias table: the order of u is kept, and with it the stratification of the samples.
         triangles_ = Distribution1D(areas);
         area_ = static_cast<float>(triangles_.integral() * static_cast<double>(areas.size()));
-        for (const uint32_t v : mesh.indices) bounds_.extend(mesh.positions[v]);
+        if (count > kFewTriangles) tree_ = LightTree(reaches);
+        findReach(reaches);
     }
 
     std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const override {
         if (!(area_ > 0)) return {};
-        const DiscreteSample chosen = triangles_.sampleDiscrete(u.x);
-        const Vec2 b = sampleUniformTriangle(Vec2(chosen.uRemapped, u.y));
-        const Emitter& emitter = emitters_[size_t(chosen.index)];
+        int index;
+        float probability, uLeft;
+        if (tree_.empty()) {
+            const DiscreteSample chosen = triangles_.sampleDiscrete(u.x);
+            index = chosen.index;
+            probability = chosen.probability;
+            uLeft = chosen.uRemapped;
+        } else {
+            const LightTree::Choice chosen = tree_.sample(p, u.x);
+            if (chosen.index < 0) return {};
+            index = chosen.index;
+            probability = chosen.probability;
+            uLeft = chosen.uRemapped;
+        }
+        const Vec2 b = sampleUniformTriangle(Vec2(uLeft, u.y));
+        const Emitter& emitter = emitters_[size_t(index)];
         const Vec3 point = emitter.p[0] * b.x + emitter.p[1] * b.y + emitter.p[2] * (1 - b.x - b.y);
         const Vec3 d = point - p;
         const float distance = length(d);
@@ -35,26 +66,27 @@ class MeshAreaLight final : public AreaLight {
         EmitterHit hit;
         hit.p = point;
         hit.ng = emitter.ng;
-        hit.triangle = static_cast<uint32_t>(chosen.index);
+        hit.triangle = static_cast<uint32_t>(index);
         LightSample s;
         s.wi = d / distance;
         s.radiance = emitted(hit, -s.wi);
-        s.pdf = pdf(p, s.wi, hit);
+        s.pdf = density(probability, p, s.wi, hit);
         s.distance = distance;
         if (!(s.pdf > 0) || isBlack(s.radiance)) return {};
         return s;
     }
 
     Rgb power(float) const override { return radiance_ * ((twoSided_ ? 2 : 1) * area_ * kPi); }
-    Bounds bounds() const override { return bounds_; }
+    Bounds bounds() const override { return reach_.bounds; }
+    LightReach reach() const override { return reach_; }
 
     Rgb emitted(const EmitterHit& hit, const Vec3& wo) const override {
         return twoSided_ || dot(hit.ng, wo) > 0 ? radiance_ : Rgb(0.f);
     }
 
     float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const override {
-        const float r = lengthSquared(hit.p - from) / (absDot(hit.ng, wi) * area_);
-        return std::isfinite(r) ? r : 0;
+        const int index = static_cast<int>(hit.triangle);
+        return density(tree_.empty() ? triangles_.probability(index) : tree_.probability(from, index), from, wi, hit);
     }
 
   private:
@@ -62,13 +94,40 @@ class MeshAreaLight final : public AreaLight {
     struct Emitter {
         Vec3 p[3];
         Vec3 ng;
+        float area;
     };
+
+    // Per solid angle, of a triangle that is chosen with the given probability.
+    float density(float probability, const Vec3& from, const Vec3& wi, const EmitterHit& hit) const {
+        const float r = probability * lengthSquared(hit.p - from) / (absDot(hit.ng, wi) * emitters_[hit.triangle].area);
+        return std::isfinite(r) ? r : 0;
+    }
+
+    void findReach(const std::vector<LightReach>& reaches) {
+        bool any = false;
+        for (const LightReach& r : reaches) {
+            if (!(r.intensity > 0)) continue;
+            reach_ = any ? merged(reach_, r) : r;
+            any = true;
+        }
+        // A closed surface is not as bright as all its parts would be if they faced one way: at least as on average
+        // over all directions.
+        const float average = luminance(power(0)) / (4 * kPi);
+        reach_.intensity = 0;
+        for (const LightReach& r : reaches) {
+            const float cosine = dot(r.axis, reach_.axis);
+            reach_.intensity += r.intensity * (twoSided_ ? std::abs(cosine) : std::max(0.f, cosine));
+        }
+        reach_.intensity = std::max(reach_.intensity, average);
+    }
+
     std::vector<Emitter> emitters_;
     Rgb radiance_;
     bool twoSided_;
     Distribution1D triangles_;  // by area
+    LightTree tree_;            // over the triangles; empty where they are few
     float area_ = 0;
-    Bounds bounds_;
+    LightReach reach_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "math/distribution.h"
 #include "math/warp.h"
 #include "scene/light.h"
+#include "scene/turn.h"
 
 namespace drc {
 namespace {
@@ -12,14 +13,6 @@ namespace {
 constexpr int kLargestCell = 32;
 constexpr double kNoiseAllowed = 1.05;
 
-// What a transform does to directions, by the images of the axes: a Transform itself reckons in doubles.
-struct Turn {
-    Vec3 x, y, z;
-    explicit Turn(const Transform& t)
-        : x(t.vector(Vec3(1, 0, 0))), y(t.vector(Vec3(0, 1, 0))), z(t.vector(Vec3(0, 0, 1))) {}
-    Vec3 operator()(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
-};
-
 // Bilinear interpolation, averaged over a texel's own cell, takes 1/8, 6/8 and 1/8 of a row of three texels.
 float cellAverage(float before, float here, float after) { return (before + 6 * here + after) / 8; }
 
@@ -27,8 +20,7 @@ class InfiniteLight final : public Light {
   public:
     InfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map)
         : lightToWorld_(lightToWorld), worldToLight_(lightToWorld.inverse()) {
-        if (map.width <= 0 || map.height <= 0 || map.texels.size() < size_t(map.width) * map.height)
-            map = {1, 1, {Rgb(1.f)}};
+        if (map.empty()) map = {1, 1, {Rgb(1.f)}};
         width_ = map.width;
         height_ = map.height;
         texels_ = std::move(map.texels);

@@ -1,6 +1,7 @@
 // A scene as the integrators see it: what the front ends build and Accel intersects.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,10 @@ struct RenderSettings {
     std::string lightStrategy = "spatial";
     std::string outputFile = "pbrt.exr";
     FilmGeometry film;
-    float cropWindow[4] = {0, 1, 0, 1};  // x0 x1 y0 y1
-    // What of the film is rendered: the crop window in whole pixels, by pbrt's rounding; at least one pixel.
+    float cropWindow[4] = {0, 1, 0, 1};      // x0 x1 y0 y1
+    std::optional<PixelRegion> pixelBounds;  // of the film; none: all of it
+    // What of the film is rendered: the crop window in whole pixels, by pbrt's rounding, and of it what lies within the
+    // pixel bounds; at least one pixel.
     PixelRegion region() const;
     float filmScale = 1;
     float maxSampleLuminance = kInfinity;

@@ -1,0 +1,82 @@
+// Light sources as scene files write them.
+#include <gmock/gmock.h>
+
+#include "image/image_io.h"
+#include "pbrt/test_scenes.h"
+
+namespace drc::pbrt {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// What arrives at p from the only light of the text; black if nothing.
+Rgb arriving(const std::string& text, const Vec3& p, const std::string& directory = ".") {
+    const auto scene = loadWorld(text, directory);
+    const auto s = scene->lights.at(0)->sample(p, Vec2(0.5f, 0.5f));
+    return s ? s->radiance : Rgb(0.f);
+}
+
+TEST(LightFactory, SpotsAimAndHavePbrtsDefaults) {
+    const std::string spot = "LightSource \"spot\" \"rgb I\" [8 4 2] \"rgb scale\" [2 2 2] \"point from\" [1 0 0] ";
+    EXPECT_EQ(arriving(spot + "\"point to\" [1 5 0]", Vec3(1, 2, 0)), Rgb(4, 2, 1));
+    // 30 degrees, of which the last five fade; from `to`'s default the light shines towards z = 1.
+    const std::string plain = "LightSource \"spot\"";
+    const auto at = [&](float degrees) {
+        return arriving(plain, Vec3(std::sin(degrees * kPi / 180), 0, std::cos(degrees * kPi / 180))).x;
+    };
+    EXPECT_NEAR(at(24.9f), 1, 1e-5);
+    EXPECT_GT(at(29), 0);
+    EXPECT_LT(at(27), 0.9f);
+    EXPECT_EQ(at(30.1f), 0);
+    // The transformation moves both points.
+    EXPECT_EQ(arriving("Translate 0 0 7 Rotate 90 1 0 0 " + spot + "\"point to\" [1 5 0]", Vec3(1, 0, 9)),
+              Rgb(4, 2, 1));
+    EXPECT_EQ(arriving(plain + " \"float coneangle\" 10 \"float conedeltaangle\" 0", Vec3(0, 0, 1)), Rgb(1, 1, 1));
+    EXPECT_THAT(errorOfWorld(plain + " \"point to\" [0 0 0]"),
+                AllOf(StartsWith("s.pbrt:2:13"), HasSubstr("has no direction: 'from' equals 'to'")));
+    EXPECT_THAT(errorOfWorld(plain + " \"float coneangle\" 200"),
+                AllOf(StartsWith("s.pbrt:2:20"), HasSubstr("must be between 0 and 180 degrees, not 200")));
+    EXPECT_THAT(errorOfWorld(plain + " \"float conedeltaangle\" -1"), HasSubstr("must not be negative"));
+}
+
+TEST(LightFactory, PicturesOfProjectorsAndGoniometricLights) {
+    const TemporaryFolder folder;
+    Image image(2, 1);
+    image.setRgb(0, 0, Rgb(1, 0, 0));
+    image.setRgb(1, 0, Rgb(0, 0.5f, 0));
+    writeExr(folder.path() + "/map.exr", {{"", &image}});
+    const std::string map = " \"string mapname\" \"map.exr\" ";
+    // The projector's left half is red: x < 0 of its space.
+    const std::string projector = "LightSource \"projection\" \"rgb I\" [2 2 2] \"float fov\" 60" + map;
+    EXPECT_EQ(arriving(projector, Vec3(-0.8f, 0, 1), folder.path()).y, 0);
+    EXPECT_GT(arriving(projector, Vec3(-0.8f, 0, 1), folder.path()).x, 1);
+    EXPECT_GT(arriving(projector, Vec3(0.9f, 0, 1), folder.path()).y, 0);
+    EXPECT_TRUE(isBlack(arriving(projector, Vec3(0, 0.7f, 1), folder.path())));
+    EXPECT_GT(arriving("LightSource \"projection\"", Vec3(0.41f, 0, 1)).x, 0) << "45 degrees";
+    EXPECT_EQ(arriving("LightSource \"projection\"", Vec3(0.42f, 0, 1)).x, 0);
+    // The goniometric light's first half turn, z > 0, is red.
+    const std::string lamp = "Translate 0 0 1 LightSource \"goniometric\" \"rgb scale\" [3 3 3]" + map;
+    EXPECT_LT(length(arriving(lamp, Vec3(0, 0, 2), folder.path()) - Rgb(3, 0, 0)), 1e-4f);
+    EXPECT_LT(length(arriving(lamp, Vec3(0, 0, 0), folder.path()) - Rgb(0, 1.5f, 0)), 1e-4f);
+    EXPECT_THAT(errorOfWorld("LightSource \"goniometric\" \"string mapname\" \"none.exr\""),
+                AllOf(StartsWith("s.pbrt:2:44"), HasSubstr("none.exr")));
+    EXPECT_THAT(errorOfWorld("LightSource \"projection\" \"float fov\" 0"), HasSubstr("must be between 0 and 180"));
+}
+
+TEST(LightFactory, ScaleMultipliesEveryLight) {
+    for (const char* light : {"point", "spot", "goniometric", "projection"})
+        EXPECT_EQ(arriving(std::string("LightSource \"") + light + "\" \"rgb I\" [1 2 3] \"rgb scale\" [2 3 .5]",
+                           Vec3(0, 0, 2)),
+                  Rgb(0.5f, 1.5f, 0.375f))
+            << light;
+    EXPECT_EQ(arriving("LightSource \"distant\" \"rgb L\" [1 2 3] \"rgb scale\" [2 3 .5]", Vec3(0, 0, 2)),
+              Rgb(2, 6, 1.5f));
+    const auto scene = loadWorld(
+        "AreaLightSource \"diffuse\" \"rgb L\" [1 2 3] \"rgb scale\" [2 2 2] \"integer nsamples\" 4\nShape \"disk\"");
+    EXPECT_LT(length(scene->lights.at(0)->power(1) - Rgb(2, 4, 6) * (kPi * kPi)), 1e-3f);
+}
+
+}  // namespace
+}  // namespace drc::pbrt

@@ -1,0 +1,87 @@
+// Slide projector: a point light behind a picture (PBR 3e, section 12.3.2). It shines along its own +z; the picture
+// stands on the plane z = 1, its shorter side as wide as the field of view. As in pbrt row 0 is at the lowest y.
+#include "scene/light.h"
+#include "scene/turn.h"
+
+namespace drc {
+namespace {
+
+class ProjectionLight final : public Light {
+  public:
+    ProjectionLight(const Transform& lightToWorld, const Rgb& intensity, float fovDegrees, LightImage image)
+        : position_(lightToWorld.point(Vec3(0, 0, 0))),
+          worldToLight_(lightToWorld.inverse()),
+          intensity_(intensity),
+          image_(std::move(image)),
+          axis_(normalize(lightToWorld.vector(Vec3(0, 0, 1)))) {
+        if (image_.empty()) image_ = {1, 1, {Rgb(1.f)}};
+        image_.mend();
+        const float aspect = float(image_.width) / float(image_.height);
+        const float tangent = std::tan(fovDegrees * kPi / 360);
+        half_ = Vec2(tangent * std::max(1.f, aspect), tangent * std::max(1.f, 1 / aspect));
+        findPower();
+    }
+
+    std::optional<LightSample> sample(const Vec3& p, const Vec2&) const override {
+        const Vec3 d = position_ - p;
+        const float distance2 = lengthSquared(d);
+        if (!(distance2 > 0)) return {};
+        const Rgb intensity = intensity_ * towards(worldToLight_(-d));
+        if (isBlack(intensity)) return {};
+        const float distance = std::sqrt(distance2);
+        return LightSample{d / distance, intensity / distance2, 1, distance, true};
+    }
+    Rgb power(float) const override { return power_; }
+    bool isDelta() const override { return true; }
+    Bounds bounds() const override { return {position_, position_}; }
+    LightReach reach() const override {
+        LightReach r{bounds(), axis_};
+        const float corner = std::atan(std::sqrt(half_.x * half_.x + half_.y * half_.y));
+        r.intensity = luminance(power_) / (2 * kPi * (1 - std::cos(corner)));
+        if (worldToLight_.keepsAngles()) {
+            r.spread = corner;
+            r.falloff = 0;
+        }
+        return r;
+    }
+
+  private:
+    Rgb towards(const Vec3& w) const {
+        if (!(w.z > 0)) return Rgb(0.f);
+        const float x = w.x / (w.z * half_.x), y = w.y / (w.z * half_.y);
+        if (!(std::abs(x) <= 1 && std::abs(y) <= 1)) return Rgb(0.f);
+        return image_.lookup(Vec2(0.5f * (1 + x), 0.5f * (1 + y)), false);
+    }
+
+    // Texels times their solid angles: area on the plane z = 1 times cos^3.
+    void findPower() {
+        const double dx = 2.0 * half_.x / image_.width, dy = 2.0 * half_.y / image_.height;
+        // A single texel can be as wide as the whole field, over which the cosine is no constant.
+        const int fine = std::max(1, 64 / std::min(image_.width, image_.height));
+        double sum[3] = {0, 0, 0};
+        for (int y = 0; y < image_.height * fine; ++y)
+            for (int x = 0; x < image_.width * fine; ++x) {
+                const double px = (x + 0.5) / fine * dx - double(half_.x), py = (y + 0.5) / fine * dy - double(half_.y);
+                const double cos2 = 1 / (1 + px * px + py * py);
+                const double solidAngle = dx * dy / (double(fine) * fine) * cos2 * std::sqrt(cos2);
+                for (int c = 0; c < 3; ++c) sum[c] += solidAngle * double(image_.at(x / fine, y / fine)[c]);
+            }
+        power_ = intensity_ * Rgb(float(sum[0]), float(sum[1]), float(sum[2]));
+    }
+
+    Vec3 position_;
+    Turn worldToLight_;
+    Rgb intensity_;  // W / sr, where the picture is one
+    LightImage image_;
+    Vec2 half_;  // of the picture's sides, on the plane z = 1
+    Vec3 axis_;  // world space
+    Rgb power_;
+};
+
+}  // namespace
+
+LightPtr makeProjectionLight(const Transform& lightToWorld, const Rgb& intensity, float fovDegrees, LightImage image) {
+    return std::make_shared<ProjectionLight>(lightToWorld, intensity, fovDegrees, std::move(image));
+}
+
+}  // namespace drc

@@ -1,0 +1,68 @@
+#include "scene/light_reach.h"
+
+namespace drc {
+namespace {
+
+struct Cone {
+    Vec3 axis{0, 0, 1};
+    float spread = kPi;
+};
+
+// The narrowest cone about both (PBR 4e, section 3.8.4).
+Cone around(Cone a, Cone b) {
+    if (a.spread < b.spread) std::swap(a, b);
+    // The angle between the axes, by a form that keeps its precision when it is small.
+    const float between = 2 * std::atan2(length(a.axis - b.axis), length(a.axis + b.axis));
+    if (std::min(kPi, between + b.spread) <= a.spread) return a;
+    const float spread = 0.5f * (a.spread + between + b.spread);
+    const Vec3 across = normalize(b.axis - a.axis * dot(a.axis, b.axis));
+    if (spread >= kPi || across == Vec3(0, 0, 0)) return {};
+    const float turn = spread - a.spread;
+    // Rounding must not shut anything out.
+    return {normalize(a.axis * std::cos(turn) + across * std::sin(turn)), std::min(kPi, spread + 1e-4f)};
+}
+
+}  // namespace
+
+LightReach merged(const LightReach& a, const LightReach& b) {
+    LightReach r;
+    r.bounds = a.bounds;
+    r.bounds.extend(b.bounds);
+    // The axis of what shines both ways may as well be its opposite.
+    const bool opposed = dot(a.axis, b.axis) < 0;
+    const Vec3 axisA = opposed && a.twoSided ? -a.axis : a.axis;
+    const Vec3 axisB = opposed && !a.twoSided && b.twoSided ? -b.axis : b.axis;
+    const Cone cone = around({axisA, a.spread}, {axisB, b.spread});
+    r.axis = cone.axis;
+    r.spread = cone.spread;
+    r.falloff = std::max(a.falloff, b.falloff);
+    r.twoSided = a.twoSided || b.twoSided;
+    r.intensity = a.intensity + b.intensity;
+    return r;
+}
+
+float orientationMeasure(const LightReach& reach) {
+    const float o = reach.spread, w = std::min(o + reach.falloff, kPi);
+    const float sinO = std::sin(o), cosO = std::cos(o);
+    const float oneSide = 2 * kPi * (1 - cosO) + kPi / 2 * (2 * w * sinO - std::cos(o - 2 * w) - 2 * o * sinO + cosO);
+    return reach.twoSided ? 2 * oneSide : oneSide;
+}
+
+LightBound::LightBound(const LightReach& reach)
+    : center_(reach.bounds.center()),
+      // Even a point has some extent, so that next to it nothing overflows.
+      radius2_(std::max(sqr(reach.bounds.radius()), 1e-12f)),
+      axis_(reach.axis),
+      cosSpread_(std::cos(reach.spread)),
+      sinSpread_(std::sin(reach.spread)),
+      // Lower by what rounding may do to the cosine that is compared with it.
+      cosFalloff_(std::cos(reach.falloff) - 1e-4f),
+      intensity_(reach.intensity),
+      twoSided_(reach.twoSided) {
+    if (reach.spread >= kPi) {
+        cosSpread_ = -1;
+        sinSpread_ = 0;
+    }
+}
+
+}  // namespace drc

@@ -1,0 +1,36 @@
+// The part of the screen that the film shows: what perspective and orthographic cameras have in common.
+#pragma once
+#include "scene/camera.h"
+
+namespace drc {
+
+// Its top left corner and the size of a pixel, in the screen's units, in which the shorter side goes from -1 to 1 (PBR
+// 3e, section 6.2). x to the right, y up.
+struct ScreenWindow {
+    double left, top, pixelX, pixelY;
+
+    ScreenWindow(const ProjectiveCameraParams& params, const FilmGeometry& film) {
+        const double aspect =
+            params.frameAspectRatio > 0 ? double(params.frameAspectRatio) : double(film.width) / film.height;
+        double window[4] = {-1, 1, -1, 1};
+        if (params.hasScreenWindow) {
+            for (int i = 0; i < 4; ++i) window[i] = params.screenWindow[i];
+        } else if (aspect > 1) {
+            window[0] = -aspect;
+            window[1] = aspect;
+        } else {
+            window[2] = -1 / aspect;
+            window[3] = 1 / aspect;
+        }
+        left = window[0];
+        top = window[3];
+        pixelX = (window[1] - window[0]) / film.width;
+        pixelY = (window[3] - window[2]) / film.height;
+    }
+    Vec2 at(const Vec2& film) const {
+        return Vec2(static_cast<float>(left + film.x * pixelX), static_cast<float>(top - film.y * pixelY));
+    }
+    float pixelArea() const { return static_cast<float>(std::abs(pixelX * pixelY)); }
+};
+
+}  // namespace drc
