@@ -134,8 +134,8 @@ TEST(SceneFile, NamedButUnbuiltThingsAreWarningsAndTheRestIsLoaded) {
     std::unique_ptr<Scene> scene;
     const int warnings = warningsOf([&] {
         scene = loadPbrtString(
-            "Camera \"orthographic\" \"float screenwindow\" [1 2 3 4]\nWorldBegin\nMaterial \"disney\" \"float "
-            "metallic\" 1\n"
+            "Camera \"orthographic\" \"float screenwindow\" [1 2 3 4]\nWorldBegin\nMaterial \"fourier\" \"string "
+            "bsdffile\" \"a\"\n"
             "Shape \"cone\" \"float height\" 2\nLightSource \"spot\" \"float coneangle\" 20\n"
             "Texture \"f\" \"spectrum\" \"fbm\" \"integer octaves\" 3\nMakeNamedMedium \"fog\" \"string type\" "
             "\"homogeneous\"\n"

@@ -2,8 +2,11 @@
 #pragma once
 #include <variant>
 
+#include "scene/disney_clearcoat.h"
+#include "scene/disney_diffuse.h"
 #include "scene/fresnel_blend.h"
 #include "scene/fresnel_specular.h"
+#include "scene/hair_scattering.h"
 #include "scene/lambert_reflection.h"
 #include "scene/lambert_transmission.h"
 #include "scene/microfacet_reflection.h"
@@ -14,8 +17,8 @@
 
 namespace drc {
 
-using Lobe =
-    std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection, MicrofacetTransmission,
-                 FresnelBlendBase, FresnelBlendCoat, SpecularReflection, SpecularTransmission, FresnelSpecular>;
+using Lobe = std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection,
+                          MicrofacetTransmission, FresnelBlendBase, FresnelBlendCoat, SpecularReflection,
+                          SpecularTransmission, FresnelSpecular, DisneyDiffuse, DisneyClearcoat, HairScattering>;
 
 }  // namespace drc
