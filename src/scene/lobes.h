@@ -2,6 +2,8 @@
 #pragma once
 #include <variant>
 
+#include "scene/coated_conductor.h"
+#include "scene/coated_diffuse.h"
 #include "scene/disney_clearcoat.h"
 #include "scene/disney_diffuse.h"
 #include "scene/fresnel_blend.h"
@@ -14,11 +16,13 @@
 #include "scene/oren_nayar.h"
 #include "scene/specular_reflection.h"
 #include "scene/specular_transmission.h"
+#include "scene/thin_dielectric.h"
 
 namespace drc {
 
 using Lobe = std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection,
                           MicrofacetTransmission, FresnelBlendBase, FresnelBlendCoat, SpecularReflection,
-                          SpecularTransmission, FresnelSpecular, DisneyDiffuse, DisneyClearcoat, HairScattering>;
+                          SpecularTransmission, FresnelSpecular, DisneyDiffuse, DisneyClearcoat, HairScattering,
+                          ThinDielectric, CoatedDiffuse, CoatedConductor, CoatedMirror>;
 
 }  // namespace drc
