@@ -3,7 +3,9 @@
 #include <initializer_list>
 
 #include "pbrt/registry.h"
+#include "scene/material_disney.h"
 #include "scene/material_glass.h"
+#include "scene/material_hair.h"
 #include "scene/material_matte.h"
 #include "scene/material_metal.h"
 #include "scene/material_mirror.h"
@@ -106,6 +108,55 @@ MaterialPtr translucent(const MaterialContext& c) {
                             .bump = bumpOf(p)});
 }
 
+MaterialPtr disney(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    const RgbTexturePtr scatter = p.colorOrNull("scatterdistance");
+    if (scatter && !(scatter->isConstant() && isBlack(scatter->eval({}))))
+        warn(p.own().pos(), "parameter 'scatterdistance' of " + p.own().owner() +
+                                " is not supported yet; the surface is diffuse, without scattering below it");
+    return makeDisney({.color = p.colorOrNull("color"),
+                       .metallic = p.scalarOrNull("metallic"),
+                       .eta = p.scalarOrNull("eta"),
+                       .roughness = p.scalarOrNull("roughness"),
+                       .specularTint = p.scalarOrNull("speculartint"),
+                       .anisotropic = p.scalarOrNull("anisotropic"),
+                       .sheen = p.scalarOrNull("sheen"),
+                       .sheenTint = p.scalarOrNull("sheentint"),
+                       .clearcoat = p.scalarOrNull("clearcoat"),
+                       .clearcoatGloss = p.scalarOrNull("clearcoatgloss"),
+                       .specTrans = p.scalarOrNull("spectrans"),
+                       .flatness = p.scalarOrNull("flatness"),
+                       .diffTrans = p.scalarOrNull("difftrans"),
+                       .thin = p.getBool("thin", false),
+                       .bump = bumpOf(p)});
+}
+
+MaterialPtr hair(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    HairParams hair{.sigmaA = p.colorOrNull("sigma_a"),
+                    .color = p.colorOrNull("color"),
+                    .eumelanin = p.scalarOrNull("eumelanin"),
+                    .pheomelanin = p.scalarOrNull("pheomelanin"),
+                    .eta = p.scalarOrNull("eta"),
+                    .betaM = p.scalarOrNull("beta_m"),
+                    .betaN = p.scalarOrNull("beta_n"),
+                    .alpha = p.scalarOrNull("alpha"),
+                    .bump = bumpOf(p)};
+    // Three ways to say what colour it is.
+    const std::string_view counts = hair.sigmaA ? "sigma_a" : "color";
+    const auto ignored = [&](bool given, std::string_view name) {
+        if (given)
+            warn(p.own().pos(), "parameter '" + std::string(name) + "' of " + p.own().owner() + " is ignored, as '" +
+                                    std::string(counts) + "' is given");
+    };
+    if (hair.sigmaA) ignored(hair.color != nullptr, "color");
+    if (hair.sigmaA || hair.color) {
+        ignored(hair.eumelanin != nullptr, "eumelanin");
+        ignored(hair.pheomelanin != nullptr, "pheomelanin");
+    }
+    return makeHair(std::move(hair));
+}
+
 MaterialPtr mix(const MaterialContext& c) {
     const auto part = [&](std::string_view param) {
         const std::string name = c.params.getString(param, "");
@@ -118,15 +169,18 @@ MaterialPtr mix(const MaterialContext& c) {
         return found->material;
     };
     const MaterialPtr first = part("namedmaterial1");
-    return makeMix({.first = first, .second = part("namedmaterial2"), .amount = c.params.colorOrNull("amount")});
+    MaterialPtr whole =
+        makeMix({.first = first, .second = part("namedmaterial2"), .amount = c.params.colorOrNull("amount")});
+    checkLobes(*whole, c.params.own().pos());
+    return whole;
 }
 
 using MaterialMaker = MaterialPtr (*)(const MaterialContext&);
 constexpr Registered<MaterialMaker> kMaterials[] = {
-    {"disney", nullptr},
+    {"disney", disney},
     {"fourier", nullptr},
     {"glass", glass},
-    {"hair", nullptr},
+    {"hair", hair},
     {"kdsubsurface", nullptr},
     {"matte", matte},
     {"metal", metal},
@@ -180,6 +234,12 @@ MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& s
     const TextureParams params(instance.params, textures, &shape);
     MaterialPtr own = makerOf(instance.type, instance.params.pos())({params, materials});
     return shape.unusedCount() < unused ? own : instance.material;
+}
+
+void checkLobes(const Material& material, const SourcePos& pos) {
+    if (material.maxLobes() > Bsdf::kMaxLobes)
+        fail(pos, "the mix has up to " + std::to_string(material.maxLobes()) + " lobes, which is more than the " +
+                      std::to_string(Bsdf::kMaxLobes) + " that one surface may have; mix fewer or simpler materials");
 }
 
 }  // namespace drc::pbrt

@@ -134,9 +134,8 @@ TEST(SceneFile, NamedButUnbuiltThingsAreWarningsAndTheRestIsLoaded) {
     std::unique_ptr<Scene> scene;
     const int warnings = warningsOf([&] {
         scene = loadPbrtString(
-            "WorldBegin\nMaterial \"disney\" \"float "
-            "metallic\" 1\n"
-            "Shape \"cone\" \"float height\" 2\n"
+            "WorldBegin\nMaterial \"fourier\" \"string bsdffile\" \"a\"\n"
+            "Shape \"nurbs\" \"integer nu\" 2\n"
             "Texture \"f\" \"spectrum\" \"ptex\" \"float gamma\" 2\nMakeNamedMedium \"fog\" \"string type\" "
             "\"homogeneous\"\n"
             "MediumInterface \"\" \"fog\"\nShape \"sphere\"\nMaterial \"matte\" \"texture Kd\" \"f\"\n" +

@@ -35,8 +35,8 @@ class Bsdf {
     Bsdf(const Bsdf& other);
     Bsdf& operator=(const Bsdf& other);
 
-    // Lobes beyond kMaxLobes and lobes of zero weight are not added; materials are checked against kMaxLobes when
-    // the scene is built.
+    // Lobes beyond kMaxLobes and lobes of zero weight are not added; front ends check materials against
+    // kMaxLobes (Material::maxLobes).
     template <class L>
     void add(const L& lobe, const Rgb& weight = Rgb(1.f)) {
         if (count_ == kMaxLobes || isBlack(weight)) return;

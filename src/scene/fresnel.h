@@ -33,6 +33,13 @@ class Fresnel {
         f.etaT_ = etaT;
         return f;
     }
+    // A coat of index eta whose two faces both look outwards: the side of the surface does not matter.
+    static Fresnel coat(float eta) {
+        Fresnel f;
+        f.kind_ = Kind::Coat;
+        f.etaT_ = eta;
+        return f;
+    }
     static Fresnel conductor(const Rgb& eta, const Rgb& k) {
         Fresnel f;
         f.kind_ = Kind::Conductor;
@@ -40,13 +47,29 @@ class Fresnel {
         f.k_ = k;
         return f;
     }
+    // Burley's blend of a dielectric of index eta, at metallic 0, and Schlick's approximation for a metal, at 1. Only
+    // the part `transmissive` of the dielectric has an inside, with total reflection; the rest is alike from both
+    // sides.
+    static Fresnel metallic(const Rgb& atNormal, float metallic, float eta, float transmissive = 0) {
+        Fresnel f;
+        f.kind_ = Kind::Metallic;
+        f.etaT_ = eta;
+        f.eta_ = atNormal;
+        f.metallic_ = metallic;
+        f.transmissive_ = transmissive;
+        return f;
+    }
 
     Rgb eval(float cosThetaI) const {
         switch (kind_) {
             case Kind::Dielectric:
                 return Rgb(fresnelDielectric(cosThetaI, etaI_, etaT_));
+            case Kind::Coat:
+                return Rgb(fresnelDielectric(std::abs(cosThetaI), etaI_, etaT_));
             case Kind::Conductor:
                 return fresnelConductor(cosThetaI, eta_, k_);
+            case Kind::Metallic:
+                return lerp(metallic_, Rgb(metallicsDielectric(cosThetaI)), fresnelSchlick(std::abs(cosThetaI), eta_));
             case Kind::None:
                 break;
         }
@@ -54,10 +77,17 @@ class Fresnel {
     }
 
   private:
-    enum class Kind { None, Dielectric, Conductor };
+    float metallicsDielectric(float cosThetaI) const {
+        const float outside = fresnelDielectric(std::abs(cosThetaI), etaI_, etaT_);
+        if (cosThetaI >= 0 || transmissive_ == 0) return outside;
+        return lerp(transmissive_, outside, fresnelDielectric(cosThetaI, etaI_, etaT_));
+    }
+
+    enum class Kind { None, Dielectric, Coat, Conductor, Metallic };
     Kind kind_ = Kind::None;
     float etaI_ = 1, etaT_ = 1;
-    Rgb eta_{1.f}, k_{0.f};
+    float metallic_ = 0, transmissive_ = 0;
+    Rgb eta_{1.f}, k_{0.f};  // of a conductor; eta_ is also what a metallic boundary reflects at normal incidence
 };
 
 }  // namespace drc

@@ -59,5 +59,27 @@ TEST(Fresnel, Kinds) {
     EXPECT_EQ(Fresnel::conductor(Rgb(0.2f), Rgb(3.f)).eval(0.3f), fresnelConductor(0.3f, Rgb(0.2f), Rgb(3.f)));
 }
 
+TEST(Fresnel, CoatLooksTheSameFromBothSides) {
+    EXPECT_EQ(Fresnel::coat(1.5f).eval(0.3f).x, fresnelDielectric(0.3f, 1, 1.5f));
+    EXPECT_EQ(Fresnel::coat(1.5f).eval(-0.3f).x, fresnelDielectric(0.3f, 1, 1.5f));
+}
+
+TEST(Fresnel, MetallicBlendsTheTwoModels) {
+    const Rgb r0(0.9f, 0.6f, 0.3f);
+    for (const float c : {1.f, 0.6f, 0.1f}) {
+        EXPECT_EQ(Fresnel::metallic(r0, 0, 1.5f).eval(c), Rgb(fresnelDielectric(c, 1, 1.5f)));
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_NEAR(Fresnel::metallic(r0, 1, 1.5f).eval(c)[k], fresnelSchlick(c, r0)[k], 1e-6f);
+            EXPECT_NEAR(Fresnel::metallic(r0, 0.25f, 1.5f).eval(c)[k],
+                        0.75f * fresnelDielectric(c, 1, 1.5f) + 0.25f * fresnelSchlick(c, r0)[k], 1e-6f);
+        }
+        const float inside = fresnelDielectric(-c, 1, 1.5f), outside = fresnelDielectric(c, 1, 1.5f);
+        EXPECT_NEAR(Fresnel::metallic(r0, 0, 1.5f, 0.25f).eval(-c).x, 0.75f * outside + 0.25f * inside, 1e-6f);
+        EXPECT_NEAR(Fresnel::metallic(r0, 0, 1.5f, 0.25f).eval(c).x, outside, 1e-6f);
+        // A metal looks the same from both sides.
+        EXPECT_EQ(Fresnel::metallic(r0, 1, 1.5f).eval(-c), Fresnel::metallic(r0, 1, 1.5f).eval(c));
+    }
+}
+
 }  // namespace
 }  // namespace drc

@@ -2,8 +2,13 @@
 #pragma once
 #include <variant>
 
+#include "scene/coated_conductor.h"
+#include "scene/coated_diffuse.h"
+#include "scene/disney_clearcoat.h"
+#include "scene/disney_diffuse.h"
 #include "scene/fresnel_blend.h"
 #include "scene/fresnel_specular.h"
+#include "scene/hair_scattering.h"
 #include "scene/lambert_reflection.h"
 #include "scene/lambert_transmission.h"
 #include "scene/microfacet_reflection.h"
@@ -11,11 +16,13 @@
 #include "scene/oren_nayar.h"
 #include "scene/specular_reflection.h"
 #include "scene/specular_transmission.h"
+#include "scene/thin_dielectric.h"
 
 namespace drc {
 
-using Lobe =
-    std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection, MicrofacetTransmission,
-                 FresnelBlendBase, FresnelBlendCoat, SpecularReflection, SpecularTransmission, FresnelSpecular>;
+using Lobe = std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection,
+                          MicrofacetTransmission, FresnelBlendBase, FresnelBlendCoat, SpecularReflection,
+                          SpecularTransmission, FresnelSpecular, DisneyDiffuse, DisneyClearcoat, HairScattering,
+                          ThinDielectric, CoatedDiffuse, CoatedConductor, CoatedMirror>;
 
 }  // namespace drc

@@ -15,6 +15,8 @@ class Material {
     virtual void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const = 0;
     // True if the lobes are the same everywhere. The bump map does not matter: it turns the frame alone.
     virtual bool isConstant() const = 0;
+    // The most lobes that addLobes ever adds. Front ends refuse materials that have more than a Bsdf takes.
+    virtual int maxLobes() const = 0;
     // Height field that perturbs the shading normal, world units along the normal; null: none.
     virtual const FloatTexture* bump() const { return bump_.get(); }
     void setBump(FloatTexturePtr bump) { bump_ = std::move(bump); }

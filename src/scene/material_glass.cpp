@@ -33,6 +33,7 @@ class Glass final : public Material {
     bool isConstant() const override {
         return areConstant(params_.kr, params_.kt, params_.eta, params_.uRoughness, params_.vRoughness);
     }
+    int maxLobes() const override { return 2; }
 
   private:
     GlassParams params_;

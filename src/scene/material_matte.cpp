@@ -23,6 +23,7 @@ class Matte final : public Material {
     }
 
     bool isConstant() const override { return areConstant(params_.kd, params_.sigma); }
+    int maxLobes() const override { return 1; }
 
   private:
     MatteParams params_;

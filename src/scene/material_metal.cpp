@@ -24,6 +24,7 @@ class Metal final : public Material {
     bool isConstant() const override {
         return areConstant(params_.eta, params_.k, params_.roughness, params_.uRoughness, params_.vRoughness);
     }
+    int maxLobes() const override { return 1; }
 
   private:
     MetalParams params_;

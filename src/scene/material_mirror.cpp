@@ -17,6 +17,7 @@ class Mirror final : public Material {
     }
 
     bool isConstant() const override { return areConstant(params_.kr); }
+    int maxLobes() const override { return 1; }
 
   private:
     MirrorParams params_;

@@ -19,6 +19,7 @@ class Mix final : public Material {
     bool isConstant() const override {
         return areConstant(params_.amount) && params_.first->isConstant() && params_.second->isConstant();
     }
+    int maxLobes() const override { return params_.first->maxLobes() + params_.second->maxLobes(); }
     const FloatTexture* bump() const override { return params_.first->bump(); }
 
   private:

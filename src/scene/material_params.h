@@ -1,5 +1,7 @@
 // What the materials' parameters have in common.
 #pragma once
+#include <optional>
+
 #include "scene/microfacet.h"
 #include "scene/texture.h"
 
@@ -27,6 +29,34 @@ inline Rgb evalClamped(const RgbTexture& texture, const TextureContext& at) {
 inline TrowbridgeReitz distributionFor(float uRoughness, float vRoughness, bool remap) {
     if (!remap) return TrowbridgeReitz(uRoughness, vRoughness);
     return TrowbridgeReitz(roughnessToAlpha(uRoughness), roughnessToAlpha(vRoughness));
+}
+
+// The roughness of pbrt-v4's materials: a root for alpha, and perfectly smooth below the least alpha.
+struct RoughnessTextures {
+    const FloatTexturePtr& both;  // for the axis that has none of its own; never null
+    const FloatTexturePtr &u, &v;
+    bool remap;  // the textures are alpha squared, not alpha
+};
+// None: smooth.
+inline std::optional<TrowbridgeReitz> distributionUnlessSmooth(const RoughnessTextures& roughness,
+                                                               const TextureContext& at) {
+    const auto alpha = [&](const FloatTexturePtr& own) {
+        const float value = std::max(0.f, (own ? own : roughness.both)->eval(at));
+        return roughness.remap ? std::sqrt(value) : value;
+    };
+    const float u = alpha(roughness.u), v = alpha(roughness.v);
+    if (std::max(u, v) < TrowbridgeReitz::kMinAlpha) return std::nullopt;
+    return TrowbridgeReitz(u, v);
+}
+
+// Index of refraction of a conductor that reflects this much at normal incidence: eta is 1, k as returned.
+inline Rgb conductorK(const Rgb& reflectance) {
+    Rgb k;
+    for (int c = 0; c < 3; ++c) {
+        const float r = std::clamp(reflectance[c], 0.f, 0.9999f);
+        k[c] = 2 * std::sqrt(r / (1 - r));
+    }
+    return k;
 }
 
 }  // namespace drc

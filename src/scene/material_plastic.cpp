@@ -27,6 +27,7 @@ class Plastic final : public Material {
     }
 
     bool isConstant() const override { return areConstant(params_.kd, params_.ks, params_.roughness); }
+    int maxLobes() const override { return 2; }
 
   private:
     PlasticParams params_;

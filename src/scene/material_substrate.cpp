@@ -25,6 +25,7 @@ class Substrate final : public Material {
     bool isConstant() const override {
         return areConstant(params_.kd, params_.ks, params_.uRoughness, params_.vRoughness);
     }
+    int maxLobes() const override { return 2; }
 
   private:
     SubstrateParams params_;

@@ -1,11 +1,13 @@
-#include "scene/bsdf_testing.h"
+#include "scene/material_disney.h"
 #include "scene/material_glass.h"
+#include "scene/material_hair.h"
 #include "scene/material_matte.h"
 #include "scene/material_metal.h"
 #include "scene/material_mirror.h"
 #include "scene/material_mix.h"
 #include "scene/material_plastic.h"
 #include "scene/material_substrate.h"
+#include "scene/material_testing.h"
 #include "scene/material_translucent.h"
 #include "scene/material_uber.h"
 
@@ -13,37 +15,6 @@ namespace drc {
 namespace {
 
 using namespace test;
-
-constexpr LobeFlags kSpecular = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
-
-RgbTexturePtr colour(float r, float g, float b) { return std::make_shared<ConstantTexture<Rgb>>(Rgb(r, g, b)); }
-FloatTexturePtr number(float x) { return std::make_shared<ConstantTexture<float>>(x); }
-
-Bsdf bsdfOf(const MaterialPtr& material, const Rgb& weight = Rgb(1.f)) {
-    const Frame frame = Frame::fromNormal(normalize(Vec3(-0.2f, 0.6f, 0.4f)));
-    Bsdf bsdf(frame, frame.n);
-    material->addLobes(TextureContext{}, weight, bsdf);
-    return bsdf;
-}
-
-void checkMaterial(const MaterialPtr& material) {
-    const Bsdf bsdf = bsdfOf(material);
-    ASSERT_GT(bsdf.size(), 0);
-    if (bsdf.hasNonSpecular()) {
-        checkBsdf(bsdf, LobeFlags::NonSpecular, {0.9f, -0.3f});
-        checkUnbiased(bsdf);
-    }
-    if (bsdf.hasNonSpecular() && bsdf.hasSpecular()) checkBsdf(bsdf, LobeFlags::All, {0.6f});
-    checkBsdfEnergy(bsdf);
-    // A weight scales everything.
-    const Vec3 wo = bsdf.frame().toWorld(direction(0.7f));
-    expectClose(meanWeight(bsdfOf(material, Rgb(0.5f)), wo).value, meanWeight(bsdf, wo).value * 0.5f, 1e-4f, "weight");
-}
-
-float weightAtNormal(const MaterialPtr& material, LobeFlags mask = LobeFlags::All) {
-    const Bsdf bsdf = bsdfOf(material);
-    return meanWeight(bsdf, bsdf.frame().n, mask).value.x;
-}
 
 TEST(Matte, Bsdf) {
     checkMaterial(makeMatte({}));
@@ -150,6 +121,104 @@ TEST(Translucent, Bsdf) {
     EXPECT_NEAR(meanWeight(bsdf, bsdf.frame().n, kDiffuse).value.x, 0.125f, 1e-5f);
 }
 
+TEST(Disney, Bsdf) {
+    checkMaterial(makeDisney({}));
+    EXPECT_EQ(bsdfOf(makeDisney({})).size(), 2);
+    DisneyParams p;
+    p.color = colour(0.7f, 0.3f, 0.2f);
+    p.metallic = number(0.3f);
+    p.specularTint = number(0.5f);
+    p.anisotropic = number(0.8f);
+    p.sheen = number(0.5f);
+    p.clearcoat = number(1);
+    p.clearcoatGloss = number(0.2f);
+    p.specTrans = number(0.4f);
+    checkMaterial(makeDisney(p));
+    EXPECT_EQ(bsdfOf(makeDisney(p)).size(), 4);
+    p.thin = true;
+    p.flatness = number(0.5f);
+    checkMaterial(makeDisney(p));
+    EXPECT_EQ(bsdfOf(makeDisney(p)).size(), 5);
+    EXPECT_EQ(makeDisney(p)->maxLobes(), 5);
+}
+
+TEST(Disney, Limits) {
+    // Metal of that colour.
+    DisneyParams p;
+    p.color = colour(0.9f, 0.6f, 0.3f);
+    p.metallic = number(1);
+    p.roughness = number(0.1f);
+    const Bsdf metal = bsdfOf(makeDisney(p));
+    EXPECT_EQ(metal.size(), 1);
+    expectClose(meanWeight(metal, metal.frame().n).value, Rgb(0.9f, 0.6f, 0.3f), 5e-3f);
+    // Glass: the root of the colour at one boundary.
+    p.metallic = number(0);
+    p.specTrans = number(1);
+    p.roughness = number(0.05f);
+    const Bsdf glass = bsdfOf(makeDisney(p));
+    EXPECT_EQ(glass.size(), 2);
+    EXPECT_NEAR(meanWeight(glass, glass.frame().n).value.x, 0.04f + 0.96f * std::sqrt(0.9f), 3e-3f);
+    p.eta = number(1);
+    EXPECT_NEAR(weightAtNormal(makeDisney(p), kSpecular), std::sqrt(0.9f), 1e-4f);
+    // A thin sheet divides its diffuse light between the sides.
+    DisneyParams sheet;
+    sheet.thin = true;
+    sheet.roughness = number(0);
+    sheet.diffTrans = number(0.5f);
+    const Bsdf paper = bsdfOf(makeDisney(sheet));
+    constexpr LobeFlags kThrough = LobeFlags::Diffuse | LobeFlags::Transmission;
+    constexpr LobeFlags kBack = LobeFlags::Diffuse | LobeFlags::Reflection;
+    EXPECT_NEAR(meanWeight(paper, paper.frame().n, kThrough).value.x, 0.125f, 1e-4f);
+    EXPECT_NEAR(meanWeight(paper, paper.frame().n, kBack).value.x, 0.375f * 41 / 42, 1e-3f);
+}
+
+TEST(Disney, WhiteGainsLittleAtGrazingAngles) {
+    // Burley's sum of fits is not energy-conserving; this is how far it goes, and where.
+    for (const float roughness : {0.1f, 0.5f, 1.f}) {
+        DisneyParams p;
+        p.color = colour(1, 1, 1);
+        p.roughness = number(roughness);
+        const Bsdf bsdf = bsdfOf(makeDisney(p));
+        for (const float c : {0.05f, 0.2f, 0.5f, 0.8f, 1.f}) {
+            const float total = meanWeight(bsdf, bsdf.frame().toWorld(direction(c))).value.x;
+            EXPECT_LE(total, c >= 0.5f ? 1.1f : 1.6f) << roughness << " " << c;
+        }
+    }
+}
+
+TEST(Hair, Bsdf) {
+    const auto at = [](const HairParams& p, float v) {
+        const Frame frame = Frame::fromNormal(normalize(Vec3(-0.2f, 0.6f, 0.4f)));
+        Bsdf bsdf(frame, frame.n);
+        TextureContext context;
+        context.uv = Vec2(0.5f, v);
+        makeHair(p)->addLobes(context, Rgb(1.f), bsdf);
+        return bsdf;
+    };
+    HairParams clear;
+    clear.sigmaA = colour(0, 0, 0);
+    for (const float v : {0.1f, 0.5f}) {
+        const Bsdf bsdf = at(clear, v);
+        checkBsdf(bsdf, LobeFlags::NonSpecular, {0.8f, -0.3f});
+        EXPECT_NEAR(meanWeight(bsdf, bsdf.frame().n).value.x, 1, 1e-3f) << v;
+    }
+    // The offset runs from one edge to the other: at the edges nothing enters the fibre.
+    const Bsdf middle = at({}, 0.5f), edge = at({}, 0.00001f);
+    EXPECT_GT(meanWeight(middle, middle.frame().n).value.x, meanWeight(middle, middle.frame().n).value.z);
+    EXPECT_GT(meanWeight(edge, edge.frame().n).value.z, 0.8f);
+}
+
+TEST(Hair, Absorption) {
+    expectClose(hairAbsorptionOfPigments(1.3f, 0), Rgb(0.5447f, 0.9061f, 1.781f), 1e-5f);
+    expectClose(hairAbsorptionOfPigments(0, 2), Rgb(0.374f, 0.8f, 2.1f), 1e-5f);
+    // At betaN = 0: (ln c / 5.969)^2; white absorbs nothing.
+    EXPECT_NEAR(hairAbsorptionOfColor(Rgb(0.5f), 0).x, sqr(0.6931472f / 5.969f), 1e-7f);
+    EXPECT_EQ(hairAbsorptionOfColor(Rgb(1.f), 0.3f), Rgb(0.f));
+    EXPECT_TRUE(isFinite(hairAbsorptionOfColor(Rgb(0.f), 0.3f)));
+    // At betaN = 1 the coefficients add up to 3.375.
+    EXPECT_NEAR(hairAbsorptionOfColor(Rgb(0.5f), 1).x, sqr(0.6931472f / 3.375f), 1e-6f);
+}
+
 TEST(Mix, Bsdf) {
     MixParams p;
     p.first = makeMatte({});
@@ -171,36 +240,6 @@ TEST(Material, BumpBelongsToTheFirstOfAMix) {
     EXPECT_EQ(makeGlass({})->bump(), nullptr);
 }
 
-struct VaryingColour final : RgbTexture {
-    Rgb eval(const TextureContext& at) const override { return Rgb(at.uv.x); }
-};
-struct VaryingNumber final : FloatTexture {
-    float eval(const TextureContext& at) const override { return at.uv.x; }
-};
-
-// Constant as it is, and not with any one of these parameters varied.
-template <typename Params, typename... Members>
-void checkConstancy(MaterialPtr (*make)(Params), const Params& params, Members... members) {
-    EXPECT_TRUE(make(params)->isConstant());
-    int i = 0;
-    const auto vary = [&](auto member) {
-        Params varied = params;
-        if constexpr (requires { varied.*member = std::make_shared<VaryingColour>(); })
-            varied.*member = std::make_shared<VaryingColour>();
-        else
-            varied.*member = std::make_shared<VaryingNumber>();
-        EXPECT_FALSE(make(varied)->isConstant()) << "parameter " << i;
-        ++i;
-    };
-    (vary(members), ...);
-    // A bump map turns the frame and leaves the lobes.
-    if constexpr (requires { params.bump; }) {
-        Params bumpy = params;
-        bumpy.bump = std::make_shared<VaryingNumber>();
-        EXPECT_TRUE(make(bumpy)->isConstant());
-    }
-}
-
 TEST(Material, IsConstantUnlessATextureVaries) {
     checkConstancy<MatteParams>(makeMatte, {}, &MatteParams::kd, &MatteParams::sigma);
     checkConstancy<PlasticParams>(makePlastic, {}, &PlasticParams::kd, &PlasticParams::ks, &PlasticParams::roughness);
@@ -217,6 +256,12 @@ TEST(Material, IsConstantUnlessATextureVaries) {
     checkConstancy<TranslucentParams>(makeTranslucent, {}, &TranslucentParams::kd, &TranslucentParams::ks,
                                       &TranslucentParams::reflect, &TranslucentParams::transmit,
                                       &TranslucentParams::roughness);
+    checkConstancy<DisneyParams>(makeDisney, {}, &DisneyParams::color, &DisneyParams::metallic, &DisneyParams::eta,
+                                 &DisneyParams::roughness, &DisneyParams::specularTint, &DisneyParams::anisotropic,
+                                 &DisneyParams::sheen, &DisneyParams::sheenTint, &DisneyParams::clearcoat,
+                                 &DisneyParams::clearcoatGloss, &DisneyParams::specTrans, &DisneyParams::flatness,
+                                 &DisneyParams::diffTrans);
+    EXPECT_FALSE(makeHair({})->isConstant());
     const MaterialPtr plain = makeMatte({});
     const MaterialPtr textured = makeMatte({.kd = std::make_shared<VaryingColour>(), .sigma = {}, .bump = {}});
     checkConstancy<MixParams>(makeMix, {plain, plain, {}}, &MixParams::amount);

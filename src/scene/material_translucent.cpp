@@ -35,6 +35,7 @@ class Translucent final : public Material {
     bool isConstant() const override {
         return areConstant(params_.kd, params_.ks, params_.reflect, params_.transmit, params_.roughness);
     }
+    int maxLobes() const override { return 4; }
 
   private:
     TranslucentParams params_;

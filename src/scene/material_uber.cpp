@@ -42,6 +42,7 @@ class Uber final : public Material {
         return areConstant(params_.kd, params_.ks, params_.kr, params_.kt, params_.opacity, params_.roughness,
                            params_.uRoughness, params_.vRoughness, params_.eta);
     }
+    int maxLobes() const override { return 5; }
 
   private:
     UberParams params_;

@@ -25,6 +25,19 @@ TEST(TrowbridgeReitz, HandComputed) {
     EXPECT_EQ(d.g1(Vec3(1, 0, 0)), 0);
 }
 
+TEST(TrowbridgeReitz, Masking) {
+    // lambda = 0.0590170 at 45 degrees, as above.
+    const Vec3 w = direction(std::sqrt(0.5f));
+    EXPECT_NEAR(TrowbridgeReitz(0.5f, 0.5f).g(w, w), 1 / 1.118034f, 1e-6f);
+    EXPECT_NEAR(TrowbridgeReitz(0.5f, 0.5f, TrowbridgeReitz::Masking::Separable).g(w, w), 1 / sqr(1.0590170f), 1e-6f);
+}
+
+TEST(TrowbridgeReitz, Widened) {
+    const TrowbridgeReitz wide = TrowbridgeReitz(0.3f, 0.6f).widened(0.4f);
+    EXPECT_NEAR(wide.meanAlpha(), std::sqrt(0.5f * std::sqrt(0.52f)), 1e-6f);
+    EXPECT_NEAR(wide.d(Vec3(0, 0, 1)), 1 / (kPi * 0.5f * std::sqrt(0.52f)), 1e-5f);
+}
+
 TEST(TrowbridgeReitz, ProjectedAreaIsOne) {
     for (const auto& [ax, ay] : {std::pair(0.1f, 0.1f), std::pair(0.6f, 0.2f), std::pair(1.f, 1.f)}) {
         const TrowbridgeReitz d(ax, ay);

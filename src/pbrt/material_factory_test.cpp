@@ -1,0 +1,220 @@
+#include "pbrt/material_factory.h"
+
+#include <gmock/gmock.h>
+
+#include <iterator>
+#include <sstream>
+
+#include "base/log.h"
+#include "pbrt/material_comparison.h"
+#include "pbrt/test_scenes.h"
+
+namespace drc::pbrt {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kTriangle =
+    "\nShape \"trianglemesh\" \"integer indices\" [0 1 2] \"point P\" [0 0 0  1 0 0  0 1 0]\n";
+
+// The material of `Material "type" parameters`, after some directives.
+MaterialPtr load(const std::string& type, const std::string& parameters, const std::string& before = "") {
+    const auto scene = loadWorld(before + "\nMaterial \"" + type + "\" " + parameters + kTriangle);
+    return scene->primitives.at(0).material;
+}
+
+int warningsOf(const std::string& type, const std::string& parameters) {
+    const int before = warningCount();
+    load(type, parameters);
+    return warningCount() - before;
+}
+
+// What the file format says that is taken where nothing is given.
+TEST(MaterialFactory, Defaults) {
+    const struct {
+        const char *type, *defaults;
+    } kAll[] = {
+        {"matte", "\"rgb Kd\" [.5 .5 .5] \"float sigma\" 0"},
+        {"plastic",
+         "\"rgb Kd\" [.25 .25 .25] \"rgb Ks\" [.25 .25 .25] \"float roughness\" .1 \"bool remaproughness\" "
+         "\"true\""},
+        {"metal",
+         "\"float roughness\" .01 \"float uroughness\" .01 \"float vroughness\" .01 \"bool remaproughness\" "
+         "\"true\" \"rgb eta\" [.2004377 .9240334 1.1022120] \"rgb k\" [3.9129485 2.4528477 2.1421880]"},
+        {"mirror", "\"rgb Kr\" [.9 .9 .9]"},
+        {"glass",
+         "\"rgb Kr\" [1 1 1] \"rgb Kt\" [1 1 1] \"float eta\" 1.5 \"float uroughness\" 0 \"float vroughness\" "
+         "0 \"bool remaproughness\" \"true\""},
+        {"uber",
+         "\"rgb Kd\" [.25 .25 .25] \"rgb Ks\" [.25 .25 .25] \"rgb Kr\" [0 0 0] \"rgb Kt\" [0 0 0] "
+         "\"rgb opacity\" [1 1 1] \"float roughness\" .1 \"float uroughness\" .1 \"float vroughness\" .1 "
+         "\"float eta\" 1.5 \"bool remaproughness\" \"true\""},
+        {"substrate",
+         "\"rgb Kd\" [.5 .5 .5] \"rgb Ks\" [.5 .5 .5] \"float uroughness\" .1 \"float vroughness\" .1 "
+         "\"bool remaproughness\" \"true\""},
+        {"translucent",
+         "\"rgb Kd\" [.25 .25 .25] \"rgb Ks\" [.25 .25 .25] \"rgb reflect\" [.5 .5 .5] "
+         "\"rgb transmit\" [.5 .5 .5] \"float roughness\" .1 \"bool remaproughness\" \"true\""},
+        {"disney",
+         "\"rgb color\" [.5 .5 .5] \"float metallic\" 0 \"float eta\" 1.5 \"float roughness\" .5 "
+         "\"float speculartint\" 0 \"float anisotropic\" 0 \"float sheen\" 0 \"float sheentint\" .5 "
+         "\"float clearcoat\" 0 \"float clearcoatgloss\" 1 \"float spectrans\" 0 \"rgb scatterdistance\" "
+         "[0 0 0] \"bool thin\" \"false\" \"float flatness\" 0 \"float difftrans\" 1"},
+        {"hair",
+         "\"float eumelanin\" 1.3 \"float pheomelanin\" 0 \"float eta\" 1.55 \"float beta_m\" .3 "
+         "\"float beta_n\" .3 \"float alpha\" 2"},
+    };
+    for (const auto& [type, defaults] : kAll) {
+        const MaterialPtr plain = load(type, "");
+        ASSERT_NE(plain, nullptr);
+        EXPECT_TRUE(alike(*plain, *load(type, defaults))) << type;
+        EXPECT_EQ(warningsOf(type, defaults), 0) << type;
+    }
+}
+
+// Each parameter has an effect, and the same one from a texture.
+TEST(MaterialFactory, EveryParameterCountsAndMayBeATexture) {
+    struct Case {
+        const char *type, *others, *scalars, *colors;  // names with a space between
+    };
+    const Case kCases[] = {
+        {"matte", "", "sigma", "Kd"},
+        {"plastic", "", "roughness", "Kd Ks"},
+        {"metal", "", "roughness uroughness vroughness", "eta k"},
+        {"mirror", "", "", "Kr"},
+        {"glass", "", "eta index uroughness vroughness", "Kr Kt"},
+        {"glass", "\"float uroughness\" .1", "eta index vroughness", "Kr Kt"},
+        {"uber", "\"rgb Kt\" [.1 .2 .1]", "roughness uroughness vroughness eta index", "Kd Ks Kr opacity"},
+        {"uber", "", "", "Kt"},
+        {"substrate", "", "uroughness vroughness", "Kd Ks"},
+        {"translucent", "", "roughness", "Kd Ks reflect transmit"},
+        {"disney", "\"float sheen\" .4 \"float clearcoat\" .4 \"float metallic\" .2 \"rgb color\" [.2 .4 .1]",
+         "eta roughness speculartint anisotropic sheentint clearcoatgloss spectrans", ""},
+        {"disney", "", "metallic sheen clearcoat", "color"},
+        {"disney", "\"bool thin\" \"true\"", "flatness difftrans spectrans", ""},
+        {"hair", "", "eumelanin pheomelanin eta beta_m beta_n alpha", "sigma_a color"},
+    };
+    const std::string textures =
+        "Texture \"t\" \"float\" \"constant\" \"float value\" .7\n"
+        "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [.6 .35 .7]\n";
+    const auto words = [](const std::string& text) {
+        std::istringstream stream(text);
+        return std::vector<std::string>(std::istream_iterator<std::string>(stream), {});
+    };
+    for (const Case& c : kCases) {
+        const MaterialPtr plain = load(c.type, c.others);
+        const auto check = [&](const std::string& name, const std::string& value) {
+            const std::string others = std::string(c.others) + " ";
+            const MaterialPtr constant = load(c.type, others + value);
+            EXPECT_FALSE(alike(*plain, *constant)) << c.type << " " << name;
+            const int before = warningCount();
+            const MaterialPtr textured = load(c.type, others + "\"texture " + name + "\" \"t\"", textures);
+            EXPECT_EQ(warningCount(), before) << c.type << " " << name;
+            EXPECT_TRUE(alike(*constant, *textured)) << c.type << " " << name;
+        };
+        for (const std::string& name : words(c.scalars)) check(name, "\"float " + name + "\" .7");
+        for (const std::string& name : words(c.colors)) check(name, "\"rgb " + name + "\" [.6 .35 .7]");
+    }
+}
+
+TEST(MaterialFactory, RoughnessIsRemappedUnlessToldNotTo) {
+    for (const std::string type : {"plastic", "metal", "glass", "uber", "substrate", "translucent"}) {
+        const std::string rough = type == "glass" || type == "substrate"
+                                      ? "\"float uroughness\" .3 \"float vroughness\" .3"
+                                      : "\"float roughness\" .3";
+        const MaterialPtr remapped = load(type, rough);
+        EXPECT_TRUE(alike(*remapped, *load(type, rough + " \"bool remaproughness\" \"true\""))) << type;
+        EXPECT_FALSE(alike(*remapped, *load(type, rough + " \"bool remaproughness\" \"false\""))) << type;
+    }
+}
+
+TEST(MaterialFactory, RoughnessAlongUAndV) {
+    for (const std::string type : {"metal", "glass", "uber", "substrate"}) {
+        const MaterialPtr u = load(type, "\"float uroughness\" .1 \"float vroughness\" .4");
+        const MaterialPtr v = load(type, "\"float uroughness\" .4 \"float vroughness\" .1");
+        EXPECT_FALSE(alike(*u, *v)) << type;
+    }
+    // uber's vroughness follows its uroughness, metal's its roughness.
+    EXPECT_TRUE(alike(*load("uber", "\"float uroughness\" .4"),
+                      *load("uber", "\"float uroughness\" .4 \"float vroughness\" .4")));
+    EXPECT_TRUE(alike(*load("metal", "\"float uroughness\" .4"),
+                      *load("metal", "\"float uroughness\" .4 \"float vroughness\" .01")));
+}
+
+TEST(MaterialFactory, IndexHasTwoNames) {
+    for (const char* type : {"glass", "uber"}) {
+        EXPECT_TRUE(alike(*load(type, "\"float index\" 1.3"), *load(type, "\"float eta\" 1.3"))) << type;
+        EXPECT_TRUE(alike(*load(type, "\"float index\" 1.7 \"float eta\" 1.3"), *load(type, "\"float eta\" 1.3")));
+    }
+}
+
+TEST(MaterialFactory, AllTakeABumpMap) {
+    const std::string height = "Texture \"height\" \"float\" \"constant\" \"float value\" .1\n";
+    for (const char* type :
+         {"matte", "plastic", "metal", "mirror", "glass", "uber", "substrate", "translucent", "disney", "hair"}) {
+        EXPECT_EQ(load(type, "")->bump(), nullptr) << type;
+        const MaterialPtr bumpy = load(type, "\"texture bumpmap\" \"height\"", height);
+        ASSERT_NE(bumpy->bump(), nullptr) << type;
+        EXPECT_EQ(bumpy->bump()->eval({}), .1f) << type;
+    }
+}
+
+const std::string kParts =
+    "MakeNamedMaterial \"a\" \"string type\" \"matte\" \"rgb Kd\" [.2 .4 .6]\n"
+    "MakeNamedMaterial \"b\" \"string type\" \"mirror\"\nMakeNamedMaterial \"n\" \"string type\" \"none\"\n";
+
+TEST(MaterialFactory, Mix) {
+    const std::string names = "\"string namedmaterial1\" \"a\" \"string namedmaterial2\" \"b\" ";
+    const MaterialPtr half = load("mix", names, kParts);
+    EXPECT_TRUE(alike(*half, *load("mix", names + "\"rgb amount\" [.5 .5 .5]", kParts)));
+    // The amount is of the first.
+    EXPECT_TRUE(alike(*load("matte", "\"rgb Kd\" [.2 .4 .6]"), *load("mix", names + "\"rgb amount\" [1 1 1]", kParts)));
+    EXPECT_TRUE(alike(*load("mirror", ""), *load("mix", names + "\"rgb amount\" [0 0 0]", kParts)));
+    const std::string texture = "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [.1 .5 .9]\n";
+    EXPECT_TRUE(alike(*load("mix", names + "\"rgb amount\" [.1 .5 .9]", kParts),
+                      *load("mix", names + "\"texture amount\" \"t\"", kParts + texture)));
+    // A mix has a name like any other, and can be mixed again.
+    const std::string again = kParts + "MakeNamedMaterial \"m\" \"string type\" \"mix\" " + names + "\n";
+    const MaterialPtr twice = load("mix", "\"string namedmaterial1\" \"m\" \"string namedmaterial2\" \"a\"", again);
+    EXPECT_EQ(twice->maxLobes(), 3);
+}
+
+TEST(MaterialFactory, MixErrors) {
+    const auto error = [](const std::string& text) { return errorOfWorld(kParts + "Material \"mix\" " + text); };
+    EXPECT_THAT(error("\"string namedmaterial1\" \"a\""), HasSubstr("namedmaterial2 '' has not been defined"));
+    EXPECT_THAT(error("\"string namedmaterial1\" \"a\" \"string namedmaterial2\" \"n\""), HasSubstr("'n' is 'none'"));
+    const auto mixOf = [](const std::string& name, const std::string& a, const std::string& b) {
+        return "MakeNamedMaterial \"" + name + "\" \"string type\" \"mix\" \"string namedmaterial1\" \"" + a +
+               "\" \"string namedmaterial2\" \"" + b + "\"\n";
+    };
+    const std::string uber = "MakeNamedMaterial \"u\" \"string type\" \"uber\"\n";
+    EXPECT_EQ(errorOfWorld(uber + mixOf("m", "u", "u")), "");
+    EXPECT_THAT(errorOfWorld(uber + mixOf("m", "u", "u") + mixOf("o", "m", "u")),
+                HasSubstr("s.pbrt:4:19: the mix has up to 15 lobes, which is more than the 12"));
+}
+
+TEST(MaterialFactory, SubsurfaceScatteringIsAWarning) {
+    EXPECT_EQ(warningsOf("disney", "\"rgb scatterdistance\" [.1 .1 .1]"), 1);
+    EXPECT_EQ(warningsOf("disney", "\"rgb scatterdistance\" [0 0 0]"), 0);
+    EXPECT_TRUE(alike(*load("disney", "\"rgb scatterdistance\" [.1 .1 .1]"), *load("disney", "")));
+}
+
+TEST(MaterialFactory, HairHasOneColour) {
+    const std::string sigma = "\"rgb sigma_a\" [.3 .4 .5] ", color = "\"rgb color\" [.6 .3 .1] ";
+    EXPECT_EQ(warningsOf("hair", sigma + color + "\"float eumelanin\" 3"), 2);
+    EXPECT_TRUE(alike(*load("hair", sigma + color + "\"float eumelanin\" 3"), *load("hair", sigma)));
+    EXPECT_EQ(warningsOf("hair", color + "\"float pheomelanin\" 3"), 1);
+    EXPECT_EQ(warningsOf("hair", "\"float pheomelanin\" 3 \"float eumelanin\" 3"), 0);
+}
+
+TEST(MaterialFactory, UnknownParametersAndTypesAreReported) {
+    for (const char* type : {"matte", "disney", "hair"}) EXPECT_EQ(warningsOf(type, "\"float sgima\" 3"), 1) << type;
+    EXPECT_THAT(
+        errorOfWorld("Material \"disney\" \"rgb metallic\" [1 1 1]"),
+        HasSubstr("s.pbrt:2:19: parameter 'metallic' of material 'disney' must be of type 'float' or 'texture'"));
+    EXPECT_THAT(errorOfWorld("Material \"disney\" \"string thin\" \"true\""), HasSubstr("must be of type 'bool'"));
+    EXPECT_THAT(errorOfWorld("Material \"disnee\""), HasSubstr("did you mean 'disney'?"));
+}
+
+}  // namespace
+}  // namespace drc::pbrt

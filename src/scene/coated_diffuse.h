@@ -1,0 +1,26 @@
+// A Lambertian base under a dielectric coat, without what the coat itself reflects: that is a lobe of its own
+// (pbrt-v4's "coateddiffuse" in closed form; see docs/layered-materials.md).
+#pragma once
+#include "scene/dielectric_coat.h"
+#include "scene/lobe_sampling.h"
+
+namespace drc {
+
+class CoatedDiffuse {
+  public:
+    CoatedDiffuse(const Rgb& reflectance, const DielectricCoat& coat);
+
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
+    Rgb f(const Vec3& wo, const Vec3& wi) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const { return cosinePdf(wo, wi); }
+    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
+        return sampleByCosine(*this, wo, u);
+    }
+    Rgb albedo(const Vec3& wo) const;  // exact
+
+  private:
+    DielectricCoat coat_;
+    Rgb scattered_;  // of the light that has entered: reflectance with all reflections inside, over eta^2
+};
+
+}  // namespace drc

@@ -1,0 +1,53 @@
+// Light scattered by a fibre of hair or fur (Marschner et al., "Light Scattering from Human Hair Fibers", 2003; d'Eon
+// et al., "An Energy-Conserving Hair Reflectance Model", 2011; Chiang et al., "A Practical and Controllable Hair and
+// Fur Model for Production Path Tracing", 2016; Pharr, "The Implementation of a Hair Scattering Model", 2016).
+//
+// The fibre is a coloured dielectric cylinder, rough, with scales that lean towards its tip. Light is reflected off its
+// surface (R), passes through (TT), or leaves after one or more reflections inside (TRT, and all further ones). Each of
+// these lobes is a product of what is absorbed, a distribution along the fibre and one around it, each of which
+// integrates to one, so that no energy is made or lost.
+//
+// x of the shading frame points along the fibre; polar angles are measured from the plane normal to it, azimuths within
+// that plane. As all scattering inside the fibre is part of the lobe, its light may leave on either side.
+#pragma once
+#include <array>
+
+#include "scene/lobe.h"
+
+namespace drc {
+
+class HairScattering {
+  public:
+    struct Shape {
+        float eta = 1.55f;         // index of refraction
+        float betaM = 0.3f;        // roughness along the fibre, [0, 1]
+        float betaN = 0.3f;        // roughness around it, [0, 1]
+        float alphaDegrees = 2.f;  // by how much the scales lean
+    };
+    // h: where the fibre is met, across its width, in [-1, 1]. absorption: sigma_a inside, per radius of the fibre.
+    HairScattering(float h, const Rgb& absorption, const Shape& shape);
+
+    // A fibre is thinner than what a pixel sees, and its normal turns all the way around across it: no radiance map of
+    // a neighbour stands for it, whatever the roughness. So its light is traced.
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Narrow; }
+    LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;
+    Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
+    float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }
+    LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
+    Rgb albedo(const Vec3& wo) const;  // exact
+
+  private:
+    // R, TT, TRT, and the rest together.
+    static constexpr int kLobes = 4;
+    // What depends on wo alone.
+    struct Outgoing;
+    float variance(int lobe) const;
+
+    float h_, eta_;
+    Rgb absorption_;
+    float variance_;  // of the R lobe along the fibre
+    float scale_;     // of the logistic distributions around it
+    std::array<float, kLobes> tiltSin_, tiltCos_;
+};
+
+}  // namespace drc

@@ -1,0 +1,43 @@
+#include "scene/material_conductor.h"
+
+#include "scene/material_metal.h"
+#include "scene/material_params.h"
+
+namespace drc {
+namespace {
+
+class Conductor final : public Material {
+  public:
+    explicit Conductor(ConductorParams params) : params_(std::move(params)) {
+        params_.eta = orConstant(params_.eta, kCopperEta);
+        params_.k = orConstant(params_.k, kCopperK);
+        params_.roughness = orConstant(params_.roughness, 0);
+        setBump(params_.bump);
+    }
+    void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
+        const Fresnel fresnel = params_.reflectance
+                                    ? Fresnel::conductor(Rgb(1.f), conductorK(params_.reflectance->eval(at)))
+                                    : Fresnel::conductor(params_.eta->eval(at), params_.k->eval(at));
+        const auto distribution = distributionUnlessSmooth(
+            {params_.roughness, params_.uRoughness, params_.vRoughness, params_.remapRoughness}, at);
+        if (distribution)
+            bsdf.add(MicrofacetReflection(Rgb(1.f), *distribution, fresnel), weight);
+        else
+            bsdf.add(SpecularReflection(Rgb(1.f), fresnel), weight);
+    }
+
+    bool isConstant() const override {
+        return areConstant(params_.eta, params_.k, params_.reflectance, params_.roughness, params_.uRoughness,
+                           params_.vRoughness);
+    }
+    int maxLobes() const override { return 1; }
+
+  private:
+    ConductorParams params_;
+};
+
+}  // namespace
+
+MaterialPtr makeConductor(ConductorParams params) { return std::make_shared<Conductor>(std::move(params)); }
+
+}  // namespace drc

@@ -1,0 +1,26 @@
+#include "scene/thin_dielectric.h"
+
+#include "scene/fresnel.h"
+#include "scene/local_directions.h"
+
+namespace drc {
+
+float ThinDielectric::reflectance(float cosTheta) const {
+    const float r = fresnelDielectric(std::abs(cosTheta), 1, eta_);
+    // r + t r t + t r^3 t + ..., with t = 1 - r.
+    return 2 * r / (1 + r);
+}
+
+LobeSample ThinDielectric::sample(const Vec3& wo, float uLobe, const Vec2&, TransportMode) const {
+    LobeSample s;
+    if (wo.z == 0) return s;
+    const float r = reflectance(wo.z);
+    const bool reflects = uLobe < r;
+    s.wi = reflects ? Vec3(-wo.x, -wo.y, wo.z) : -wo;
+    s.pdf = reflects ? r : 1 - r;
+    s.f = Rgb(s.pdf / absCosTheta(s.wi));
+    s.flags = (reflects ? LobeFlags::Reflection : LobeFlags::Transmission) | LobeFlags::Specular;
+    return s;
+}
+
+}  // namespace drc
