@@ -1,6 +1,7 @@
 #include "scene/bsdf.h"
 
 #include "scene/bsdf_view.h"
+#include "scene/visit_lobe.h"
 
 namespace drc {
 
@@ -59,7 +60,7 @@ Rgb Bsdf::albedo(const Vec3& woWorld, LobeFlags mask) const {
     Rgb sum(0.f);
     for (int i = 0; i < count_; ++i)
         if (matches(flags_[i], mask))
-            sum += weights_[i] * std::visit([&](const auto& l) { return l.albedo(wo); }, lobe(i));
+            sum += weights_[i] * visitLobe([&](const auto& l) { return l.albedo(wo); }, lobe(i));
     return sum;
 }
 

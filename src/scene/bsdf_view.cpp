@@ -1,5 +1,7 @@
 #include "scene/bsdf_view.h"
 
+#include "scene/visit_lobe.h"
+
 namespace drc {
 namespace {
 
@@ -10,7 +12,7 @@ constexpr float kFloor = 0.05f;
 bool isSpecular(LobeFlags flags) { return any(flags & LobeFlags::Specular); }
 
 LobeValue evaluateLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi, TransportMode mode) {
-    return std::visit(
+    return visitLobe(
         [&](const auto& l) -> LobeValue {
             if constexpr (requires { l.evaluate(wo, wi); })
                 return l.evaluate(wo, wi);
@@ -37,7 +39,7 @@ BsdfView::BsdfView(const Bsdf& bsdf, const Vec3& wo, LobeFlags mask, TransportMo
     float largest = 0;
     for (int k = 0; k < count_; ++k) {
         const int i = choices_[k].lobe;
-        const Rgb albedo = std::visit([&](const auto& l) { return l.albedo(wo_); }, bsdf.lobe(i));
+        const Rgb albedo = visitLobe([&](const auto& l) { return l.albedo(wo_); }, bsdf.lobe(i));
         choices_[k].probability = std::max(0.f, luminance(bsdf.weight(i) * albedo));
         largest = std::max(largest, choices_[k].probability);
     }
@@ -91,7 +93,7 @@ std::optional<BsdfSample> BsdfView::sample(float uLobe, const Vec2& u) const {
     const float uRest = std::clamp((uLobe - below) / chosen->probability, 0.f, kOneMinusEpsilon);
 
     const LobeSample s =
-        std::visit([&](const auto& l) { return l.sample(wo_, uRest, u, mode_); }, bsdf_.lobe(chosen->lobe));
+        visitLobe([&](const auto& l) { return l.sample(wo_, uRest, u, mode_); }, bsdf_.lobe(chosen->lobe));
     if (!(s.pdf > 0)) return std::nullopt;
     BsdfSample result;
     result.wi = bsdf_.frame().toWorld(s.wi);
