@@ -76,8 +76,8 @@ TEST_F(Guide, LearnsWhereLightArrives) {
     const auto window = [](int block) { return block / 16 == 3 && block % 16 >= 4 && block % 16 < 8; };
     for (int i = 0; i < 8; ++i) sweep(2000, [&](int block) { return window(block) ? 1.f : 0.f; });
     for (int b = 0; b < kBlocks; ++b) {
-        // Of the window 32 if nothing were left to the rest; and nothing is ever left out.
-        EXPECT_GT(densityOf(b), window(b) ? 10.f : 0.2f) << b;
+        // Of the window up to 24, three quarters of 32, if nothing were left to the rest; and nothing is ever left out.
+        EXPECT_GT(densityOf(b), window(b) ? 8.f : 0.2f) << b;
     }
     // Elsewhere, and for what faces another way, nothing was learned.
     EXPECT_NEAR(guide.density(guide.group(Vec3(5.2f, 0.3f, 0.4f), Vec3(0, 0, 1)), Vec2(0.3f, 0.4f)), 1, 2e-3f);

@@ -56,8 +56,7 @@ void Renderer::startGuide() {
                         float(region.y0) + u.y * float(region.height()));
         PrimaryHit hit;
         const CameraRay camera = scene_.camera->generateRay(film, uLens, sampler.get1D());
-        if (camera.weight > 0 && tracer_.primaryHit(camera.ray, sampler, hit))
-            distances.push_back(hit.distance);
+        if (camera.weight > 0 && tracer_.primaryHit(camera.ray, sampler, hit)) distances.push_back(hit.distance);
     }
     if (distances.empty()) return;
     const auto median = distances.begin() + std::ptrdiff_t(distances.size() / 2);
