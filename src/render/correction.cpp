@@ -133,23 +133,38 @@ void IndirectCorrection::apply(Image& indirect) const {
     // Coarse to fine: of what a level adds to the coarser ones, the share that is not noise, as its neighbourhood has
     // it (the local Wiener filter: Lee, "Digital Image Enhancement and Noise Filtering by Use of Local Statistics",
     // 1980).
-    std::vector<Rgb> correction(region_.count(), Rgb(0.f)), finer(region_.count());
+    struct Spread {
+        Rgb squares{0.f}, noise{0.f};
+    };
+    std::vector<Rgb> correction(region_.count(), Rgb(0.f));
+    std::vector<Spread> spread(region_.count()), wider(region_.count());
     for (int level = kLevels - 1; level >= 0; --level) {
         const std::vector<Estimate>& estimates = levels[size_t(level)];
-        forEachPixel([&](int x, int y, size_t i) {
-            finer[i] = correction[i];
-            if (features[i].size <= 0) return;
-            Rgb squares(0.f), noise(0.f);
-            filter.forEachNear(x, y, 2 << level, [&](size_t j, float w) {
-                const Rgb d = estimates[j].value - correction[j];
-                squares += d * d * w;
-                noise += estimates[j].variance * w;
-            });
+        // What the difference and its noise are about a pixel: at steps of the level's own width first, because wider
+        // ones alone would fall between what there is and draw their lattice.
+        forEachPixel([&](int, int, size_t i) {
             const Rgb d = estimates[i].value - correction[i];
-            for (int c = 0; c < 3; ++c)
-                if (squares[c] > kCaution * noise[c]) finer[i][c] += d[c] * (1 - kCaution * noise[c] / squares[c]);
+            spread[i] = {d * d, estimates[i].variance};
         });
-        correction.swap(finer);
+        for (const int step : {1 << level, 2 << level}) {
+            forEachPixel([&](int x, int y, size_t i) {
+                if (features[i].size <= 0) return;
+                Spread sum;
+                const float total = filter.forEachNear(x, y, step, [&](size_t j, float w) {
+                    sum.squares += spread[j].squares * w;
+                    sum.noise += spread[j].noise * w;
+                });
+                wider[i] = {sum.squares * (1 / total), sum.noise * (1 / total)};
+            });
+            spread.swap(wider);
+        }
+        forEachPixel([&](int, int, size_t i) {
+            if (features[i].size <= 0) return;
+            const Rgb d = estimates[i].value - correction[i];
+            const auto& [squares, noise] = spread[i];
+            for (int c = 0; c < 3; ++c)
+                if (squares[c] > kCaution * noise[c]) correction[i][c] += d[c] * (1 - kCaution * noise[c] / squares[c]);
+        });
     }
     forEachPixel([&](int x, int y, size_t i) {
         if (features[i].size <= 0) return;
