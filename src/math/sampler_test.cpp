@@ -16,7 +16,7 @@ TEST(Sampler, EveryDimensionPairIsANetInBaseTwo) {
             std::vector<Vec2> points;
             for (int i = 0; i < n; ++i) {
                 Sampler s(1234 + k, uint32_t(i));
-                Vec2 p;
+                Vec2 p(0.f);
                 for (int d = 0; d <= dimension; ++d) p = s.get2D();
                 points.push_back(p);
             }
