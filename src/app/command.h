@@ -8,7 +8,7 @@
 
 namespace drc {
 
-// The process's start and command line, set by main before anything else.
+// When the process began to exist, to about 10 ms, and its command line, which main sets before anything else.
 struct ProcessInfo {
     std::chrono::steady_clock::time_point start;
     std::string commandLine;

@@ -9,7 +9,6 @@
 #include "base/log.h"
 
 int main(int argc, char** argv) {
-    drc::processInfo().start = std::chrono::steady_clock::now();
     for (int i = 0; i < argc; ++i) drc::processInfo().commandLine += (i ? " " : "") + std::string(argv[i]);
 
     CLI::App app("Deep Radiance Caching: physically based global illumination for interiors, on a CPU.", "drc");

@@ -7,7 +7,6 @@
 
 #include "base/parallel.h"
 #include "image/color.h"
-#include "image/metrics.h"
 
 namespace drc {
 namespace {

@@ -42,4 +42,11 @@ Image Image::toRgb() const {
 
 std::string sizeString(const Image& image) { return fmt::format("{}x{}", image.width(), image.height()); }
 
+void requireSameSize(const Image& reference, const Image& test) {
+    if (reference.width() != test.width() || reference.height() != test.height())
+        throw Error(fmt::format("the images differ in size: the reference is {}, the test image is {}",
+                                sizeString(reference), sizeString(test)));
+    if (reference.empty()) throw Error("the images to compare are empty");
+}
+
 }  // namespace drc

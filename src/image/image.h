@@ -61,4 +61,7 @@ class Image {
 // "640x480", for messages.
 std::string sizeString(const Image& image);
 
+// Throws Error, naming both sizes, if they differ or an image is empty.
+void requireSameSize(const Image& reference, const Image& test);
+
 }  // namespace drc

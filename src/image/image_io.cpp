@@ -1,8 +1,14 @@
 #include "image/image_io.h"
 
+// fmt first: OpenImageIO brings a copy of its own, whose functions would otherwise stand in this file's object, and
+// every program that formats a string would link OpenImageIO for them.
+// clang-format off
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <fmt/printf.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <fmt/core.h>
+// clang-format on
 
 #include <filesystem>
 #include <fstream>

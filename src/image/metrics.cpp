@@ -4,20 +4,12 @@
 
 #include <cmath>
 
-#include "base/error.h"
 #include "image/flip.h"
 #include "image/image_io.h"
 #include "image/relmse.h"
 #include "image/ssim.h"
 
 namespace drc {
-
-void requireSameSize(const Image& reference, const Image& test) {
-    if (reference.width() != test.width() || reference.height() != test.height())
-        throw Error(fmt::format("the images differ in size: the reference is {}, the test image is {}",
-                                sizeString(reference), sizeString(test)));
-    if (reference.empty()) throw Error("the images to compare are empty");
-}
 
 Image exposed(const Image& image, float stops) {
     Image result = image.toRgb();

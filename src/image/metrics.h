@@ -23,9 +23,6 @@ struct Metrics {
 // PNGs. Throws Error, naming both sizes, if they differ.
 Metrics compare(const Image& reference, const Image& test, float exposure = 0);
 
-// Throws Error, naming both sizes, if they differ or an image is empty.
-void requireSameSize(const Image& reference, const Image& test);
-
 // The first three channels times 2^stops.
 Image exposed(const Image& image, float stops);
 

@@ -6,8 +6,6 @@
 #include <numeric>
 #include <vector>
 
-#include "image/metrics.h"
-
 namespace drc {
 
 RadianceErrors radianceErrors(const Image& reference, const Image& test) {

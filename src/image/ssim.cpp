@@ -4,7 +4,6 @@
 
 #include "image/color.h"
 #include "image/convolution.h"
-#include "image/metrics.h"
 
 namespace drc {
 namespace {

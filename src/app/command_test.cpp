@@ -1,0 +1,18 @@
+#include "app/command.h"
+
+#include <gtest/gtest.h>
+
+namespace drc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+const Clock::time_point initialised = Clock::now();  // after the libraries were joined, before main
+
+TEST(ProcessInfo, StartsBeforeMainAndNotLongBefore) {
+    // The kernel's ticks are 10 ms.
+    EXPECT_LT(processInfo().start, initialised + std::chrono::milliseconds(10));
+    EXPECT_GT(processInfo().start, initialised - std::chrono::minutes(1));
+}
+
+}  // namespace
+}  // namespace drc
