@@ -20,6 +20,7 @@ def main():
     parser.add_argument("--spp", type=int, default=1024)
     parser.add_argument("--reference-spp", action="append", default=[], metavar="NAME=SPP")
     parser.add_argument("--output", default="out/path")
+    parser.add_argument("--resume", action="store_true", help="take the pictures that are already in --output")
     args = parser.parse_args()
     os.makedirs(args.output, exist_ok=True)
     spp_of = dict(pair.split("=") for pair in args.reference_spp)
@@ -31,7 +32,7 @@ def main():
         pictures = []
         for seed in (1, 2):
             picture = os.path.join(args.output, f"{name}-{seed}.exr")
-            if not os.path.exists(picture):
+            if not (args.resume and os.path.exists(picture)):
                 render(scene, picture, "--integrator", "path", "--spp", spp, "--seed", seed, "--resolution",
                        resolution(reference), "-o", picture[:-4] + ".png")
             pictures.append(picture)
