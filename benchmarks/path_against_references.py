@@ -3,14 +3,24 @@
 
     benchmarks/path_against_references.py --spp 1024 --references DIR SCENE.pbrt ...
 
-Renders each scene twice with different seeds at the reference's size. If both renderers agree, the reference differs
-from one of ours by no more noise than ours differ from each other (times the ratio of their variances, if the
-reference has other spp; --reference-spp NAME=SPP says so).
+Renders each scene with several seeds at the reference's size. If both renderers agree, the reference differs from one
+of ours by no more noise than ours differ from each other (times the ratio of their variances, if the reference has
+other spp; --reference-spp NAME=SPP says so). Fireflies make either figure uncertain: with more --seeds the table says
+how much, by the scatter among pictures and among disjoint pairs.
 """
 import argparse
 import os
+import statistics
 
 from common import compare, render, resolution, table
+
+
+def with_error(values):
+    """The mean and, of more than one value, its standard error."""
+    mean = f"{statistics.mean(values):.5f}"
+    if len(values) < 2:
+        return mean
+    return f"{mean} +- {statistics.stdev(values) / len(values) ** 0.5:.5f}"
 
 
 def main():
@@ -20,6 +30,7 @@ def main():
     parser.add_argument("--spp", type=int, default=1024)
     parser.add_argument("--reference-spp", action="append", default=[], metavar="NAME=SPP")
     parser.add_argument("--output", default="out/path")
+    parser.add_argument("--seeds", type=int, default=2, help="pictures of each scene, an even number")
     parser.add_argument("--resume", action="store_true", help="take the pictures that are already in --output")
     args = parser.parse_args()
     os.makedirs(args.output, exist_ok=True)
@@ -30,16 +41,18 @@ def main():
         reference = os.path.join(args.references, name + ".exr")
         spp = int(spp_of.get(name, args.spp))
         pictures = []
-        for seed in (1, 2):
+        for seed in range(1, args.seeds + 1):
             picture = os.path.join(args.output, f"{name}-{seed}.exr")
             if not (args.resume and os.path.exists(picture)):
                 render(scene, picture, "--integrator", "path", "--spp", spp, "--seed", seed, "--resolution",
                        resolution(reference), "-o", picture[:-4] + ".png")
             pictures.append(picture)
-        m = compare(reference, pictures[0], "--diff", pictures[0][:-4] + "-diff.png")
-        own = compare(pictures[1], pictures[0])
-        rows.append([name, spp, " ".join(f"{r:.4f}" for r in m["mean_ratio"]), f"{m['relmse']:.5f}", f"{own['relmse']:.5f}",
-                     f"{m['relmse'] / own['relmse']:.2f}"])
+        to_reference = [compare(reference, p, "--diff", p[:-4] + "-diff.png") for p in pictures]
+        own = [compare(b, a)["relmse"] for a, b in zip(pictures[::2], pictures[1::2])]
+        theirs = [m["relmse"] for m in to_reference]
+        means = [statistics.mean(m["mean_ratio"][c] for m in to_reference) for c in range(3)]
+        rows.append([name, spp, " ".join(f"{r:.4f}" for r in means), with_error(theirs), with_error(own),
+                     f"{statistics.mean(theirs) / statistics.mean(own):.2f}"])
         print("  ".join(map(str, rows[-1])), flush=True)
     print()
     print(table(["scene", "spp", "mean ratio RGB", "relMSE to reference", "relMSE between two of ours", "ratio"], rows))

@@ -10,26 +10,24 @@ namespace {
 constexpr uint64_t kPrimary = 0x1001, kGather = 0x1002, kCapture = 0x1003, kOffset = 0x1004, kFill = 0x1005,
                    kFallback = 0x1006;
 constexpr int kRowsPerTask = 1;
-// Blocks in which fewer than this share of the pixels lack maps are left to the fallback: a map costs a thousand paths.
-constexpr float kFillShare = 0.1f;
 // Maps that one level may fill in, as a share of the grid's: a pass must cost about what its spacing says, also in a
 // scene that is all edges. What remains is left to the fallback and to later, denser passes.
 constexpr float kFillBudget = 0.5f;
 constexpr float kSmallestFill = 2.5f;  // pixels
+// Of the coverage that asks for more maps: what a pixel needs at least, not to be left to the fallback.
+constexpr float kLeastShare = 0.25f;
+
+PixelSite pixelSite(const PrimaryHit& hit, const Vec2& film) {
+    PixelSite site;
+    site.p = hit.surface.p;
+    site.n = faceForward(hit.surface.ng, hit.surface.wo);
+    site.film = film;
+    site.pixelSize = hit.surface.footprint;
+    site.transmits = hit.bsdf.hasWideTransmission();
+    return site;
+}
 
 }  // namespace
-
-// What filling in needs to know of a pixel.
-struct IndirectPass::Pixel {
-    PixelSite site;
-    float coverage = -1;  // sum of weights; -1: no primary hit
-};
-
-struct IndirectPass::FillLevel {
-    std::vector<MapSite> sites;
-    FilmBuckets buckets;
-    float radius;
-};
 
 IndirectPass::IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings,
                            Stats* stats)
@@ -52,7 +50,6 @@ bool IndirectPass::wideHit(int x, int y, int index, Vec2& film, float& weight, P
     return hit.bsdf.hasWithin(LobeFlags::Wide);
 }
 
-// Captures and enhances the maps of sites whose film position is set, in batches.
 void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel) {
     struct Request {
         MapSite* site;
@@ -126,48 +123,25 @@ bool IndirectPass::run(int pass, float spacing, const std::function<void(int, in
                        const CancelToken* cancel) {
     mapCount_ = 0;
     if (spacing <= 1) return runPerPixel(pass, add, cancel);
-    const auto cancelled = [&] { return cancel && cancel->cancelled(); };
-    const PixelRegion region = tracer_.scene().settings.region();
-
     Sampler offsets(hashCombine(settings_.seed, kOffset), uint32_t(pass));
-    const MapGrid grid(region, spacing, offsets.get2D());
-    std::vector<MapSite> sites(size_t(grid.count()));
-    for (int i = 0; i < grid.count(); ++i) {
-        sites[size_t(i)].film = grid.point(i);
-        sites[size_t(i)].radius = spacing;
-    }
-    captureSites(sites, uint64_t(pass), 0, cancel);
-    if (cancelled()) return false;
+    PassMaps maps(MapGrid(tracer_.scene().settings.region(), spacing, offsets.get2D()));
+    placeMaps(maps, pass, spacing, cancel);
+    if (cancel && cancel->cancelled()) return false;
+    gatherPixels(maps, pass, add, cancel);
+    return !(cancel && cancel->cancelled());
+}
 
-    using Weight = float (*)(const PixelSite&, const MapSite&);
-    const auto forEachGridSite = [&](const PixelSite& pixel, Weight geometry, auto&& f) {
-        const int corner = grid.cell(pixel.film);
-        for (const int i : {corner, corner + 1, corner + grid.columns(), corner + grid.columns() + 1}) {
-            const MapSite& site = sites[size_t(i)];
-            const float tent = tentWeight(pixel.film, site.film, spacing);
-            const float w = tent > 0 ? tent * geometry(pixel, site) : 0;
-            if (w > 0) f(site, w);
-        }
-    };
-    const auto forEachFillSite = [](const FillLevel& level, const PixelSite& pixel, Weight geometry, auto&& f) {
-        level.buckets.forEachNear(pixel.film, [&](int id) {
-            const MapSite& site = level.sites[size_t(id)];
-            const float radial = radialWeight(pixel.film, site.film, level.radius);
-            const float w = radial > 0 ? radial * geometry(pixel, site) : 0;
-            if (w > 0) f(site, w);
-        });
-    };
-    const auto pixelSite = [](const PrimaryHit& hit, const Vec2& position) {
-        PixelSite site;
-        site.p = hit.surface.p;
-        site.n = faceForward(hit.surface.ng, hit.surface.wo);
-        site.film = position;
-        site.pixelSize = hit.surface.footprint;
-        site.transmits = hit.bsdf.hasWideTransmission();
-        return site;
-    };
+void IndirectPass::placeMaps(PassMaps& maps, int pass, float spacing, const CancelToken* cancel) {
+    const auto cancelled = [&] { return cancel && cancel->cancelled(); };
+    captureSites(maps.grid(), uint64_t(pass), 0, cancel);
+    if (cancelled()) return;
 
     // How well the grid serves each pixel.
+    struct Pixel {
+        PixelSite site;
+        float coverage = -1;  // sum of weights; -1: no primary hit
+    };
+    const PixelRegion region = tracer_.scene().settings.region();
     std::vector<Pixel> pixels(region.count());
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         for (int y = begin; y < end && !cancelled(); ++y)
@@ -178,71 +152,41 @@ bool IndirectPass::run(int pass, float spacing, const std::function<void(int, in
                 PrimaryHit hit;
                 if (!wideHit(x, y, pass * settings_.primarySamples, position, weight, hit)) continue;
                 pixel.site = pixelSite(hit, position);
-                pixel.coverage = 0;
-                forEachGridSite(pixel.site, geometryWeight, [&](const MapSite&, float w) { pixel.coverage += w; });
+                pixel.coverage = maps.coverage(pixel.site, 0);
             }
     });
-    if (cancelled()) return false;
 
-    std::vector<FillLevel> fill;
-    for (int level = 1; level <= settings_.fillLevels; ++level) {
+    const size_t most = size_t(kFillBudget * float(maps.grid().size())) + 1;
+    for (int level = 1; level <= settings_.fillLevels && !cancelled(); ++level) {
         const float radius = spacing / float(1 << level);
         if (radius < kSmallestFill) break;
-        // One map for each block of the level's size that lacks enough, at one of the pixels that lack it.
-        const int block = std::max(2, int(radius));
-        FillLevel next{{}, FilmBuckets(region, radius), radius};
-        struct Block {
-            Vec2 film;
-            int lacking;
+        const auto lacking = [&](int x, int y) {
+            const float c = pixels[region.index(x, y)].coverage;
+            return c >= 0 && c < settings_.minCoverage;
         };
-        std::vector<Block> blocks;
-        for (int by = region.y0; by < region.y1; by += block)
-            for (int bx = region.x0; bx < region.x1; bx += block) {
-                int lacking = 0;
-                Vec2 chosen(0, 0);
-                uint64_t best = ~uint64_t(0);
-                for (int y = by; y < std::min(by + block, region.y1); ++y)
-                    for (int x = bx; x < std::min(bx + block, region.x1); ++x) {
-                        const Pixel& pixel = pixels[region.index(x, y)];
-                        if (pixel.coverage < 0 || pixel.coverage >= settings_.minCoverage) continue;
-                        ++lacking;
-                        const uint64_t order =
-                            hashCombine(pixelStream(x, y, kFill), uint64_t(pass) << 8 | uint64_t(level));
-                        if (order < best) {
-                            best = order;
-                            chosen = pixel.site.film;
-                        }
-                    }
-                if (lacking == 0 || float(lacking) < kFillShare * float(block * block)) continue;
-                blocks.push_back({chosen, lacking});
-            }
-        // Those that lack most come first.
-        std::stable_sort(blocks.begin(), blocks.end(),
-                         [](const Block& a, const Block& b) { return a.lacking > b.lacking; });
-        if (const auto most = size_t(kFillBudget * float(grid.count())) + 1; blocks.size() > most) blocks.resize(most);
-        for (const Block& b : blocks) {
-            MapSite site;
-            site.film = b.film;
-            site.radius = radius;
-            next.buckets.add(b.film, int(next.sites.size()));
-            next.sites.push_back(std::move(site));
-        }
-        captureSites(next.sites, uint64_t(pass), uint64_t(level), cancel);
-        if (cancelled()) return false;
+        const auto order = [&](int x, int y) {
+            return hashCombine(pixelStream(x, y, kFill), uint64_t(pass) << 8 | uint64_t(level));
+        };
+        const auto film = [&](int x, int y) { return pixels[region.index(x, y)].site.film; };
+        captureSites(maps.addLevel(region, radius, fillPoints(region, radius, most, lacking, order, film)),
+                     uint64_t(pass), uint64_t(level), cancel);
+        if (cancelled()) return;
         parallelFor(0, int(pixels.size()), 4096, [&](int begin, int end) {
             for (auto i = size_t(begin); i < size_t(end); ++i)
-                if (pixels[i].coverage >= 0)
-                    forEachFillSite(next, pixels[i].site, geometryWeight,
-                                    [&](const MapSite&, float w) { pixels[i].coverage += w; });
+                if (pixels[i].coverage >= 0) pixels[i].coverage += maps.coverage(pixels[i].site, size_t(level));
         });
-        fill.push_back(std::move(next));
     }
+}
 
+void IndirectPass::gatherPixels(const PassMaps& maps, int pass,
+                                const std::function<void(int, int, const Rgb&, float)>& add,
+                                const CancelToken* cancel) const {
+    const PixelRegion region = tracer_.scene().settings.region();
     std::atomic<int64_t> fallbacks{0};
     const auto start = std::chrono::steady_clock::now();
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         std::vector<WeightedSite> around;
-        for (int y = begin; y < end && !cancelled(); ++y)
+        for (int y = begin; y < end && !(cancel && cancel->cancelled()); ++y)
             for (int x = region.x0; x < region.x1; ++x)
                 for (int sample = 0; sample < settings_.primarySamples; ++sample) {
                     const int index = pass * settings_.primarySamples + sample;
@@ -253,22 +197,7 @@ bool IndirectPass::run(int pass, float spacing, const std::function<void(int, in
                         add(x, y, Rgb(0.f), weight);
                         continue;
                     }
-                    const PixelSite pixel = pixelSite(hit, position);
-                    const auto collect = [&](Weight geometry) {
-                        around.clear();
-                        float sum = 0;
-                        const auto keep = [&](const MapSite& site, float w) {
-                            around.push_back({&site, w});
-                            sum += w;
-                        };
-                        forEachGridSite(pixel, geometry, keep);
-                        for (const FillLevel& level : fill) forEachFillSite(level, pixel, geometry, keep);
-                        return sum;
-                    };
-                    // Maps that stand aside serve for want of better ones, but not those of quite another surface.
-                    if (collect(geometryWeight) < 0.25f * settings_.minCoverage &&
-                        collect(relaxedWeight) < 0.25f * settings_.minCoverage)
-                        around.clear();
+                    maps.findAround(pixelSite(hit, position), kLeastShare * settings_.minCoverage, around);
                     if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
                     const Rgb value = shade(hit, around, x, y, index);
                     add(x, y, value * hit.throughput, weight);
@@ -278,7 +207,6 @@ bool IndirectPass::run(int pass, float spacing, const std::function<void(int, in
         stats_->add("pixels without a map", fallbacks.load());
         stats_->timer("gather").add(std::chrono::steady_clock::now() - start);
     }
-    return !cancelled();
 }
 
 Rgb IndirectPass::shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const {

@@ -8,8 +8,7 @@
 #include "base/stats.h"
 #include "cache/enhancer.h"
 #include "cache/gather.h"
-#include "cache/interpolation.h"
-#include "cache/map_grid.h"
+#include "cache/pass_maps.h"
 
 namespace drc {
 
@@ -38,8 +37,11 @@ class IndirectPass {
     int mapCount() const { return mapCount_; }
 
   private:
-    struct Pixel;
-    struct FillLevel;
+    // Captures the grid's maps and those that fill in where it does not serve.
+    void placeMaps(PassMaps& maps, int pass, float spacing, const CancelToken* cancel);
+    void gatherPixels(const PassMaps& maps, int pass, const std::function<void(int, int, const Rgb&, float)>& add,
+                      const CancelToken* cancel) const;
+    // Captures and enhances the maps of sites whose film position is set, in batches.
     void captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel);
     bool runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add, const CancelToken* cancel);
     // Indirect radiance of the wide lobes: from the maps, or traced where there is none. index: of the camera sample.
