@@ -4,26 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
+#include "base/folder_testing.h"
 #include "image/image_io.h"
 
 namespace drc {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class CompareCommandTest : public testing::Test {
+class CompareCommandTest : public FolderTest {
   protected:
     void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "drc-compare-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        dir_ = name;
+        FolderTest::SetUp();
         Image a(16, 12), b(16, 12);
         for (float& v : a.data()) v = 0.25f;
         for (float& v : b.data()) v = 0.5f;
@@ -33,8 +28,6 @@ class CompareCommandTest : public testing::Test {
         b.at(3, 3, 1) = std::numeric_limits<float>::quiet_NaN();
         writeExr(path("nan.exr"), b);
     }
-    void TearDown() override { fs::remove_all(dir_); }
-    std::string path(const std::string& name) const { return (dir_ / name).string(); }
 
     // What the command prints.
     static std::string run(std::vector<std::string> arguments) {
@@ -51,7 +44,6 @@ class CompareCommandTest : public testing::Test {
         std::fflush(stdout);
         return testing::internal::GetCapturedStdout();
     }
-    fs::path dir_;
 };
 
 TEST_F(CompareCommandTest, Json) {

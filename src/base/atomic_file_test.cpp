@@ -9,7 +9,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "base/error.h"
+#include "base/folder_testing.h"
 
 namespace drc {
 namespace {
@@ -17,27 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class AtomicFileTest : public testing::Test {
+class AtomicFileTest : public FolderTest {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "drc-atomic-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        dir_ = name;
-    }
-    void TearDown() override { fs::remove_all(dir_); }
-    std::string path(const std::string& name) const { return (dir_ / name).string(); }
     size_t fileCount() const { return size_t(std::distance(fs::directory_iterator(dir_), fs::directory_iterator())); }
-
-    template <typename F>
-    static std::string errorOf(F f) {
-        try {
-            f();
-        } catch (const Error& e) {
-            return e.what();
-        }
-        return "";
-    }
-    fs::path dir_;
 };
 
 TEST_F(AtomicFileTest, WritesAndReplaces) {

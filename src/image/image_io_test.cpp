@@ -14,7 +14,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
+#include "base/folder_testing.h"
 #include "image/color.h"
 
 namespace drc {
@@ -24,26 +24,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class ImageIoTest : public testing::Test {
-  protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "drc-image-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        dir_ = name;
-    }
-    void TearDown() override { fs::remove_all(dir_); }
-    std::string path(const std::string& name) const { return (dir_ / name).string(); }
-    template <typename F>
-    static std::string errorOf(F f) {
-        try {
-            f();
-        } catch (const Error& e) {
-            return e.what();
-        }
-        return "";
-    }
-    fs::path dir_;
-};
+using ImageIoTest = FolderTest;
 
 Image makeImage(int width, int height, float first) {
     Image image(width, height);

@@ -1,18 +1,14 @@
 // Point light whose intensity by direction is a picture: a goniophotometric diagram (PBR 3e, section 12.3.3). As in
 // pbrt the picture's pole is the light's +y: v = theta / pi from +y, u = phi / 2 pi from +x towards +z.
-#include "scene/light.h"
-#include "scene/turn.h"
+#include "scene/light_directed_point.h"
 
 namespace drc {
 namespace {
 
-class GoniometricLight final : public Light {
+class GoniometricLight final : public DirectedPointLight {
   public:
     GoniometricLight(const Transform& lightToWorld, const Rgb& intensity, LightImage image)
-        : position_(lightToWorld.point(Vec3(0, 0, 0))),
-          worldToLight_(lightToWorld.inverse()),
-          intensity_(intensity),
-          image_(std::move(image)) {
+        : DirectedPointLight(lightToWorld, intensity), image_(std::move(image)) {
         if (image_.empty()) image_ = {1, 1, {Rgb(1.f)}};
         image_.mend();
         double sum[3] = {0, 0, 0};
@@ -26,30 +22,16 @@ class GoniometricLight final : public Light {
         power_ = intensity_ * Rgb(float(sum[0]), float(sum[1]), float(sum[2]));
     }
 
-    std::optional<LightSample> sample(const Vec3& p, const Vec2&) const override {
-        const Vec3 d = position_ - p;
-        const float distance2 = lengthSquared(d);
-        if (!(distance2 > 0)) return {};
-        const Rgb intensity = intensity_ * towards(worldToLight_(-d));
-        if (isBlack(intensity)) return {};
-        const float distance = std::sqrt(distance2);
-        return LightSample{d / distance, intensity / distance2, 1, distance, true};
-    }
     Rgb power(float) const override { return power_; }
-    bool isDelta() const override { return true; }
-    Bounds bounds() const override { return {position_, position_}; }
 
   private:
-    Rgb towards(const Vec3& w) const {
+    Rgb share(const Vec3& w) const override {
         float phi = std::atan2(w.z, w.x);
         if (phi < 0) phi += 2 * kPi;
         const float theta = std::atan2(std::sqrt(w.x * w.x + w.z * w.z), w.y);
         return image_.lookup(Vec2(phi * (0.5f * kInvPi), theta * kInvPi), true);
     }
 
-    Vec3 position_;
-    Turn worldToLight_;
-    Rgb intensity_;  // W / sr, where the picture is one
     LightImage image_;
     Rgb power_;
 };

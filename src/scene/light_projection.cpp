@@ -1,19 +1,14 @@
 // Slide projector: a point light behind a picture (PBR 3e, section 12.3.2). It shines along its own +z; the picture
 // stands on the plane z = 1, its shorter side as wide as the field of view. As in pbrt row 0 is at the lowest y.
-#include "scene/light.h"
-#include "scene/turn.h"
+#include "scene/light_directed_point.h"
 
 namespace drc {
 namespace {
 
-class ProjectionLight final : public Light {
+class ProjectionLight final : public DirectedPointLight {
   public:
     ProjectionLight(const Transform& lightToWorld, const Rgb& intensity, float fovDegrees, LightImage image)
-        : position_(lightToWorld.point(Vec3(0, 0, 0))),
-          worldToLight_(lightToWorld.inverse()),
-          intensity_(intensity),
-          image_(std::move(image)),
-          axis_(normalize(lightToWorld.vector(Vec3(0, 0, 1)))) {
+        : DirectedPointLight(lightToWorld, intensity), image_(std::move(image)) {
         if (image_.empty()) image_ = {1, 1, {Rgb(1.f)}};
         image_.mend();
         const float aspect = float(image_.width) / float(image_.height);
@@ -22,18 +17,7 @@ class ProjectionLight final : public Light {
         findPower();
     }
 
-    std::optional<LightSample> sample(const Vec3& p, const Vec2&) const override {
-        const Vec3 d = position_ - p;
-        const float distance2 = lengthSquared(d);
-        if (!(distance2 > 0)) return {};
-        const Rgb intensity = intensity_ * towards(worldToLight_(-d));
-        if (isBlack(intensity)) return {};
-        const float distance = std::sqrt(distance2);
-        return LightSample{d / distance, intensity / distance2, 1, distance, true};
-    }
     Rgb power(float) const override { return power_; }
-    bool isDelta() const override { return true; }
-    Bounds bounds() const override { return {position_, position_}; }
     LightReach reach() const override {
         LightReach r{bounds(), axis_};
         const float corner = std::atan(std::sqrt(half_.x * half_.x + half_.y * half_.y));
@@ -46,7 +30,7 @@ class ProjectionLight final : public Light {
     }
 
   private:
-    Rgb towards(const Vec3& w) const {
+    Rgb share(const Vec3& w) const override {
         if (!(w.z > 0)) return Rgb(0.f);
         const float x = w.x / (w.z * half_.x), y = w.y / (w.z * half_.y);
         if (!(std::abs(x) <= 1 && std::abs(y) <= 1)) return Rgb(0.f);
@@ -69,12 +53,8 @@ class ProjectionLight final : public Light {
         power_ = intensity_ * Rgb(float(sum[0]), float(sum[1]), float(sum[2]));
     }
 
-    Vec3 position_;
-    Turn worldToLight_;
-    Rgb intensity_;  // W / sr, where the picture is one
     LightImage image_;
     Vec2 half_;  // of the picture's sides, on the plane z = 1
-    Vec3 axis_;  // world space
     Rgb power_;
 };
 

@@ -1,39 +1,23 @@
 // Spotlight: a point light within a cone, whose edge fades (PBR 3e, section 12.3.1).
-#include "scene/light.h"
-#include "scene/turn.h"
+#include "scene/light_directed_point.h"
 
 namespace drc {
 namespace {
 
-class SpotLight final : public Light {
+class SpotLight final : public DirectedPointLight {
   public:
     SpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees)
-        : position_(lightToWorld.point(Vec3(0, 0, 0))),
-          worldToLight_(lightToWorld.inverse()),
-          intensity_(intensity),
+        : DirectedPointLight(lightToWorld, intensity),
           cosEdge_(std::cos(coneDegrees * kPi / 180)),
           cosFull_(std::cos(std::max(0.f, coneDegrees - fadeDegrees) * kPi / 180)),
-          cone_(coneDegrees * kPi / 180),
-          axis_(normalize(lightToWorld.vector(Vec3(0, 0, 1)))),
-          keepsAngles_(worldToLight_.keepsAngles()) {}
+          cone_(coneDegrees * kPi / 180) {}
 
-    std::optional<LightSample> sample(const Vec3& p, const Vec2&) const override {
-        const Vec3 d = position_ - p;
-        const float distance2 = lengthSquared(d);
-        if (!(distance2 > 0)) return {};
-        const float share = falloff(normalize(worldToLight_(-d)).z);
-        if (!(share > 0)) return {};
-        const float distance = std::sqrt(distance2);
-        return LightSample{d / distance, intensity_ * (share / distance2), 1, distance, true};
-    }
     // The fading edge holds a fifth of what it would hold unfaded: the integral of x^4.
     Rgb power(float) const override { return intensity_ * (2 * kPi * ((1 - cosFull_) + (cosFull_ - cosEdge_) * 0.2f)); }
-    bool isDelta() const override { return true; }
-    Bounds bounds() const override { return {position_, position_}; }
     LightReach reach() const override {
         LightReach r{bounds(), axis_};
         r.intensity = luminance(intensity_);
-        if (!keepsAngles_) return r;
+        if (!worldToLight_.keepsAngles()) return r;
         const float full = std::acos(cosFull_);
         r.spread = full;
         r.falloff = cone_ - full;
@@ -41,19 +25,15 @@ class SpotLight final : public Light {
     }
 
   private:
+    Rgb share(const Vec3& w) const override { return Rgb(falloff(normalize(w).z)); }
     float falloff(float cosTheta) const {
         if (cosTheta <= cosEdge_) return 0;
         if (cosTheta >= cosFull_) return 1;
         return sqr(sqr((cosTheta - cosEdge_) / (cosFull_ - cosEdge_)));
     }
 
-    Vec3 position_;
-    Turn worldToLight_;  // the light shines along its own +z
-    Rgb intensity_;      // W / sr, on the axis
     float cosEdge_, cosFull_;
     float cone_;  // radians from the axis to the edge
-    Vec3 axis_;   // world space
-    bool keepsAngles_;
 };
 
 }  // namespace

@@ -1,0 +1,39 @@
+// What the point lights share whose intensity depends on the direction: spot, goniometric, projection (PBR 3e, sections
+// 12.3.1 to 12.3.3).
+#pragma once
+#include "scene/light.h"
+#include "scene/turn.h"
+
+namespace drc {
+
+class DirectedPointLight : public Light {
+  public:
+    std::optional<LightSample> sample(const Vec3& p, const Vec2&) const final {
+        const Vec3 d = position_ - p;
+        const float distance2 = lengthSquared(d);
+        if (!(distance2 > 0)) return {};
+        const Rgb intensity = intensity_ * share(worldToLight_(-d));
+        if (isBlack(intensity)) return {};
+        const float distance = std::sqrt(distance2);
+        return LightSample{d / distance, intensity / distance2, 1, distance, true};
+    }
+    bool isDelta() const final { return true; }
+    Bounds bounds() const final { return {position_, position_}; }
+
+  protected:
+    DirectedPointLight(const Transform& lightToWorld, const Rgb& intensity)
+        : position_(lightToWorld.point(Vec3(0, 0, 0))),
+          worldToLight_(lightToWorld.inverse()),
+          intensity_(intensity),
+          axis_(normalize(lightToWorld.vector(Vec3(0, 0, 1)))) {}
+
+    // Of intensity_, along w: light space, of any length.
+    virtual Rgb share(const Vec3& w) const = 0;
+
+    Vec3 position_;
+    Turn worldToLight_;
+    Rgb intensity_;  // W / sr
+    Vec3 axis_;      // the light's +z in world space
+};
+
+}  // namespace drc
