@@ -16,7 +16,7 @@ endif()
 # GCC 12 warns of overlapping copies in std::string's own operator+ (GCC bug 105329): -Wrestrict is off.
 add_library(drc_options INTERFACE)
 target_compile_options(drc_options INTERFACE -march=${DRC_MARCH} -Wall -Wextra -Wpedantic -Wshadow
-                       -Wnon-virtual-dtor -Wno-restrict -Werror -fno-math-errno -fno-trapping-math
+                       -Wnon-virtual-dtor $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -Werror -fno-math-errno -fno-trapping-math
                        $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 target_include_directories(drc_options INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/src)
 target_compile_definitions(drc_options INTERFACE DRC_VERSION="${PROJECT_VERSION}")

@@ -1,0 +1,35 @@
+// The fuzzers' seeds, and all that they found: each file must be read, or refused with an Error.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "fuzz/targets.h"
+
+namespace drc::fuzz {
+namespace {
+
+class Corpus : public testing::TestWithParam<std::pair<const char*, void (*)(std::string_view)>> {};
+
+TEST_P(Corpus, IsReadOrRefused) {
+    const auto [name, target] = GetParam();
+    int files = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(DRC_SOURCE_DIR) / "tests/fuzz/corpus" / name)) {
+        SCOPED_TRACE(entry.path().filename().string());
+        std::ifstream in(entry.path(), std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+        EXPECT_NO_THROW(target(bytes));
+        ++files;
+    }
+    EXPECT_GE(files, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus,
+                         testing::Values(std::pair("tokenizer", &tokenizer), std::pair("parser", &parser),
+                                         std::pair("ply", &ply), std::pair("safetensors", &safetensors)),
+                         [](const auto& tested) { return std::string(tested.param.first); });
+
+}  // namespace
+}  // namespace drc::fuzz

@@ -1,0 +1,16 @@
+// libFuzzer's entry: DRC_FUZZ_TARGET is one of the functions of targets.h.
+#include <cstddef>
+#include <cstdint>
+
+#include "base/log.h"
+#include "fuzz/targets.h"
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+    drc::setLogLevel(drc::LogLevel::Quiet);
+    return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    drc::fuzz::DRC_FUZZ_TARGET(std::string_view(reinterpret_cast<const char*>(data), size));
+    return 0;
+}

@@ -1,0 +1,79 @@
+#include "fuzz/targets.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "neural/safetensors.h"
+#include "pbrt/ply_reader.h"
+#include "pbrt/scene_file.h"
+#include "pbrt/tokenizer.h"
+
+namespace drc::fuzz {
+namespace {
+
+// A file in memory, for readers that want a path.
+class MemoryFile {
+  public:
+    explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("fuzz", 0)) {
+        if (descriptor_ < 0 || write(descriptor_, bytes.data(), bytes.size()) != ssize_t(bytes.size()))
+            throw std::runtime_error("cannot make a file in memory");
+    }
+    ~MemoryFile() { close(descriptor_); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+  private:
+    int descriptor_;
+};
+
+}  // namespace
+
+void tokenizer(std::string_view bytes) {
+    const auto source = pbrt::Source::fromText(std::string(bytes), "fuzz.pbrt", "");
+    pbrt::Tokenizer tokens(*source);
+    try {
+        for (;;) {
+            const pbrt::Token token = tokens.next();
+            if (token.kind == pbrt::TokenKind::End) break;
+            (void)token.describe();
+            (void)token.pos.location();
+            if (token.kind == pbrt::TokenKind::Number) (void)token.number();
+            if (token.kind == pbrt::TokenKind::String) (void)token.value();
+        }
+    } catch (const Error&) {
+    }
+}
+
+void parser(std::string_view bytes) {
+    try {
+        // A folder that does not exist: whatever file the text names is missing.
+        (void)pbrt::loadPbrtString(std::string(bytes), "/nonexistent", {}, "fuzz.pbrt");
+    } catch (const Error&) {
+    }
+}
+
+void ply(std::string_view bytes) {
+    const MemoryFile file(bytes);
+    try {
+        (void)pbrt::readPly(file.path());
+    } catch (const Error&) {
+    }
+}
+
+void safetensors(std::string_view bytes) {
+    const MemoryFile file(bytes);
+    try {
+        const SafetensorsFile read(file.path());
+        (void)read.contentHash();
+        for (const auto& [name, tensor] : read.tensors()) (void)tensor.toFloat();
+    } catch (const Error&) {
+    }
+}
+
+}  // namespace drc::fuzz

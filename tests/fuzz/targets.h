@@ -1,0 +1,13 @@
+// What the fuzzers feed with bytes of their own making: each reads the text or file as the program would and may throw
+// drc::Error, but nothing else, and must not crash, hang or ask for memory out of all proportion.
+#pragma once
+#include <string_view>
+
+namespace drc::fuzz {
+
+void tokenizer(std::string_view bytes);
+void parser(std::string_view bytes);  // a pbrt scene; it reads no other files
+void ply(std::string_view bytes);
+void safetensors(std::string_view bytes);
+
+}  // namespace drc::fuzz
