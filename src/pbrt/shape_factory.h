@@ -22,10 +22,10 @@ struct ShapeContext {
 
 // Exactly one of shape and loadMesh is set.
 struct Geometry {
-    ShapePtr shape;
+    ShapePtr shape{};
     // Reads and transforms the mesh: slow, and to be called once, on any thread. Owns all that it needs.
-    std::function<TriangleMeshPtr()> loadMesh;
-    FloatTexturePtr alpha, shadowAlpha;
+    std::function<TriangleMeshPtr()> loadMesh{};
+    FloatTexturePtr alpha{}, shadowAlpha{};  // null: opaque
 };
 
 // None, with a warning, for what is not built. Throws Error for a type that pbrt-v3 does not know either and for wrong
