@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "pbrt/ply_reader.h"
+#include "scene/height_field.h"
+#include "scene/loop_subdivision.h"
 
 namespace drc::pbrt {
 namespace {
@@ -108,6 +110,34 @@ Geometry plyMesh(const ShapeContext& context) {
                          toWorld = context.objectToWorld,
                          reverse = context.reverseOrientation] { return placed(readPly(path), toWorld, reverse); };
     return geometry;
+}
+
+Geometry loopSubdivision(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    const auto positions =
+        std::make_shared<const std::vector<Vec3>>(vectors<Vec3>(required(params, "P", ParamType::Point3)));
+    const auto indices = std::make_shared<const std::vector<uint32_t>>(readIndices(params, positions->size()));
+    const int levels = params.getInt("levels", params.getInt("nlevels", 3));
+    if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
+    params.ignore({"scheme"});  // pbrt knows one alone
+    return {.loadMesh = [=, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
+        return placed(subdivideLoop(*positions, *indices, levels), toWorld, reverse);
+    }};
+}
+
+Geometry heightField(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    const double nu = required(params, "nu", ParamType::Integer).numbers[0];
+    const double nv = required(params, "nv", ParamType::Integer).numbers[0];
+    if (nu < 2 || nv < 2) fail(params.pos(), "'nu' and 'nv' of a heightfield must be at least 2");
+    const Param& z = required(params, "Pz", ParamType::Float);
+    if (double(z.numbers.size()) != nu * nv)
+        params.failAt(z, "must have nu times nv values, " + std::to_string(int64_t(nu * nv)) + ", found " +
+                             std::to_string(z.numbers.size()));
+    const auto heights = std::make_shared<const std::vector<float>>(z.numbers.begin(), z.numbers.end());
+    return {.loadMesh = [=, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
+        return placed(makeHeightField(uint32_t(nu), uint32_t(nv), *heights), toWorld, reverse);
+    }};
 }
 
 }  // namespace drc::pbrt

@@ -99,10 +99,18 @@ Geometry hyperboloid(const ShapeContext& context) {
 
 using ShapeMaker = Geometry (*)(const ShapeContext&);
 constexpr Registered<ShapeMaker> kShapes[] = {
-    {"cone", cone},          {"curve", nullptr},       {"cylinder", cylinder},
-    {"disk", disk},          {"heightfield", nullptr}, {"hyperboloid", hyperboloid},
-    {"loopsubdiv", nullptr}, {"nurbs", nullptr},       {"paraboloid", paraboloid},
-    {"plymesh", plyMesh},    {"sphere", sphere},       {"trianglemesh", triangleMesh},
+    {"cone", cone},
+    {"curve", nullptr},
+    {"cylinder", cylinder},
+    {"disk", disk},
+    {"heightfield", heightField},
+    {"hyperboloid", hyperboloid},
+    {"loopsubdiv", loopSubdivision},
+    {"nurbs", nullptr},
+    {"paraboloid", paraboloid},
+    {"plymesh", plyMesh},
+    {"sphere", sphere},
+    {"trianglemesh", triangleMesh},
 };
 
 }  // namespace

@@ -66,6 +66,41 @@ TEST(ShapeFactory, HyperboloidThatEndsAtZeroStartsThere) {
     EXPECT_NEAR(hit("\"point p1\" [2 0 1] \"point p2\" [.9 0 -.1]").uv.y, 0.75 / 1.1, 1e-6);
 }
 
+TEST(ShapeFactory, LoopSubdivision) {
+    const std::string octahedron =
+        "Shape \"loopsubdiv\" \"integer indices\" [0 1 4 1 2 4 2 3 4 3 0 4 1 0 5 2 1 5 3 2 5 0 3 5]\n"
+        "\"point P\" [1 0 0 0 1 0 -1 0 0 0 -1 0 0 0 1 0 0 -1]\n";
+    EXPECT_EQ(onlyPrimitive(octahedron).mesh->triangleCount(), 8u * 64);
+    EXPECT_EQ(onlyPrimitive(octahedron + "\"integer nlevels\" 1 \"string scheme\" \"loop\"").mesh->triangleCount(),
+              32u);
+    // As in pbrt, normals look against the winding; ReverseOrientation and mirrors count as for any mesh with normals.
+    const auto outward = [&](const std::string& before) {
+        const TriangleMeshPtr mesh = onlyPrimitive(before + octahedron).mesh;
+        return dot(mesh->geometricNormal(0), mesh->positions[mesh->indices[0]]) > 0;
+    };
+    EXPECT_FALSE(outward(""));
+    EXPECT_TRUE(outward("ReverseOrientation\n"));
+    EXPECT_FALSE(outward("Scale -1 1 1\n"));
+    EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"integer indices\" [0 1 2] \"point P\" [0 0 0 1 0 0 0 1 0]\n"
+                             "\"integer nlevels\" -1"),
+                HasSubstr("s.pbrt:2:7: the 'nlevels' of a loopsubdiv must not be negative"));
+    EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"integer indices\" [0 1 2 0 1 2] \"point P\" [0 0 0 1 0 0 0 1 0]"),
+                HasSubstr("s.pbrt:2:7: cannot load the mesh: the edge between vertices 0 and 1 is in two triangles"));
+}
+
+TEST(ShapeFactory, HeightField) {
+    const TriangleMeshPtr mesh = onlyPrimitive(
+                                     "Translate 1 0 0\nShape \"heightfield\" \"integer nu\" 3 \"integer nv\" 2 "
+                                     "\"float Pz\" [0 1 2 3 4 5]")
+                                     .mesh;
+    EXPECT_EQ(mesh->positions[4], Vec3(1.5f, 1, 4));
+    EXPECT_EQ(mesh->triangleCount(), 4u);
+    EXPECT_THAT(errorOfWorld("Shape \"heightfield\" \"integer nu\" 3 \"integer nv\" 2 \"float Pz\" [0 1 2 3 4]"),
+                HasSubstr("parameter 'Pz' of shape 'heightfield' must have nu times nv values, 6, found 5"));
+    EXPECT_THAT(errorOfWorld("Shape \"heightfield\" \"integer nu\" 1 \"integer nv\" 2 \"float Pz\" [0 1]"),
+                HasSubstr("must be at least 2"));
+}
+
 TEST(ShapeFactory, SaysWhatIsWrong) {
     EXPECT_THAT(errorOfWorld("Shape \"cylinder\" \"float radius\" -1"),
                 HasSubstr("s.pbrt:2:7: parameter 'radius' of shape 'cylinder' must be positive"));
