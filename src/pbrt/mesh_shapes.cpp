@@ -9,12 +9,6 @@
 namespace drc::pbrt {
 namespace {
 
-// Null: opaque. Only a mask that is zero everywhere needs a texture when it is a number.
-FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
-    FloatTexturePtr mask = TextureParams(context.params, context.textures).scalarOrNull(name);
-    return mask && mask->isConstant() && mask->eval({}) != 0 ? nullptr : mask;
-}
-
 // Takes a mesh in its own space to the world's, with the orientation that pbrt gives it.
 TriangleMeshPtr placed(TriangleMesh mesh, const Transform& objectToWorld, bool reverseOrientation) {
     mesh.apply(objectToWorld);
@@ -92,8 +86,6 @@ Geometry triangleMesh(const ShapeContext& context) {
     params.ignore({"discarddegenerateUVs", "faceIndices"});
 
     Geometry geometry;
-    geometry.alpha = maskOf(context, "alpha");
-    geometry.shadowAlpha = maskOf(context, "shadowalpha");
     geometry.loadMesh = [mesh, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
         return placed(std::move(*mesh), toWorld, reverse);
     };
@@ -104,8 +96,6 @@ Geometry plyMesh(const ShapeContext& context) {
     const ParamSet& params = context.params;
     const Param& name = required(params, "filename", ParamType::String);
     Geometry geometry;
-    geometry.alpha = maskOf(context, "alpha");
-    geometry.shadowAlpha = maskOf(context, "shadowalpha");
     geometry.loadMesh = [path = context.files.find(params.getString("filename", ""), name.valuePos, "PLY file"),
                          toWorld = context.objectToWorld,
                          reverse = context.reverseOrientation] { return placed(readPly(path), toWorld, reverse); };

@@ -97,6 +97,12 @@ Geometry hyperboloid(const ShapeContext& context) {
     return {.shape = makeHyperboloid(p)};
 }
 
+// Null: opaque. Only a mask that is zero everywhere needs a texture when it is a number.
+FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
+    FloatTexturePtr mask = TextureParams(context.params, context.textures).scalarOrNull(name);
+    return mask && mask->isConstant() && mask->eval({}) != 0 ? nullptr : mask;
+}
+
 using ShapeMaker = Geometry (*)(const ShapeContext&);
 constexpr Registered<ShapeMaker> kShapes[] = {
     {"cone", cone},
@@ -118,7 +124,10 @@ constexpr Registered<ShapeMaker> kShapes[] = {
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context) {
     const auto make = findMaker<ShapeMaker>(kShapes, "shape", type, context.params.pos(), "the shape is left out");
     if (make == nullptr) return std::nullopt;
-    return make(context);
+    Geometry geometry = make(context);
+    geometry.alpha = maskOf(context, "alpha");
+    geometry.shadowAlpha = maskOf(context, "shadowalpha");
+    return geometry;
 }
 
 }  // namespace drc::pbrt

@@ -25,7 +25,7 @@ struct Geometry {
     ShapePtr shape{};
     // Reads and transforms the mesh: slow, and to be called once, on any thread. Owns all that it needs.
     std::function<TriangleMeshPtr()> loadMesh{};
-    FloatTexturePtr alpha{}, shadowAlpha{};  // null: opaque
+    FloatTexturePtr alpha{}, shadowAlpha{};  // of any shape: filled in by makeShape
 };
 
 // None, with a warning, for what is not built. Throws Error for a type that pbrt-v3 does not know either and for wrong

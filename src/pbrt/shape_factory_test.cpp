@@ -66,6 +66,16 @@ TEST(ShapeFactory, HyperboloidThatEndsAtZeroStartsThere) {
     EXPECT_NEAR(hit("\"point p1\" [2 0 1] \"point p2\" [.9 0 -.1]").uv.y, 0.75 / 1.1, 1e-6);
 }
 
+TEST(ShapeFactory, AlphaOfEveryShape) {
+    for (const char* shape : {"sphere", "disk", "cylinder", "cone", "paraboloid", "hyperboloid"}) {
+        const Primitive p = onlyPrimitive("Texture \"m\" \"float\" \"constant\" \"float value\" .5\nShape \"" +
+                                          std::string(shape) + "\" \"texture alpha\" \"m\" \"float shadowalpha\" 0");
+        EXPECT_EQ(p.alpha, nullptr) << shape;  // a mask without a hole
+        ASSERT_NE(p.shadowAlpha, nullptr) << shape;
+        EXPECT_EQ(p.shadowAlpha->eval({}), 0) << shape;
+    }
+}
+
 TEST(ShapeFactory, LoopSubdivision) {
     const std::string octahedron =
         "Shape \"loopsubdiv\" \"integer indices\" [0 1 4 1 2 4 2 3 4 3 0 4 1 0 5 2 1 5 3 2 5 0 3 5]\n"
