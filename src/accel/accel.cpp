@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "accel/curve_geometry.h"
 #include "accel/packed_mesh.h"
 #include "base/error.h"
 #include "base/log.h"
@@ -17,7 +18,8 @@ namespace {
 // What a geometry's callbacks need; lives as long as the Accel.
 struct GeometryData {
     const Primitive* primitive;
-    std::optional<PackedMesh> mesh;  // none: the primitive is a shape
+    std::optional<PackedMesh> mesh;  // none: the primitive is a shape ...
+    const Curves* curves = nullptr;  // ... or, if not null, curves
     const Bsdf* lobes = nullptr;     // see SurfaceInteraction
 };
 
@@ -40,6 +42,10 @@ bool fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, 
             SurfaceInteraction& hit) {
     if (data.mesh) {
         data.mesh->fill(primId, u, v, hit);
+        return true;
+    }
+    if (data.curves) {
+        fill(data.curves->hitAt(primId, u, ray, t), ray, hit);
         return true;
     }
     Ray shortened = ray;
@@ -191,6 +197,9 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
                                        mesh.vertices().size());
             rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces().data(),
                                        offsetof(PackedMesh::Face, v), sizeof(PackedMesh::Face), mesh.faces().size());
+        } else if (primitive.shape->asCurves()) {
+            data->curves = primitive.shape->asCurves();
+            geometry = makeCurveGeometry(device, *data->curves);
         } else {
             geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
             rtcSetGeometryUserPrimitiveCount(geometry, 1);
@@ -199,7 +208,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
             rtcSetGeometryOccludedFunction(geometry, shapeOccluded);
         }
         // Functions of our own look at the masks by themselves.
-        if (data->mesh) {
+        if (data->mesh || data->curves) {
             if (primitive.alpha) rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
             if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
                 rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);

@@ -1,10 +1,11 @@
-// Shapes as rays of a whole scene see them; pictures test meshes.
+// Shapes and curves as rays of a whole scene see them; pictures test meshes.
 #include "accel/accel.h"
 
 #include <gtest/gtest.h>
 
 #include "math/rng.h"
 #include "math/warp.h"
+#include "scene/curves.h"
 #include "scene/material_matte.h"
 #include "scene/shape_cone.h"
 #include "scene/shape_cylinder.h"
@@ -29,9 +30,25 @@ class HalfMask final : public FloatTexture {
     float eval(const TextureContext& at) const override { return at.uv.x < 0.5f ? 0 : 1; }
 };
 
+std::shared_ptr<Curves> bentCurves(CurveType type) {
+    auto curves = std::make_shared<Curves>(type, false);
+    curves->add({Vec3(-1, 0, 0), Vec3(-0.5f, 1, 0.4f), Vec3(0.5f, -0.6f, 0.8f), Vec3(1, 0.3f, -0.2f)}, {0.1f, 0.2f},
+                {normalize(Vec3(0.1f, 0.2f, 1)), normalize(Vec3(0, -1, 1))});
+    curves->add({Vec3(-1, -1, 0), Vec3(-0.5f, -1, 0), Vec3(0.5f, -1, 0), Vec3(1, -1, 0)}, {0.3f, 0.3f},
+                {Vec3(0, 0, 1), Vec3(0, 0, 1)});
+    return curves;
+}
+
 std::vector<ShapePtr> oneOfEach() {
-    return {makeSphere({}), makeDisk({}),       makeCylinder({}),
-            makeCone({}),   makeParaboloid({}), makeHyperboloid({.p1 = Vec3(1, -0.5f, -1), .p2 = Vec3(1, 0.5f, 1)})};
+    return {makeSphere({}),
+            makeDisk({}),
+            makeCylinder({}),
+            makeCone({}),
+            makeParaboloid({}),
+            makeHyperboloid({.p1 = Vec3(1, -0.5f, -1), .p2 = Vec3(1, 0.5f, 1)}),
+            bentCurves(CurveType::Flat),
+            bentCurves(CurveType::Cylinder),
+            bentCurves(CurveType::Ribbon)};
 }
 
 // Rays from all around towards somewhere in the unit cube.
@@ -64,13 +81,14 @@ TEST(Accel, HitsAreThoseOfTheShapes) {
             const bool found = accel.intersect(ray, hit);
             EXPECT_EQ(found, accel.occluded(ray.o, ray.d, kInfinity));
             hits += found;
+            // Curves are lines in both, but not the same ones: edges differ a little.
             if (found != expected.has_value() ||
                 (found && (std::abs(hit.t - expected->t) > 0.01f || std::abs(hit.uv.x - expected->uv.x) > 0.02f ||
                            std::abs(hit.uv.y - expected->uv.y) > 0.1f || dot(hit.ng, expected->ng) < 0.94f)))
                 ++different;
         });
         EXPECT_GT(hits, 100);
-        EXPECT_EQ(different, 0);
+        EXPECT_LT(different, shape->asCurves() ? hits / 25 + 1 : 1) << hits;
     }
 }
 
@@ -110,7 +128,7 @@ TEST(Accel, MasksOfEveryShape) {
     EXPECT_GT(everBehind, 0);  // through a hole more of the shape is seen
 }
 
-TEST(Accel, InstancedShapes) {
+TEST(Accel, InstancedShapesAndCurves) {
     const Transform t =
         Transform::translate(Vec3(1, 2, 3)) * Transform::rotate(40, Vec3(1, 1, 0)) * Transform::scale(2, 2, 2);
     for (const ShapePtr& shape : oneOfEach()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pbrt/curve_shape.h"
 #include "pbrt/mesh_shapes.h"
 #include "pbrt/registry.h"
 #include "scene/shape_cone.h"
@@ -106,7 +107,7 @@ FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
 using ShapeMaker = Geometry (*)(const ShapeContext&);
 constexpr Registered<ShapeMaker> kShapes[] = {
     {"cone", cone},
-    {"curve", nullptr},
+    {"curve", curve},
     {"cylinder", cylinder},
     {"disk", disk},
     {"heightfield", heightField},
@@ -125,6 +126,7 @@ std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& c
     const auto make = findMaker<ShapeMaker>(kShapes, "shape", type, context.params.pos(), "the shape is left out");
     if (make == nullptr) return std::nullopt;
     Geometry geometry = make(context);
+    if (!geometry.shape && !geometry.loadMesh) return std::nullopt;
     geometry.alpha = maskOf(context, "alpha");
     geometry.shadowAlpha = maskOf(context, "shadowalpha");
     return geometry;

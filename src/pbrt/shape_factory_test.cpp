@@ -111,6 +111,85 @@ TEST(ShapeFactory, HeightField) {
                 HasSubstr("must be at least 2"));
 }
 
+// The control points of the pieces, one after the other.
+std::vector<Vec3> controlPoints(const Primitive& p) {
+    std::vector<Vec3> points;
+    for (const Curves::ControlPoint& c : p.shape->asCurves()->controlPoints()) points.push_back(c.p);
+    return points;
+}
+
+TEST(ShapeFactory, CurvesOfAllKinds) {
+    // Wide, so that each segment is one piece.
+    const std::string wide = "Shape \"curve\" \"float width\" 100 ";
+    const std::string cubic = wide + "\"point P\" [0 0 0 1 3 0 2 3 0 3 0 0 4 -3 0 5 -3 0 6 0 0] ";
+    const Primitive bezier = onlyPrimitive("Scale 2 2 2\n" + cubic + "\"integer splitdepth\" 2");
+    ASSERT_EQ(bezier.shape->asCurves()->pieceCount(), 2u);
+    EXPECT_EQ(controlPoints(bezier)[5], Vec3(8, -6, 0));
+    EXPECT_EQ(bezier.shape->asCurves()->controlPoints()[5].radius, 100);
+    EXPECT_EQ(bezier.shape->asCurves()->type(), CurveType::Flat);
+    // Degree two is the same curve as its elevation.
+    const auto quadratic = controlPoints(onlyPrimitive(wide + "\"integer degree\" 2 \"point P\" [0 0 0 3 3 0 6 0 0]"));
+    const Vec3 expected[4] = {Vec3(0, 0, 0), Vec3(2, 2, 0), Vec3(4, 2, 0), Vec3(6, 0, 0)};
+    for (size_t i = 0; i < 4; ++i) EXPECT_LT(length(quadratic.at(i) - expected[i]), 1e-5f);
+    // B-splines: a segment begins at (p0 + 4 p1 + p2) / 6, or in the middle of p0 and p1 for degree two; segments join.
+    const std::string spline = "\"string basis\" \"bspline\" \"point P\" [0 0 0 6 0 0 6 6 0 0 6 0 0 12 0]";
+    const auto cubicSpline = controlPoints(onlyPrimitive(wide + spline));
+    ASSERT_EQ(cubicSpline.size(), 8u);
+    EXPECT_LT(length(cubicSpline[0] - Vec3(5, 1, 0)), 1e-5f);
+    EXPECT_LT(length(cubicSpline[3] - Vec3(5, 5, 0)), 1e-5f);
+    EXPECT_LT(length(cubicSpline[3] - cubicSpline[4]), 1e-5f);
+    EXPECT_LT(length((cubicSpline[3] - cubicSpline[2]) - (cubicSpline[5] - cubicSpline[4])), 1e-5f);
+    const auto quadraticSpline = controlPoints(onlyPrimitive(wide + spline + " \"integer degree\" 2"));
+    ASSERT_EQ(quadraticSpline.size(), 12u);
+    EXPECT_LT(length(quadraticSpline[4] - Vec3(6, 3, 0)), 1e-5f);
+    EXPECT_LT(length(quadraticSpline[3] - quadraticSpline[4]), 1e-5f);
+}
+
+TEST(ShapeFactory, CurveWidthsAndNormals) {
+    const Primitive ribbon = onlyPrimitive(
+        "Shape \"curve\" \"string type\" \"ribbon\" \"float width0\" 40 \"float width1\" 80 \"normal N\" [0 0 1 0 0 2 "
+        "0 1 0]\n"
+        "\"point P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0 5 0 0 6 0 0]");
+    const Curves& curves = *ribbon.shape->asCurves();
+    ASSERT_EQ(curves.pieceCount(), 1u + 6u);  // where the normals turn, a piece for each 15 degrees
+    EXPECT_EQ(curves.controlPoints()[0].radius, 20);
+    EXPECT_FLOAT_EQ(curves.controlPoints()[3].radius, 30);
+    EXPECT_FLOAT_EQ(curves.controlPoints().back().radius, 40);
+    EXPECT_EQ(curves.controlNormals()[3].n, Vec3(0, 0, 1));
+    EXPECT_EQ(curves.controlNormals().back().n, Vec3(0, 1, 0));
+}
+
+TEST(ShapeFactory, CurvesThatLookAlikeAreOnePrimitive) {
+    const std::string curve = "Shape \"curve\" \"float width\" 9 \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0]\n";
+    const std::string tube = "Shape \"curve\" \"string type\" \"cylinder\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0]\n";
+    const auto scene = loadWorld(curve + "Translate 1 0 0\n" + curve + curve + tube + "Material \"mirror\"\n" + tube +
+                                 tube + "AreaLightSource \"diffuse\"\n" + tube + tube);
+    std::vector<uint32_t> pieces;
+    for (const Primitive& p : scene->primitives) pieces.push_back(p.shape->asCurves()->pieceCount());
+    EXPECT_THAT(pieces, testing::ElementsAre(3, 1, 2, 1, 1));
+    EXPECT_EQ(scene->lights.size(), 2u);
+    EXPECT_EQ(controlPoints(scene->primitives[0])[4], Vec3(1, 0, 0));
+}
+
+TEST(ShapeFactory, CurveErrors) {
+    const auto errorOfCurve = [](const std::string& params) { return errorOfWorld("Shape \"curve\" " + params); };
+    const std::string points = "\"point P\" [0 0 0 1 0 0 2 0 0 3 0 0] ";
+    EXPECT_THAT(errorOfCurve(""), HasSubstr("s.pbrt:2:7: shape 'curve' needs the parameter 'P'"));
+    EXPECT_THAT(
+        errorOfCurve("\"point P\" [0 0 0 1 0 0 2 0 0]"),
+        HasSubstr("must have 4 points for a Bezier curve of degree 3, and 3 more for each further segment, found 3"));
+    EXPECT_THAT(errorOfCurve(points + "\"integer degree\" 2"), HasSubstr("and 2 more for each"));
+    EXPECT_THAT(errorOfCurve(points + "\"integer degree\" 4"), HasSubstr("must be 2 or 3, not 4"));
+    EXPECT_THAT(errorOfCurve(points + "\"string basis\" \"hermite\""), HasSubstr("not 'hermite'"));
+    EXPECT_THAT(errorOfCurve(points + "\"string type\" \"round\""), HasSubstr("not 'round'"));
+    EXPECT_THAT(errorOfCurve(points + "\"string type\" \"ribbon\""), HasSubstr("needs the parameter 'N'"));
+    EXPECT_THAT(errorOfCurve(points + "\"string type\" \"ribbon\" \"normal N\" [0 0 1]"), HasSubstr("2, found 1"));
+    EXPECT_THAT(errorOfCurve(points + "\"float width\" -1"), HasSubstr("must not be negative"));
+    const int before = warningCount();
+    EXPECT_TRUE(loadWorld("Shape \"curve\" \"point P\" [7 0 0 7 0 0 7 0 0 7 0 0]")->primitives.empty());
+    EXPECT_EQ(warningCount(), before + 1);
+}
+
 TEST(ShapeFactory, SaysWhatIsWrong) {
     EXPECT_THAT(errorOfWorld("Shape \"cylinder\" \"float radius\" -1"),
                 HasSubstr("s.pbrt:2:7: parameter 'radius' of shape 'cylinder' must be positive"));

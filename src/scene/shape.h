@@ -52,6 +52,8 @@ struct ShapePoint {
     uint32_t part = 0;
 };
 
+class Curves;
+
 class Shape {
   public:
     virtual ~Shape() = default;
@@ -65,6 +67,8 @@ class Shape {
     virtual ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const;
     // Density per solid angle of sampleFrom(p) for the direction wi, where wi hits the shape at `hit`.
     virtual float pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const;
+    // Curves, which Embree intersects by itself; null for any other shape.
+    virtual const Curves* asCurves() const { return nullptr; }
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;
