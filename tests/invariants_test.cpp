@@ -62,6 +62,42 @@ TEST_P(Furnace, RadianceIsOneInEveryPixel) {
     EXPECT_NEAR(mean, 1, 0.004);
 }
 
+// Where surfaces of every kind emit what they do not reflect, what is sampled of them must be what rays see of them.
+TEST(Invariant1, RadianceIsOneAmongLightsOfEveryShape) {
+    std::string text = test::furnace(0.5f, 16, 12);
+    text.insert(text.rfind("WorldEnd"), "Translate 0 0 -0.9\n" + test::everyShape());
+    const Pipeline pipeline(text);
+    const Estimate path =
+        test::estimate(pipeline.pixels(), 2048, 16, [&](int p, int i) { return pipeline.path(p, i); });
+    expectSame(path, constantEstimate(path.mean.size(), 1), "path");
+    const Estimate direct =
+        test::estimate(pipeline.pixels(), 2048, 16, [&](int p, int i) { return pipeline.direct(p, i); });
+    const Estimate indirect =
+        test::estimate(pipeline.pixels(), 2048, 16, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    expectSame(direct + indirect, constantEstimate(path.mean.size(), 1), "direct and indirect");
+}
+
+// Invariants 2 and 3, for lights of every shape.
+TEST(Invariants2And3, LightsOfEveryShape) {
+    const Pipeline pipeline(test::room("AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [3 2 1]\n" +
+                                           test::everyShape() +
+                                           "AttributeEnd\nMaterial \"matte\" \"rgb Kd\" [0.7 0.4 0.3]",
+                                       9, 6));
+    const int samples = 4096, group = 64;
+    const Estimate path =
+        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.path(p, i); });
+    const Estimate direct =
+        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.direct(p, i); });
+    const Estimate indirect =
+        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    expectSame(direct + indirect, path, "direct and indirect");
+    IndirectSettings settings;
+    settings.gatherSamples = 64;
+    settings.primarySamples = 1;
+    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, 16);
+    expectSame(oracle, indirect, "oracle maps");
+}
+
 // Invariants 2 and 3, for every material.
 class EveryMaterial : public testing::TestWithParam<size_t> {};
 INSTANTIATE_TEST_SUITE_P(Invariants2And3, EveryMaterial, testing::Range<size_t>(0, test::allMaterials().size()),

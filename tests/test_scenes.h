@@ -73,4 +73,29 @@ inline std::string furnace(float albedo, int width, int height) {
            "Shape \"sphere\" \"float radius\" 0.8\nWorldEnd\n";
 }
 
+// Lamps of every kind of shape, one- and two-sided, whole and in part, for the furnace and for the room.
+inline std::string everyShape() {
+    const std::string bent = "\"point P\" [-1.2 -0.6 0.3  -0.6 0.2 0.9  0.2 -0.8 0.9  0.9 -0.2 0.4]";
+    return "AttributeBegin\nTranslate -1.2 0.2 1.2\nRotate 30 1 1 0\n"
+           "Shape \"cylinder\" \"float radius\" 0.3 \"float zmin\" -0.3 \"float zmax\" 0.3 \"float phimax\" "
+           "240\nAttributeEnd\n"
+           "AttributeBegin\nTranslate -0.5 0.9 0.9\nScale 1 0.7 1\n"
+           "Shape \"cone\" \"float radius\" 0.35 \"float height\" 0.6\nAttributeEnd\n"
+           "AttributeBegin\nTranslate 0.4 0.6 1.7\nRotate 200 1 0 0\n"
+           "Shape \"paraboloid\" \"float radius\" 0.4 \"float zmin\" 0.1 \"float zmax\" 0.5\nAttributeEnd\n"
+           "AttributeBegin\nTranslate 1.2 0.5 1\n"
+           "Shape \"hyperboloid\" \"point p1\" [0.3 0.1 -0.3] \"point p2\" [0.1 0.3 0.4]\nAttributeEnd\n"
+           "AttributeBegin\nTranslate 0 0 1.4\nScale 0.4 0.4 0.4\nReverseOrientation\n"
+           "Shape \"loopsubdiv\" \"integer nlevels\" 2 \"integer indices\" [0 1 4 1 2 4 2 3 4 3 0 4 1 0 5 2 1 5 3 2 5 "
+           "0 3 5] "
+           "\"point P\" [1 0 0 0 1 0 -1 0 0 0 -1 0 0 0 1 0 0 -1]\nAttributeEnd\n"
+           "AttributeBegin\nTranslate -0.2 -1 -0.2\nScale 0.8 0.8 0.5\n"
+           "Shape \"heightfield\" \"integer nu\" 3 \"integer nv\" 2 \"float Pz\" [0 0.4 0.1 0.2 0.5 0]\nAttributeEnd\n"
+           "Shape \"curve\" \"string type\" \"cylinder\" \"float width0\" 0.2 \"float width1\" 0.05 " +
+           bent + "\nTranslate 0 0 0.3\nShape \"curve\" \"float width\" 0.1 " + bent +
+           "\nTranslate 0 0 0.3\nShape \"curve\" \"string type\" \"ribbon\" \"float width\" 0.2 "
+           "\"normal N\" [0 0 1 0 1 1] " +
+           bent + "\n";
+}
+
 }  // namespace drc::test

@@ -4,8 +4,10 @@
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <unordered_map>
 
+#include "accel/curve_geometry.h"
 #include "accel/packed_mesh.h"
 #include "base/error.h"
 #include "base/log.h"
@@ -16,7 +18,8 @@ namespace {
 // What a geometry's callbacks need; lives as long as the Accel.
 struct GeometryData {
     const Primitive* primitive;
-    std::optional<PackedMesh> mesh;  // none: the primitive is a shape
+    std::optional<PackedMesh> mesh;  // none: the primitive is a shape ...
+    const Curves* curves = nullptr;  // ... or, if not null, curves
     const Bsdf* lobes = nullptr;     // see SurfaceInteraction
 };
 
@@ -25,30 +28,38 @@ struct Group {
     std::vector<std::unique_ptr<GeometryData>> geometries;  // indexed by Embree's geometry id
 };
 
-bool fillShape(const Primitive& primitive, const Ray& ray, float tMin, SurfaceInteraction& hit) {
-    const auto found = primitive.shape->intersect(ray, tMin);
-    if (!found) return false;
-    hit.p = ray.o + ray.d * found->t;
-    hit.ng = hit.ns = found->ng;
-    hit.uv = found->uv;
-    hit.dpdu = found->dpdu;
-    hit.dpdv = found->dpdv;
-    hit.triangle = 0;
-    return true;
+void fill(const ShapeHit& found, const Ray& ray, SurfaceInteraction& hit) {
+    hit.p = ray.o + ray.d * found.t;
+    hit.ng = hit.ns = found.ng;
+    hit.uv = found.uv;
+    hit.dpdu = found.dpdu;
+    hit.dpdv = found.dpdv;
+    hit.triangle = found.part;
+}
+
+// What the primitive looks like where a ray is known to meet it, at the distance t. False: it misses by rounding.
+bool fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, float u, float v, float tolerance,
+            SurfaceInteraction& hit) {
+    if (data.mesh) {
+        data.mesh->fill(primId, u, v, hit);
+        return true;
+    }
+    if (data.curves) {
+        fill(data.curves->hitAt(primId, u, ray, t), ray, hit);
+        return true;
+    }
+    Ray shortened = ray;
+    shortened.tMax = t * (1 + tolerance);
+    const auto found = data.primitive->shape->intersect(shortened, t * (1 - tolerance));
+    if (found) fill(*found, ray, hit);
+    return found.has_value();
 }
 
 bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
             float t) {
     if (alpha == nullptr) return false;
     SurfaceInteraction hit;
-    if (data.mesh) {
-        data.mesh->fill(primId, u, v, hit);
-    } else {
-        Ray shortened = ray;
-        shortened.tMax = t * 1.0001f;
-        if (!fillShape(*data.primitive, shortened, t * 0.9999f, hit)) return false;
-    }
-    return alpha->eval(hit.textureContext()) == 0;
+    return fillAt(data, ray, t, primId, u, v, 1e-4f, hit) && alpha->eval(hit.textureContext()) == 0;
 }
 
 Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
@@ -93,6 +104,22 @@ void shapeBounds(const RTCBoundsFunctionArguments* a) {
     a->bounds_o->upper_z = b.max.z;
 }
 
+// Nearest hit with a shape where none of the masks has a hole.
+std::optional<ShapeHit> intersectSolid(const GeometryData& data, std::initializer_list<const FloatTexture*> masks,
+                                       const Ray& ray, float tMin) {
+    constexpr int kMaxHits = 8;  // more than any shape has
+    for (int i = 0; i < kMaxHits; ++i) {
+        auto found = data.primitive->shape->intersect(ray, tMin);
+        if (!found) return {};
+        SurfaceInteraction hit;
+        fill(*found, ray, hit);
+        const auto isHole = [&](const FloatTexture* mask) { return mask && mask->eval(hit.textureContext()) == 0; };
+        if (std::none_of(masks.begin(), masks.end(), isHole)) return found;
+        tMin = found->t * (1 + 1e-6f);
+    }
+    return {};
+}
+
 void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
     const GeometryData& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
     RTCRayHitN* rayhit = a->rayhit;
@@ -100,16 +127,9 @@ void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
     RTCHitN* hits = RTCRayHitN_HitN(rayhit, a->N);
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
-        const Ray ray = rayOf(rays, a->N, i);
-        const auto found = data.primitive->shape->intersect(ray, RTCRayN_tnear(rays, a->N, i));
+        const auto found =
+            intersectSolid(data, {data.primitive->alpha.get()}, rayOf(rays, a->N, i), RTCRayN_tnear(rays, a->N, i));
         if (!found) continue;
-        if (data.primitive->alpha) {
-            SurfaceInteraction hit;
-            hit.p = ray.o + ray.d * found->t;
-            hit.ng = hit.ns = found->ng;
-            hit.uv = found->uv;
-            if (data.primitive->alpha->eval(hit.textureContext()) == 0) continue;
-        }
         RTCRayN_tfar(rays, a->N, i) = found->t;
         RTCHitN_geomID(hits, a->N, i) = a->geomID;
         RTCHitN_primID(hits, a->N, i) = a->primID;
@@ -121,19 +141,13 @@ void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
 
 void shapeOccluded(const RTCOccludedFunctionNArguments* a) {
     const GeometryData& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
+    const Primitive& primitive = *data.primitive;
+    if (!primitive.material) return;
     for (unsigned i = 0; i < a->N; ++i) {
-        if (a->valid[i] != -1 || !data.primitive->material) continue;
-        const Ray ray = rayOf(a->ray, a->N, i);
-        const auto found = data.primitive->shape->intersect(ray, RTCRayN_tnear(a->ray, a->N, i));
-        if (!found) continue;
-        SurfaceInteraction hit;
-        hit.p = ray.o + ray.d * found->t;
-        hit.ng = hit.ns = found->ng;
-        hit.uv = found->uv;
-        const TextureContext context = hit.textureContext();
-        const auto hole = [&](const FloatTexturePtr& alpha) { return alpha && alpha->eval(context) == 0; };
-        if (hole(data.primitive->alpha) || hole(data.primitive->shadowAlpha)) continue;
-        RTCRayN_tfar(a->ray, a->N, i) = -kInfinity;
+        if (a->valid[i] != -1) continue;
+        if (intersectSolid(data, {primitive.alpha.get(), primitive.shadowAlpha.get()}, rayOf(a->ray, a->N, i),
+                           RTCRayN_tnear(a->ray, a->N, i)))
+            RTCRayN_tfar(a->ray, a->N, i) = -kInfinity;
     }
 }
 
@@ -183,15 +197,21 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
                                        mesh.vertices().size());
             rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces().data(),
                                        offsetof(PackedMesh::Face, v), sizeof(PackedMesh::Face), mesh.faces().size());
-            if (primitive.alpha) rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
-            if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
-                rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);
+        } else if (primitive.shape->asCurves()) {
+            data->curves = primitive.shape->asCurves();
+            geometry = makeCurveGeometry(device, *data->curves);
         } else {
             geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
             rtcSetGeometryUserPrimitiveCount(geometry, 1);
             rtcSetGeometryBoundsFunction(geometry, shapeBounds, nullptr);
             rtcSetGeometryIntersectFunction(geometry, shapeIntersect);
             rtcSetGeometryOccludedFunction(geometry, shapeOccluded);
+        }
+        // Functions of our own look at the masks by themselves.
+        if (data->mesh || data->curves) {
+            if (primitive.alpha) rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
+            if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
+                rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);
         }
         rtcSetGeometryUserData(geometry, data.get());
         rtcCommitGeometry(geometry);
@@ -281,8 +301,7 @@ bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
             local.o = inverse.point(ray.o);
             local.d = inverse.vector(ray.d);  // not renormalised: t stays the same in both spaces
         }
-        local.tMax = found.t * 1.00001f;
-        if (!fillShape(*data.primitive, local, found.t * 0.99999f, hit)) return false;
+        if (!fillAt(data, local, found.t, found.triangle, found.b1, found.b2, 1e-5f, hit)) return false;
     }
     if (found.instance) {
         const Transform& t = found.instance->objectToWorld;

@@ -3,15 +3,11 @@
 #include <cmath>
 
 #include "pbrt/ply_reader.h"
+#include "scene/height_field.h"
+#include "scene/loop_subdivision.h"
 
 namespace drc::pbrt {
 namespace {
-
-// Null: opaque. Only a mask that is zero everywhere needs a texture when it is a number.
-FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
-    FloatTexturePtr mask = TextureParams(context.params, context.textures).scalarOrNull(name);
-    return mask && mask->isConstant() && mask->eval({}) != 0 ? nullptr : mask;
-}
 
 // Takes a mesh in its own space to the world's, with the orientation that pbrt gives it.
 TriangleMeshPtr placed(TriangleMesh mesh, const Transform& objectToWorld, bool reverseOrientation) {
@@ -90,8 +86,6 @@ Geometry triangleMesh(const ShapeContext& context) {
     params.ignore({"discarddegenerateUVs", "faceIndices"});
 
     Geometry geometry;
-    geometry.alpha = maskOf(context, "alpha");
-    geometry.shadowAlpha = maskOf(context, "shadowalpha");
     geometry.loadMesh = [mesh, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
         return placed(std::move(*mesh), toWorld, reverse);
     };
@@ -102,12 +96,38 @@ Geometry plyMesh(const ShapeContext& context) {
     const ParamSet& params = context.params;
     const Param& name = required(params, "filename", ParamType::String);
     Geometry geometry;
-    geometry.alpha = maskOf(context, "alpha");
-    geometry.shadowAlpha = maskOf(context, "shadowalpha");
     geometry.loadMesh = [path = context.files.find(params.getString("filename", ""), name.valuePos, "PLY file"),
                          toWorld = context.objectToWorld,
                          reverse = context.reverseOrientation] { return placed(readPly(path), toWorld, reverse); };
     return geometry;
+}
+
+Geometry loopSubdivision(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    const auto positions =
+        std::make_shared<const std::vector<Vec3>>(vectors<Vec3>(required(params, "P", ParamType::Point3)));
+    const auto indices = std::make_shared<const std::vector<uint32_t>>(readIndices(params, positions->size()));
+    const int levels = params.getInt("levels", params.getInt("nlevels", 3));
+    if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
+    params.ignore({"scheme"});  // pbrt knows one alone
+    return {.loadMesh = [=, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
+        return placed(subdivideLoop(*positions, *indices, levels), toWorld, reverse);
+    }};
+}
+
+Geometry heightField(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    const double nu = required(params, "nu", ParamType::Integer).numbers[0];
+    const double nv = required(params, "nv", ParamType::Integer).numbers[0];
+    if (nu < 2 || nv < 2) fail(params.pos(), "'nu' and 'nv' of a heightfield must be at least 2");
+    const Param& z = required(params, "Pz", ParamType::Float);
+    if (double(z.numbers.size()) != nu * nv)
+        params.failAt(z, "must have nu times nv values, " + std::to_string(int64_t(nu * nv)) + ", found " +
+                             std::to_string(z.numbers.size()));
+    const auto heights = std::make_shared<const std::vector<float>>(z.numbers.begin(), z.numbers.end());
+    return {.loadMesh = [=, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
+        return placed(makeHeightField(uint32_t(nu), uint32_t(nv), *heights), toWorld, reverse);
+    }};
 }
 
 }  // namespace drc::pbrt

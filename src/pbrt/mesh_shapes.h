@@ -1,4 +1,4 @@
-// The two shapes that are triangle meshes: inline, and in a PLY file.
+// The shapes that are triangle meshes: inline, in a PLY file, or made here.
 #pragma once
 #include "pbrt/shape_factory.h"
 
@@ -6,5 +6,7 @@ namespace drc::pbrt {
 
 Geometry triangleMesh(const ShapeContext& context);
 Geometry plyMesh(const ShapeContext& context);
+Geometry loopSubdivision(const ShapeContext& context);
+Geometry heightField(const ShapeContext& context);
 
 }  // namespace drc::pbrt

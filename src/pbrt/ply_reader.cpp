@@ -1,5 +1,6 @@
 #include "pbrt/ply_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -7,6 +8,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "pbrt/mapped_file.h"
 #include "pbrt/ply_header.h"
 
@@ -98,14 +100,24 @@ class AsciiValues {
 
 // What a vertex property is for: an index into x y z nx ny nz u v, or kSkip.
 constexpr int kNormal = 3, kUv = 6, kSlots = 8, kSkip = kSlots;
+using SlotNames = std::array<std::string_view, kSlots>;
 
-int slotOf(const std::string& name) {
-    static constexpr std::array<std::string_view, kSlots> kNames = {"x", "y", "z", "nx", "ny", "nz", "u", "v"};
-    for (int i = 0; i < kSlots; ++i)
-        if (name == kNames[size_t(i)]) return i;
-    if (name == "s" || name == "texture_u" || name == "texture_s") return kUv;
-    if (name == "t" || name == "texture_v" || name == "texture_t") return kUv + 1;
-    return kSkip;
+// By what names a file calls these. It may have several pairs of texture coordinates; pbrt takes them in this order.
+SlotNames slotNamesFor(const PlyElement& vertex) {
+    const auto has = [&](std::string_view name) {
+        return std::any_of(vertex.properties.begin(), vertex.properties.end(),
+                           [&](const PlyProperty& p) { return !p.isList && p.name == name; });
+    };
+    SlotNames names = {"x", "y", "z", "nx", "ny", "nz", "u", "v"};
+    static constexpr std::array<std::string_view, 2> kUvNames[] = {
+        {"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+    for (const auto& pair : kUvNames)
+        if (has(pair[0]) && has(pair[1])) {
+            names[kUv] = pair[0];
+            names[kUv + 1] = pair[1];
+            break;
+        }
+    return names;
 }
 
 template <typename Values>
@@ -134,16 +146,23 @@ class MeshReader {
             if (index >= mesh_.positions.size())
                 failPly(path_, "has a face with vertex " + std::to_string(index) + ", but only " +
                                    std::to_string(mesh_.positions.size()) + " vertices");
+        if (emptyFaces_ > 0)
+            logWarning({path_, 0, 0}, "the PLY file has " + std::to_string(emptyFaces_) +
+                                          " faces of less than three corners; they are left out");
         return std::move(mesh_);
     }
 
   private:
     void readVertices(const PlyElement& element) {
+        const SlotNames names = slotNamesFor(element);
+        const auto slotOf = [&](const std::string& name) {
+            return int(std::find(names.begin(), names.end(), name) - names.begin());
+        };
         std::vector<int> slots;
         std::array<bool, kSlots + 1> present{};
         for (const PlyProperty& property : element.properties) {
             const int slot = property.isList ? kSkip : slotOf(property.name);
-            // The second of two names for the same thing is skipped.
+            // The second of two of the same name is skipped.
             slots.push_back(present[size_t(slot)] ? kSkip : slot);
             present[size_t(slot)] = true;
         }
@@ -190,7 +209,12 @@ class MeshReader {
 
     void readCorners(const PlyProperty& property) {
         const uint64_t n = listLength(property);
-        if (n < 3) failPly(path_, "has a face of " + std::to_string(n) + " corners");
+        if (n < 3) {
+            // No surface, and pbrt leaves it out, too.
+            for (uint64_t i = 0; i < n; ++i) values_.next(property.type);
+            ++emptyFaces_;
+            return;
+        }
         const uint32_t first = corner(property.type);
         const uint32_t second = corner(property.type);
         uint32_t previous = corner(property.type);
@@ -226,6 +250,7 @@ class MeshReader {
     Values values_;
     const std::string& path_;
     TriangleMesh mesh_;
+    uint64_t emptyFaces_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/log.h"
 #include "pbrt/test_scenes.h"
 
 namespace drc::pbrt {
@@ -89,6 +90,43 @@ TEST_F(PlyReader, NormalsAndOtherElements) {
     EXPECT_THAT(mesh.normals, ElementsAre(Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 0, 0)));
     EXPECT_EQ(mesh.positions[1], Vec3(6, 7, 8));
     EXPECT_EQ(mesh.uvs[1], Vec2(9, 10));
+}
+
+TEST_F(PlyReader, TextureCoordinatesUnderAllNames) {
+    const auto readWith = [&](const std::string& properties) {
+        return read(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+            "z\n" +
+            properties +
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+            "0 0 0 1 2 3 4\n1 0 0 5 6 7 8\n0 1 0 9 10 11 12\n3 0 1 2\n");
+    };
+    const auto four = [](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
+        std::string result;
+        for (const std::string& name : {a, b, c, d}) result += "property float " + name + "\n";
+        return result;
+    };
+    EXPECT_EQ(readWith(four("s", "t", "a", "b")).uvs.at(0), Vec2(1, 2));
+    EXPECT_EQ(readWith(four("a", "texture_u", "b", "texture_v")).uvs.at(0), Vec2(2, 4));
+    EXPECT_EQ(readWith(four("texture_t", "texture_s", "a", "b")).uvs.at(1), Vec2(6, 5));
+    // Of several pairs the one that pbrt looks for first, wherever it stands; one of a pair is none.
+    EXPECT_EQ(readWith(four("s", "t", "u", "v")).uvs.at(0), Vec2(3, 4));
+    EXPECT_EQ(readWith(four("u", "s", "a", "t")).uvs.at(0), Vec2(2, 4));
+    EXPECT_TRUE(readWith(four("u", "t", "a", "b")).uvs.empty());
+}
+
+TEST_F(PlyReader, FacesOfAnyNumberOfCorners) {
+    const int before = warningCount();
+    const TriangleMesh mesh = read(
+        "ply\nformat ascii 1.0\nelement face 4\nproperty list uchar int face_indices\n"
+        "property list uchar uint vertex_indices\nelement vertex 5\nproperty list uchar float weights\n"
+        "property float z\nproperty float y\nproperty double x\nend_header\n"
+        "1 7 5 0 1 2 3 4\n0 4 4 3 2 1\n2 1 1 2 0 1\n1 0 3 0 1 2\n"
+        "0 1 2 3\n2 9 9 4 5 6\n0 0 0 0\n1 9 0 0 1\n0 0 1 0\n");
+    EXPECT_EQ(mesh.positions[0], Vec3(3, 2, 1));
+    EXPECT_EQ(mesh.positions[1], Vec3(6, 5, 4));
+    EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2, 3, 0, 2, 4, 0, 3, 4, 3, 2, 1, 4, 2, 0, 1, 2));
+    EXPECT_EQ(warningCount(), before + 1);  // the face of two corners is left out
 }
 
 TEST_F(PlyReader, CutShortAnywhereIsAnError) {

@@ -187,6 +187,7 @@ void SceneBuilder::shape(const std::string& type, const ParamSet& params) {
     pending.primitive.shadowAlpha = pending.geometry.shadowAlpha;
     pending.primitive.material = materialForShape(*state_.material, params, state_.textures, state_.namedMaterials);
     params.warnUnused();
+    if (joinCurves(pending)) return;
     if (state_.areaLight && openObject_) {
         warn(params.pos(), "shapes of an instanced object cannot be area lights; it does not emit");
     } else if (state_.areaLight) {
@@ -195,6 +196,19 @@ void SceneBuilder::shape(const std::string& type, const ParamSet& params) {
         scene_->lights.push_back(nullptr);
     }
     pending_.push_back(std::move(pending));
+}
+
+bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
+    if (!next.geometry.curves || pending_.empty()) return false;
+    PendingPrimitive& last = pending_.back();
+    const bool emit = state_.areaLight || last.areaLight;
+    const bool alike = last.geometry.curves && last.geometry.curves->looksLike(*next.geometry.curves) &&
+                       last.object == next.object && last.primitive.material == next.primitive.material &&
+                       last.primitive.alpha == next.primitive.alpha &&
+                       last.primitive.shadowAlpha == next.primitive.shadowAlpha;
+    if (emit || !alike) return false;
+    last.geometry.curves->append(*next.geometry.curves);
+    return true;
 }
 
 const Transform& SceneBuilder::staticTransform(const SourcePos& pos) const {

@@ -82,6 +82,8 @@ class SceneBuilder {
 
     // The transformation for what cannot move: pos is that of what is being placed.
     const Transform& staticTransform(const SourcePos& pos) const;
+    // Adds curves to the ones just before them if they look alike: hair comes as a shape for each.
+    bool joinCurves(const PendingPrimitive& next);
     void pop(const std::string& kind, const SourcePos& pos);
     void loadMeshes();
 

@@ -1,48 +1,123 @@
 #include "pbrt/shape_factory.h"
 
+#include <algorithm>
+
+#include "pbrt/curve_shape.h"
 #include "pbrt/mesh_shapes.h"
 #include "pbrt/registry.h"
+#include "scene/shape_cone.h"
+#include "scene/shape_cylinder.h"
 #include "scene/shape_disk.h"
+#include "scene/shape_hyperboloid.h"
+#include "scene/shape_paraboloid.h"
 #include "scene/shape_sphere.h"
 
 namespace drc::pbrt {
 namespace {
 
-Geometry sphere(const ShapeContext& context) {
-    const ParamSet& params = context.params;
-    SphereParams p;
+// What all shapes have; Params is the parameter struct of one of them.
+template <typename Params>
+Params placedParams(const ShapeContext& context) {
+    Params p;
     p.objectToWorld = context.objectToWorld;
     p.reverseOrientation = context.reverseOrientation;
-    p.radius = params.getFloat("radius", 1);
-    if (!(p.radius > 0)) fail(params.pos(), "the radius of a sphere must be positive");
+    p.phiMax = context.params.getFloat("phimax", 360);
+    if (!(p.phiMax > 0)) fail(context.params.pos(), "'phimax' of " + context.params.owner() + " must be positive");
+    return p;
+}
+
+float positive(const ParamSet& params, std::string_view name, float fallback) {
+    const float value = params.getFloat(name, fallback);
+    if (!(value > 0))
+        fail(params.pos(), "parameter '" + std::string(name) + "' of " + params.owner() + " must be positive");
+    return value;
+}
+
+Geometry sphere(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    auto p = placedParams<SphereParams>(context);
+    p.radius = positive(params, "radius", 1);
     p.zMin = params.getFloat("zmin", -p.radius);
     p.zMax = params.getFloat("zmax", p.radius);
-    p.phiMax = params.getFloat("phimax", 360);
-    Geometry geometry;
-    geometry.shape = makeSphere(p);
-    return geometry;
+    if (std::clamp(p.zMin, -p.radius, p.radius) == std::clamp(p.zMax, -p.radius, p.radius))
+        fail(params.pos(), "nothing of the sphere is between 'zmin' and 'zmax'");
+    return {.shape = makeSphere(p)};
 }
 
 Geometry disk(const ShapeContext& context) {
     const ParamSet& params = context.params;
-    DiskParams p;
-    p.objectToWorld = context.objectToWorld;
-    p.reverseOrientation = context.reverseOrientation;
+    auto p = placedParams<DiskParams>(context);
     p.height = params.getFloat("height", 0);
-    p.radius = params.getFloat("radius", 1);
-    if (!(p.radius > 0)) fail(params.pos(), "the radius of a disk must be positive");
+    p.radius = positive(params, "radius", 1);
     p.innerRadius = params.getFloat("innerradius", 0);
-    p.phiMax = params.getFloat("phimax", 360);
-    Geometry geometry;
-    geometry.shape = makeDisk(p);
-    return geometry;
+    if (!(p.innerRadius >= 0 && p.innerRadius < p.radius))
+        fail(params.pos(), "the 'innerradius' of a disk must be from 0 to less than its 'radius'");
+    return {.shape = makeDisk(p)};
+}
+
+Geometry cylinder(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    auto p = placedParams<CylinderParams>(context);
+    p.radius = positive(params, "radius", 1);
+    p.zMin = params.getFloat("zmin", -1);
+    p.zMax = params.getFloat("zmax", 1);
+    if (p.zMin == p.zMax) fail(params.pos(), "a cylinder has no height where 'zmin' equals 'zmax'");
+    return {.shape = makeCylinder(p)};
+}
+
+Geometry cone(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    auto p = placedParams<ConeParams>(context);
+    p.radius = positive(params, "radius", 1);
+    p.height = params.getFloat("height", 1);
+    if (p.height == 0) fail(params.pos(), "the height of a cone must not be zero: use a disk for a flat one");
+    return {.shape = makeCone(p)};
+}
+
+Geometry paraboloid(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    auto p = placedParams<ParaboloidParams>(context);
+    p.radius = positive(params, "radius", 1);
+    p.zMin = params.getFloat("zmin", 0);
+    p.zMax = params.getFloat("zmax", 1);
+    if (!(std::max(p.zMin, p.zMax) > 0) || p.zMin == p.zMax)
+        fail(params.pos(), "the larger of 'zmin' and 'zmax' of a paraboloid must be positive, and they must differ");
+    return {.shape = makeParaboloid(p)};
+}
+
+Geometry hyperboloid(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    auto p = placedParams<HyperboloidParams>(context);
+    p.p1 = params.getPoint("p1", Vec3(0, 0, 0));
+    p.p2 = params.getPoint("p2", Vec3(1, 1, 1));
+    if (p.p1.z == p.p2.z)
+        fail(params.pos(), "'p1' and 'p2' of a hyperboloid must differ in z: use a disk for a flat ring");
+    if (p.p1.x == 0 && p.p1.y == 0 && p.p2.x == 0 && p.p2.y == 0)
+        fail(params.pos(), "'p1' and 'p2' of a hyperboloid must not both lie on the z axis");
+    if (p.p2.z == 0) std::swap(p.p1, p.p2);  // as pbrt does, which turns v and the normals
+    return {.shape = makeHyperboloid(p)};
+}
+
+// Null: opaque. Only a mask that is zero everywhere needs a texture when it is a number.
+FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
+    FloatTexturePtr mask = TextureParams(context.params, context.textures).scalarOrNull(name);
+    return mask && mask->isConstant() && mask->eval({}) != 0 ? nullptr : mask;
 }
 
 using ShapeMaker = Geometry (*)(const ShapeContext&);
 constexpr Registered<ShapeMaker> kShapes[] = {
-    {"cone", nullptr},        {"curve", nullptr},       {"cylinder", nullptr},   {"disk", disk},
-    {"heightfield", nullptr}, {"hyperboloid", nullptr}, {"loopsubdiv", nullptr}, {"nurbs", nullptr},
-    {"paraboloid", nullptr},  {"plymesh", plyMesh},     {"sphere", sphere},      {"trianglemesh", triangleMesh},
+    {"cone", cone},
+    {"curve", curve},
+    {"cylinder", cylinder},
+    {"disk", disk},
+    {"heightfield", heightField},
+    {"hyperboloid", hyperboloid},
+    {"loopsubdiv", loopSubdivision},
+    {"nurbs", nullptr},
+    {"paraboloid", paraboloid},
+    {"plymesh", plyMesh},
+    {"sphere", sphere},
+    {"trianglemesh", triangleMesh},
 };
 
 }  // namespace
@@ -50,7 +125,11 @@ constexpr Registered<ShapeMaker> kShapes[] = {
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context) {
     const auto make = findMaker<ShapeMaker>(kShapes, "shape", type, context.params.pos(), "the shape is left out");
     if (make == nullptr) return std::nullopt;
-    return make(context);
+    Geometry geometry = make(context);
+    if (!geometry.shape && !geometry.loadMesh) return std::nullopt;
+    geometry.alpha = maskOf(context, "alpha");
+    geometry.shadowAlpha = maskOf(context, "shadowalpha");
+    return geometry;
 }
 
 }  // namespace drc::pbrt

@@ -7,6 +7,7 @@
 
 #include "pbrt/file_search.h"
 #include "pbrt/texture_params.h"
+#include "scene/curves.h"
 #include "scene/shape.h"
 #include "scene/triangle_mesh.h"
 
@@ -22,10 +23,11 @@ struct ShapeContext {
 
 // Exactly one of shape and loadMesh is set.
 struct Geometry {
-    ShapePtr shape;
+    ShapePtr shape{};
+    std::shared_ptr<Curves> curves{};  // if shape is curves, the same: those of several shapes can be made one
     // Reads and transforms the mesh: slow, and to be called once, on any thread. Owns all that it needs.
-    std::function<TriangleMeshPtr()> loadMesh;
-    FloatTexturePtr alpha, shadowAlpha;
+    std::function<TriangleMeshPtr()> loadMesh{};
+    FloatTexturePtr alpha{}, shadowAlpha{};  // of any shape: filled in by makeShape
 };
 
 // None, with a warning, for what is not built. Throws Error for a type that pbrt-v3 does not know either and for wrong

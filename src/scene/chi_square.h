@@ -84,9 +84,9 @@ double integrateSphere(const F& g, double tolerance = 1e-6) {
 }
 
 // sample(rng) gives a unit vector or nothing; pdf(w) its density per solid angle. What the density lacks to one must
-// be the frequency of nothing.
+// be the frequency of nothing. tolerance: of integrals where the density has edges.
 template <typename Sample, typename Pdf>
-ChiSquare chiSquareTest(const Sample& sample, const Pdf& pdf, int samples, uint32_t seed) {
+ChiSquare chiSquareTest(const Sample& sample, const Pdf& pdf, int samples, uint32_t seed, double tolerance = 1e-6) {
     std::mt19937 rng(seed);
     std::array<double, kZBins * kPhiBins + 1> observed{}, expected{};
     for (int i = 0; i < samples; ++i) {
@@ -103,7 +103,7 @@ ChiSquare chiSquareTest(const Sample& sample, const Pdf& pdf, int samples, uint3
     ChiSquare result;
     for (int iz = 0; iz < kZBins; ++iz)
         for (int iphi = 0; iphi < kPhiBins; ++iphi) {
-            const double p = integrateBin(pdf, iz, iphi);
+            const double p = integrateBin(pdf, iz, iphi, tolerance);
             result.pdfIntegral += p;
             expected[iz * kPhiBins + iphi] = p * samples;
         }

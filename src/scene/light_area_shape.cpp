@@ -34,7 +34,7 @@ class ShapeAreaLight final : public AreaLight {
     }
 
     float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const override {
-        return shape_->pdfFrom(from, wi, hit.p, hit.ng);
+        return shape_->pdfFrom(from, wi, {hit.p, hit.ng, hit.uv, hit.triangle});
     }
 
   private:

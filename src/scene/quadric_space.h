@@ -45,6 +45,20 @@ class QuadricSpace {
     // World area over object area, for a surface with unit normal n in object space.
     double areaScale(const Vec3d& n) const { return std::abs(det_) * inverseTransposed(n).length(); }
 
+    // Mean of areaScale over a surface, where normalAt(u, v) is its unit normal at points that are uniform by area in
+    // object space for u, v in the unit square: the centres of kAreaSteps^2 equal cells. Exact if conformal, when the
+    // scale is the same everywhere.
+    static constexpr int kAreaSteps = 64;
+    template <typename NormalAt>
+    double meanAreaScale(const NormalAt& normalAt) const {
+        if (conformal_) return areaScale(normalAt(0.5, 0.5));
+        double sum = 0;
+        for (int i = 0; i < kAreaSteps; ++i)
+            for (int j = 0; j < kAreaSteps; ++j)
+                sum += areaScale(normalAt((i + 0.5) / kAreaSteps, (j + 0.5) / kAreaSteps));
+        return sum / (kAreaSteps * kAreaSteps);
+    }
+
     bool conformal() const { return conformal_; }
     double scale() const { return column_[0].length(); }  // of lengths, if conformal
     const Vec3d& origin() const { return origin_; }
@@ -61,5 +75,14 @@ class QuadricSpace {
     bool conformal_;
     bool flip_;
 };
+
+// A density per unit area at `to`, where the unit normal is ng, as one per solid angle at `from` (PBR 3e,
+// section 5.5.3). Zero edge-on, for nothing can come from there.
+inline float toSolidAngle(float pdf, const Vec3& from, const Vec3& to, const Vec3& ng) {
+    const Vec3d d = Vec3d(to) - Vec3d(from);
+    const double cosineTimesD = std::abs(Vec3d(ng).dot(d));
+    const double r = pdf * d.length2() * d.length() / cosineTimesD;
+    return std::isfinite(r) && cosineTimesD > 0 ? float(r) : 0.f;
+}
 
 }  // namespace drc

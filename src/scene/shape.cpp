@@ -12,8 +12,8 @@ ShapeSample Shape::sampleFrom(const Vec3& p, const Vec2& u) const {
     return s;
 }
 
-float Shape::pdfFrom(const Vec3& p, const Vec3& wi, const Vec3& hit, const Vec3& ng) const {
-    const float pdf = lengthSquared(hit - p) / (absDot(ng, wi) * area());
+float Shape::pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const {
+    const float pdf = lengthSquared(hit.p - p) / (absDot(hit.ng, wi) * area());
     return std::isfinite(pdf) ? pdf : 0;
 }
 

@@ -3,6 +3,7 @@
 // The shape has its own transform to world space; every argument and result here is in world space (or in the space
 // of the instanced object that it belongs to).
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -35,6 +36,7 @@ struct ShapeHit {
     Vec3 ng;  // unit, oriented as pbrt does
     Vec2 uv;
     Vec3 dpdu, dpdv;
+    uint32_t part = 0;  // of shapes that have several
 };
 
 struct ShapeSample {
@@ -42,6 +44,15 @@ struct ShapeSample {
     Vec3 ng;        // unit
     float pdf = 0;  // per unit area
 };
+
+// What pdfFrom needs to know of a hit.
+struct ShapePoint {
+    Vec3 p, ng;
+    Vec2 uv{0.f};
+    uint32_t part = 0;
+};
+
+class Curves;
 
 class Shape {
   public:
@@ -54,8 +65,10 @@ class Shape {
     virtual ShapeSample sample(const Vec2& u) const = 0;
     // A point seen from p, with its density per solid angle at p in `pdf`; by default sample() converted.
     virtual ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const;
-    // Density per solid angle of sampleFrom(p) for the direction wi, where wi hits the shape at `hit` with normal ng.
-    virtual float pdfFrom(const Vec3& p, const Vec3& wi, const Vec3& hit, const Vec3& ng) const;
+    // Density per solid angle of sampleFrom(p) for the direction wi, where wi hits the shape at `hit`.
+    virtual float pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const;
+    // Curves, which Embree intersects by itself; null for any other shape.
+    virtual const Curves* asCurves() const { return nullptr; }
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;

@@ -19,15 +19,8 @@ class Sphere final : public Shape {
           thetaMax_(std::acos(std::clamp(zMax_ / radius_, -1.0, 1.0))),
           phiMax_(std::clamp(double(p.phiMax), 0.0, 360.0) * kPiD / 180),
           full_(zMin_ == -radius_ && zMax_ == radius_ && p.phiMax >= 360),
-          objectArea_(phiMax_ * radius_ * (zMax_ - zMin_)) {
-        // Exact if conformal, when the area scale is the same everywhere.
-        constexpr int kSteps = 64;
-        double sum = 0;
-        for (int i = 0; i < kSteps; ++i)
-            for (int j = 0; j < kSteps; ++j)
-                sum += space_.areaScale(pointAt((i + 0.5) / kSteps, (j + 0.5) / kSteps) / radius_);
-        area_ = objectArea_ * sum / (kSteps * kSteps);
-    }
+          objectArea_(phiMax_ * radius_ * (zMax_ - zMin_)),
+          area_(objectArea_ * space_.meanAreaScale([&](double u, double v) { return pointAt(u, v) / radius_; })) {}
 
     Bounds bounds() const override {
         // The corners of the object-space box, but no further than the whole sphere reaches.
@@ -91,9 +84,9 @@ class Sphere final : public Shape {
         return {Vec3(space_.origin() + n * r), space_.normalToWorld(space_.normalToObject(Vec3(n))), cone->pdf()};
     }
 
-    float pdfFrom(const Vec3& p, const Vec3&, const Vec3& hit, const Vec3& ng) const override {
+    float pdfFrom(const Vec3& p, const Vec3&, const ShapePoint& hit) const override {
         if (const std::optional<Cone> cone = coneFrom(p)) return cone->pdf();
-        return toSolidAngle(areaPdf(space_.normalToObject(ng)), p, hit, ng);
+        return toSolidAngle(areaPdf(space_.normalToObject(hit.ng)), p, hit.p, hit.ng);
     }
 
   private:
@@ -122,13 +115,6 @@ class Sphere final : public Shape {
     // Density of sample() per unit world area where the object-space normal is n.
     float areaPdf(const Vec3d& n) const { return float(1 / (objectArea_ * space_.areaScale(n))); }
 
-    static float toSolidAngle(float pdf, const Vec3& from, const Vec3& to, const Vec3& ng) {
-        const Vec3d d = Vec3d(to) - Vec3d(from);
-        const double cosineTimesD = std::abs(Vec3d(ng).dot(d));
-        const double r = pdf * d.length2() * d.length() / cosineTimesD;
-        return std::isfinite(r) && cosineTimesD > 0 ? float(r) : 0.f;
-    }
-
     std::optional<ShapeHit> hitAt(Vec3d p, double t) const {
         p *= radius_ / p.length();
         if (p.x == 0 && p.y == 0) p.x = 1e-5 * radius_;
@@ -149,7 +135,7 @@ class Sphere final : public Shape {
     QuadricSpace space_;
     double radius_, zMin_, zMax_, thetaMin_, thetaMax_, phiMax_;
     bool full_;
-    double objectArea_, area_ = 0;
+    double objectArea_, area_;
 };
 
 }  // namespace

@@ -1,0 +1,159 @@
+// Shapes and curves as rays of a whole scene see them; pictures test meshes.
+#include "accel/accel.h"
+
+#include <gtest/gtest.h>
+
+#include "math/rng.h"
+#include "math/warp.h"
+#include "scene/curves.h"
+#include "scene/material_matte.h"
+#include "scene/shape_cone.h"
+#include "scene/shape_cylinder.h"
+#include "scene/shape_disk.h"
+#include "scene/shape_hyperboloid.h"
+#include "scene/shape_paraboloid.h"
+#include "scene/shape_sphere.h"
+
+namespace drc {
+namespace {
+
+Ray rayFrom(const Vec3& o, const Vec3& d) {
+    Ray r;
+    r.o = o;
+    r.d = d;
+    return r;
+}
+
+// Holes where u is below a half.
+class HalfMask final : public FloatTexture {
+  public:
+    float eval(const TextureContext& at) const override { return at.uv.x < 0.5f ? 0 : 1; }
+};
+
+std::shared_ptr<Curves> bentCurves(CurveType type) {
+    auto curves = std::make_shared<Curves>(type, false);
+    curves->add({Vec3(-1, 0, 0), Vec3(-0.5f, 1, 0.4f), Vec3(0.5f, -0.6f, 0.8f), Vec3(1, 0.3f, -0.2f)}, {0.1f, 0.2f},
+                {normalize(Vec3(0.1f, 0.2f, 1)), normalize(Vec3(0, -1, 1))});
+    curves->add({Vec3(-1, -1, 0), Vec3(-0.5f, -1, 0), Vec3(0.5f, -1, 0), Vec3(1, -1, 0)}, {0.3f, 0.3f},
+                {Vec3(0, 0, 1), Vec3(0, 0, 1)});
+    return curves;
+}
+
+std::vector<ShapePtr> oneOfEach() {
+    return {makeSphere({}),
+            makeDisk({}),
+            makeCylinder({}),
+            makeCone({}),
+            makeParaboloid({}),
+            makeHyperboloid({.p1 = Vec3(1, -0.5f, -1), .p2 = Vec3(1, 0.5f, 1)}),
+            bentCurves(CurveType::Flat),
+            bentCurves(CurveType::Cylinder),
+            bentCurves(CurveType::Ribbon)};
+}
+
+// Rays from all around towards somewhere in the unit cube.
+template <typename F>
+void forManyRays(int count, const F& f) {
+    Pcg32 rng(6);
+    for (int i = 0; i < count; ++i) {
+        const Vec3 o = sampleUniformSphere(rng.nextVec2()) * 4.f;
+        const Vec2 a = rng.nextVec2(), b = rng.nextVec2();
+        f(rayFrom(o, normalize(Vec3(2 * a.x - 1, 2 * a.y - 1, 2 * b.x - 1) - o)));
+    }
+}
+
+Primitive primitiveOf(const ShapePtr& shape) {
+    Primitive p;
+    p.shape = shape;
+    p.material = makeMatte({});
+    return p;
+}
+
+TEST(Accel, HitsAreThoseOfTheShapes) {
+    for (const ShapePtr& shape : oneOfEach()) {
+        Scene scene;
+        scene.primitives.push_back(primitiveOf(shape));
+        const Accel accel(scene);
+        int hits = 0, different = 0;
+        forManyRays(2000, [&](const Ray& ray) {
+            const auto expected = shape->intersect(ray, 0);
+            SurfaceInteraction hit;
+            const bool found = accel.intersect(ray, hit);
+            EXPECT_EQ(found, accel.occluded(ray.o, ray.d, kInfinity));
+            hits += found;
+            // Curves are lines in both, but not the same ones: edges differ a little.
+            if (found != expected.has_value() ||
+                (found && (std::abs(hit.t - expected->t) > 0.01f || std::abs(hit.uv.x - expected->uv.x) > 0.02f ||
+                           std::abs(hit.uv.y - expected->uv.y) > 0.1f || dot(hit.ng, expected->ng) < 0.94f)))
+                ++different;
+        });
+        EXPECT_GT(hits, 100);
+        EXPECT_LT(different, shape->asCurves() ? hits / 25 + 1 : 1) << hits;
+    }
+}
+
+TEST(Accel, MasksOfEveryShape) {
+    int everBehind = 0;
+    for (const ShapePtr& shape : oneOfEach()) {
+        Scene scene;
+        scene.primitives.push_back(primitiveOf(shape));
+        scene.primitives[0].alpha = std::make_shared<HalfMask>();
+        Scene shadowless;
+        shadowless.primitives.push_back(primitiveOf(shape));
+        shadowless.primitives[0].shadowAlpha = std::make_shared<HalfMask>();
+        Scene clear;
+        clear.primitives.push_back(primitiveOf(shape));
+        clear.primitives[0].material = nullptr;
+        const Accel holes(scene), shadowHoles(shadowless), none(clear);
+        int kept = 0, behind = 0;
+        forManyRays(1000, [&](const Ray& ray) {
+            SurfaceInteraction whole, masked;
+            const bool found = shadowHoles.intersect(ray, whole);
+            if (holes.intersect(ray, masked)) {
+                EXPECT_GE(masked.uv.x, 0.5f);
+                ++kept;
+                behind += masked.t > whole.t + 0.01f;
+                EXPECT_TRUE(holes.occluded(ray.o, ray.d, kInfinity));
+                EXPECT_TRUE(shadowHoles.occluded(ray.o, ray.d, kInfinity));
+            } else {
+                EXPECT_TRUE(!found || whole.uv.x < 0.5f);
+                EXPECT_FALSE(holes.occluded(ray.o, ray.d, kInfinity));
+                EXPECT_FALSE(shadowHoles.occluded(ray.o, ray.d, kInfinity));
+            }
+            EXPECT_FALSE(none.occluded(ray.o, ray.d, kInfinity));
+        });
+        EXPECT_GT(kept, 20);
+        everBehind += behind;
+    }
+    EXPECT_GT(everBehind, 0);  // through a hole more of the shape is seen
+}
+
+TEST(Accel, InstancedShapesAndCurves) {
+    const Transform t =
+        Transform::translate(Vec3(1, 2, 3)) * Transform::rotate(40, Vec3(1, 1, 0)) * Transform::scale(2, 2, 2);
+    for (const ShapePtr& shape : oneOfEach()) {
+        Scene scene;
+        scene.objects.push_back({"o", {primitiveOf(shape)}});
+        scene.instances.push_back({0, t});
+        const Accel accel(scene);
+        Scene plain;
+        plain.primitives.push_back(primitiveOf(shape));
+        const Accel reference(plain);
+        int hits = 0;
+        forManyRays(500, [&](const Ray& ray) {
+            SurfaceInteraction local, world;
+            const bool found = reference.intersect(ray, local);
+            if (!found) return;
+            if (!accel.intersect(rayFrom(t.point(ray.o), normalize(t.vector(ray.d))), world)) return;
+            ++hits;
+            EXPECT_NEAR(world.t, 2 * local.t, 2e-2);
+            EXPECT_LT(length(world.p - t.point(local.p)), 2e-2f);
+            EXPECT_GT(dot(world.ng, normalize(t.normal(local.ng))), 0.97f);
+            EXPECT_LT(length(world.dpdu - t.vector(local.dpdu)), 0.05f * length(world.dpdu));
+        });
+        EXPECT_GT(hits, 20);
+    }
+}
+
+}  // namespace
+}  // namespace drc

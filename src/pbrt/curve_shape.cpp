@@ -1,0 +1,131 @@
+#include "pbrt/curve_shape.h"
+
+#include <cmath>
+
+namespace drc::pbrt {
+namespace {
+
+using Segment = std::array<Vec3, 4>;
+
+Vec3 mix(const Vec3& a, const Vec3& b, float t) { return a * (1 - t) + b * t; }
+
+// The same curve with control points for degree three.
+Segment elevated(const Vec3& a, const Vec3& b, const Vec3& c) { return {a, mix(a, b, 2 / 3.f), mix(b, c, 1 / 3.f), c}; }
+
+// Of a uniform B-spline, the part that starts at the first of these knots (PBR 3e, section 3.7 has the blossoms).
+Segment fromQuadraticSpline(const Vec3* p) { return elevated(mix(p[0], p[1], 0.5f), p[1], mix(p[1], p[2], 0.5f)); }
+Segment fromCubicSpline(const Vec3* p) {
+    const Vec3 b = mix(p[1], p[2], 1 / 3.f), c = mix(p[1], p[2], 2 / 3.f);
+    return {mix(mix(p[0], p[1], 2 / 3.f), b, 0.5f), b, c, mix(c, mix(p[2], p[3], 1 / 3.f), 0.5f)};
+}
+
+std::vector<Segment> segmentsOf(const ParamSet& params) {
+    const Param* points = params.find("P", {ParamType::Point3});
+    if (points == nullptr) fail(params.pos(), "shape 'curve' needs the parameter 'P' of type 'point3'");
+    const int degree = params.getInt("degree", 3);
+    if (degree != 2 && degree != 3)
+        fail(params.pos(), "the degree of a curve must be 2 or 3, not " + std::to_string(degree));
+    const std::string basis = params.getString("basis", "bezier");
+    if (basis != "bezier" && basis != "bspline")
+        fail(params.pos(), "the basis of a curve must be 'bezier' or 'bspline', not '" + basis + "'");
+
+    const size_t count = points->count(), n = size_t(degree);
+    std::vector<Vec3> p(count);
+    for (size_t i = 0; i < count; ++i) p[i] = vec3At(points->numbers, i);
+    std::vector<Segment> segments;
+    if (basis == "bezier") {
+        if (count < n + 1 || (count - 1) % n != 0)
+            params.failAt(*points, "must have " + std::to_string(n + 1) + " points for a Bezier curve of degree " +
+                                       std::to_string(n) + ", and " + std::to_string(n) +
+                                       " more for each further segment, found " + std::to_string(count));
+        for (size_t i = 0; i + n < count; i += n)
+            segments.push_back(n == 2 ? elevated(p[i], p[i + 1], p[i + 2])
+                                      : Segment{p[i], p[i + 1], p[i + 2], p[i + 3]});
+    } else {
+        if (count < n + 1)
+            params.failAt(*points, "must have at least " + std::to_string(n + 1) + " points for a B-spline of degree " +
+                                       std::to_string(n) + ", found " + std::to_string(count));
+        for (size_t i = 0; i + n < count; ++i)
+            segments.push_back(n == 2 ? fromQuadraticSpline(&p[i]) : fromCubicSpline(&p[i]));
+    }
+    return segments;
+}
+
+CurveType typeOf(const ParamSet& params) {
+    const std::string name = params.getString("type", "flat");
+    if (name == "flat") return CurveType::Flat;
+    if (name == "cylinder") return CurveType::Cylinder;
+    if (name == "ribbon") return CurveType::Ribbon;
+    fail(params.pos(), "the type of a curve must be 'flat', 'cylinder' or 'ribbon', not '" + name + "'");
+}
+
+// Unit, world space, at the ends of the segments; empty if the type has none.
+std::vector<Vec3> ribbonNormals(const ShapeContext& context, CurveType type, size_t segments) {
+    const ParamSet& params = context.params;
+    const Param* normals = params.find("N", {ParamType::Normal3});
+    if (type != CurveType::Ribbon) {
+        if (normals) warn(normals->pos, "the normals of a curve matter for type 'ribbon' alone; ignored");
+        return {};
+    }
+    if (normals == nullptr) fail(params.pos(), "a curve of type 'ribbon' needs the parameter 'N' of type 'normal3'");
+    if (normals->count() != segments + 1)
+        params.failAt(*normals, "must have one value more than the curve has segments, " +
+                                    std::to_string(segments + 1) + ", found " + std::to_string(normals->count()));
+    std::vector<Vec3> result(segments + 1);
+    for (size_t i = 0; i < result.size(); ++i) {
+        result[i] = normalize(context.objectToWorld.normal(vec3At(normals->numbers, i)));
+        if (result[i] == Vec3(0.f)) params.failAt(*normals, "must not have zero as a value");
+    }
+    return result;
+}
+
+// What a transformation does to lengths: the cube root of what it does to volumes.
+float widthScale(const ShapeContext& context) {
+    const Transform& t = context.objectToWorld;
+    const Vec3 x = t.vector(Vec3(1, 0, 0)), y = t.vector(Vec3(0, 1, 0)), z = t.vector(Vec3(0, 0, 1));
+    const float scale = std::cbrt(std::abs(dot(x, cross(y, z))));
+    for (const Vec3& axis : {x, y, z})
+        if (std::abs(length(axis) - scale) > 0.02f * scale) {
+            warn(context.params.pos(),
+                 "the transformation stretches this curve; its width is scaled alike in all directions");
+            break;
+        }
+    return scale;
+}
+
+}  // namespace
+
+Geometry curve(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    const std::vector<Segment> segments = segmentsOf(params);
+    const CurveType type = typeOf(params);
+    const std::vector<Vec3> normals = ribbonNormals(context, type, segments.size());
+    const float width = params.getFloat("width", 1);
+    const float widths[2] = {params.getFloat("width0", width), params.getFloat("width1", width)};
+    if (!(widths[0] >= 0 && widths[1] >= 0)) fail(params.pos(), "the width of a curve must not be negative");
+    params.ignore({"splitdepth"});  // how finely pbrt cuts curves for its own tree
+
+    // What faces whoever looks has no side that a mirroring transformation could swap.
+    const bool swaps = type == CurveType::Ribbon && context.objectToWorld.swapsHandedness();
+    auto curves = std::make_shared<Curves>(type, context.reverseOrientation != swaps);
+    const float scale = widthScale(context);
+    for (size_t i = 0; i < segments.size(); ++i) {
+        Segment segment = segments[i];
+        for (Vec3& p : segment) p = context.objectToWorld.point(p);
+        const auto widthAt = [&](size_t k) {
+            return scale * lerp(float(k) / float(segments.size()), widths[0], widths[1]);
+        };
+        const std::array<float, 2> ends = {widthAt(i), widthAt(i + 1)};
+        if (type == CurveType::Ribbon)
+            curves->add(segment, ends, {normals[i], normals[i + 1]});
+        else
+            curves->add(segment, ends);
+    }
+    if (curves->pieceCount() == 0) {
+        warn(params.pos(), "all points of this curve are the same; it is left out");
+        return {};
+    }
+    return {.shape = curves, .curves = curves};
+}
+
+}  // namespace drc::pbrt

@@ -1,0 +1,165 @@
+#include "scene/curves.h"
+
+#include "math/frame.h"
+#include "scene/shape_check.h"
+
+namespace drc {
+namespace {
+
+const std::array<Vec3, 4> kStraight = {Vec3(-1.5f, 0, 0), Vec3(-0.5f, 0, 0), Vec3(0.5f, 0, 0), Vec3(1.5f, 0, 0)};
+const std::array<Vec3, 4> kBent = {Vec3(-1, 0, 0), Vec3(-0.5f, 1, 0.4f), Vec3(0.5f, -0.6f, 0.8f), Vec3(1, 0.3f, -0.2f)};
+
+std::unique_ptr<Curves> make(CurveType type, const std::array<Vec3, 4>& points, float width0, float width1,
+                             bool flip = false) {
+    auto curves = std::make_unique<Curves>(type, flip);
+    curves->add(points, {width0, width1}, {normalize(Vec3(0.1f, 0.2f, 1)), normalize(Vec3(0, -1, 1))});
+    return curves;
+}
+
+TEST(Curves, FlatFacesTheRay) {
+    const auto curve = make(CurveType::Flat, kStraight, 0.2f, 0.4f);
+    for (const Vec3& from : {Vec3(0, 0, 5), Vec3(0, 5, 0), Vec3(0, -3, 4)}) {
+        const Vec3 d = -normalize(from);
+        const Vec3 side = normalize(cross(d, Vec3(1, 0, 0)));  // where v grows
+        const auto hit = curve->intersect(rayFrom(from + side * 0.075f, d), 0);
+        ASSERT_TRUE(hit);
+        EXPECT_NEAR(hit->t, 5, 1e-5);
+        EXPECT_NEAR(hit->uv.x, 0.5, 1e-5);
+        EXPECT_NEAR(hit->uv.y, 0.75, 1e-5);
+        EXPECT_NEAR(dot(hit->ng, -d), 1, 1e-6);
+        EXPECT_NEAR(length(hit->dpdu - Vec3(3, 0, 0)), 0, 1e-5);
+        EXPECT_NEAR(length(hit->dpdv - side * 0.3f), 0, 1e-6);
+        EXPECT_TRUE(curve->intersect(rayFrom(from + side * 0.149f, d), 0));
+        EXPECT_FALSE(curve->intersect(rayFrom(from + side * 0.151f, d), 0));
+        EXPECT_FALSE(curve->intersect(rayFrom(from, -d), 0));
+    }
+    EXPECT_FALSE(curve->intersect(rayFrom(Vec3(1.51f, 0, 5), Vec3(0, 0, -1)), 0));
+    EXPECT_LT(make(CurveType::Flat, kStraight, 1, 1, true)->intersect(rayFrom(Vec3(0, 0, 5), Vec3(0, 0, -1)), 0)->ng.z,
+              0);
+}
+
+TEST(Curves, CylinderLooksRound) {
+    const auto curve = make(CurveType::Cylinder, kStraight, 0.2f, 0.2f);
+    // A half of the radius in pbrt's equal steps of angle: 45 degrees, away from the axis.
+    const auto above = curve->intersect(rayFrom(Vec3(0, 0.05f, 5), Vec3(0, 0, -1)), 0);
+    const auto below = curve->intersect(rayFrom(Vec3(0, -0.05f, 5), Vec3(0, 0, -1)), 0);
+    ASSERT_TRUE(above && below);
+    EXPECT_LT(length(above->ng - normalize(Vec3(0, 1, 1))), 1e-5f);
+    EXPECT_LT(length(below->ng - normalize(Vec3(0, -1, 1))), 1e-5f);
+    EXPECT_NEAR(dot(above->dpdv, above->ng), 0, 1e-6);
+}
+
+TEST(Curves, RibbonKeepsItsSide) {
+    Curves ribbon(CurveType::Ribbon, false);
+    ribbon.add(kStraight, {0.2f, 0.2f}, {Vec3(0, 0, 1), Vec3(0, 1, 0)});
+    // The normals turn by a quarter; in the middle they are diagonal. Edge-on it is not seen.
+    const Vec3 diagonal = normalize(Vec3(0, 1, 1));
+    const auto hit = ribbon.intersect(rayFrom(diagonal * 5, -diagonal), 0);
+    ASSERT_TRUE(hit);
+    EXPECT_GT(dot(hit->ng, diagonal), 0.999f);
+    EXPECT_GT(dot(ribbon.intersect(rayFrom(diagonal * -5, diagonal), 0)->ng, diagonal), 0.999f);
+    const Vec3 edge = normalize(Vec3(0, 1, -1));
+    EXPECT_TRUE(ribbon.intersect(rayFrom(diagonal * 5 + edge * 0.09f, -diagonal), 0));
+    EXPECT_FALSE(ribbon.intersect(rayFrom(diagonal * 0.01f + edge * 5, -edge), 0));
+    // v grows along dpdv.
+    const auto off = ribbon.intersect(rayFrom(diagonal * 5 + hit->dpdv * 0.25f, -diagonal), 0);
+    ASSERT_TRUE(off);
+    EXPECT_NEAR(off->uv.y, 0.75, 2e-3);
+    EXPECT_NEAR(ribbon.area(), 0.6, 1e-5);
+}
+
+TEST(Curves, PiecesJoin) {
+    // A sharp bend in a thin curve takes many pieces; u runs through all of them.
+    const auto curve = make(CurveType::Flat, kBent, 0.004f, 0.004f);
+    EXPECT_GT(curve->pieceCount(), 2u);
+    Curves whole(CurveType::Flat, false);
+    whole.add(kBent, {4, 4});
+    ASSERT_EQ(whole.pieceCount(), 1u);
+    for (int i = 1; i < 40; ++i) {
+        const float u = float(i) / 40, v = 1 - u;
+        const Vec3 p =
+            kBent[0] * (v * v * v) + kBent[1] * (3 * v * v * u) + kBent[2] * (3 * v * u * u) + kBent[3] * (u * u * u);
+        const auto hit = curve->intersect(rayFrom(p + Vec3(0, 0, 3), Vec3(0, 0, -1)), 0);
+        ASSERT_TRUE(hit) << u;
+        EXPECT_NEAR(hit->uv.x, u, 2e-3);
+        EXPECT_NEAR(hit->t, 3, 1e-3);
+    }
+    // Pieces that another set brings along are found as well.
+    Curves both(CurveType::Flat, false);
+    both.add(kStraight, {0.1f, 0.1f});
+    ASSERT_TRUE(both.looksLike(whole));
+    Curves moved(CurveType::Flat, false);
+    moved.add({Vec3(-1, 5, 0), Vec3(-0.3f, 5, 0), Vec3(0.3f, 5, 0), Vec3(1, 5, 0)}, {0.1f, 0.1f});
+    both.append(moved);
+    EXPECT_EQ(both.intersect(rayFrom(Vec3(0.3f, 5, 1), Vec3(0, 0, -1)), 0)->part, 1u);
+    EXPECT_GT(both.bounds().max.y, 5);
+    // Without length there is nothing to see.
+    both.add({Vec3(1.f), Vec3(1.f), Vec3(1.f), Vec3(1.f)}, {1, 1});
+    EXPECT_EQ(both.pieceCount(), 2u);
+}
+
+// sampleFrom against uniform directions near the curve: solid angle and first moments of what p sees.
+void checkSolidAngle(const Curves& curves, const Vec3& p) {
+    Pcg32 rng(9);
+    const Bounds box = curves.bounds();
+    const Frame frame = Frame::fromNormal(normalize(box.center() - p));
+    const float sine = std::min(0.999f, box.radius() / length(box.center() - p)), cosine = std::sqrt(1 - sine * sine);
+    RunningMean bySample[4], byDirection[4];
+    for (int i = 0; i < 6000; ++i) {
+        const ShapeSample s = curves.sampleFrom(p, rng.nextVec2());
+        const Vec3 w = normalize(s.p - p);
+        for (int k = 0; k < 4; ++k) bySample[k].add(s.pdf > 0 ? (k < 3 ? w[k] : 1) / s.pdf : 0);
+        const Vec2 u = rng.nextVec2();
+        const float z = lerp(u.x, cosine, 1), r = safeSqrt(1 - z * z);
+        const Vec3 d = frame.toWorld(Vec3(r * std::cos(2 * kPi * u.y), r * std::sin(2 * kPi * u.y), z));
+        const auto hit = curves.intersect(rayFrom(p, d), 0);
+        for (int k = 0; k < 4; ++k) byDirection[k].add(hit ? (k < 3 ? d[k] : 1) * 2 * kPi * (1 - cosine) : 0);
+        if (!hit || i % 8 != 0 || std::abs(hit->uv.y - 0.5f) > 0.49f) continue;
+        // Whatever is hit could have been sampled.
+        const float pdf = curves.pdfFrom(p, d, {p + d * hit->t, hit->ng, hit->uv, hit->part});
+        EXPECT_GT(pdf, 0);
+    }
+    const char* names[] = {"x", "y", "z", "solid angle"};
+    for (int k = 0; k < 4; ++k) expectSame(bySample[k], byDirection[k], 5e-3 * byDirection[3].mean(), names[k]);
+}
+
+TEST(Curves, SamplesFillTheSolidAngle) {
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon})
+        checkSolidAngle(*make(type, kBent, 0.2f, 0.1f), Vec3(0.3f, 0.5f, 4));
+}
+
+TEST(Curves, PdfIsThatOfSampleFrom) {
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon}) {
+        const auto curves = make(type, kBent, 0.05f, 0.1f);
+        const Vec3 p(0.3f, 0.5f, 4);
+        Pcg32 rng(2);
+        int compared = 0, different = 0;
+        for (int i = 0; i < 300; ++i) {
+            const ShapeSample s = curves->sampleFrom(p, rng.nextVec2());
+            const Vec3 w = normalize(s.p - p);
+            const auto hit = curves->intersect(rayFrom(p, w), 0);
+            // Lost over the very edge, or hidden behind another bend.
+            if (!hit || std::abs(hit->t - length(s.p - p)) > 0.06f) continue;
+            const float pdf = curves->pdfFrom(p, w, {p + w * hit->t, hit->ng, hit->uv, hit->part});
+            different += std::abs(pdf - s.pdf) > 0.05f * s.pdf;
+            EXPECT_GT(dot(hit->ng, s.ng), 0.98f);
+            ++compared;
+        }
+        EXPECT_GT(compared, 200);
+        EXPECT_LT(different, compared / 40);  // where the curve or the ribbon is seen end-on
+    }
+}
+
+TEST(Curves, SamplesByAreaCoverATube) {
+    const auto curves = make(CurveType::Flat, kStraight, 0.2f, 0.2f);
+    EXPECT_NEAR(curves->area(), 3 * 0.2f * kPi, 1e-4);
+    Pcg32 rng(8);
+    for (int i = 0; i < 100; ++i) {
+        const ShapeSample s = curves->sample(rng.nextVec2());
+        EXPECT_NEAR(1 / s.pdf, curves->area(), 1e-3);
+        EXPECT_NEAR(length(s.p - Vec3(s.p.x, 0, 0)), 0.1f, 1e-5);
+    }
+}
+
+}  // namespace
+}  // namespace drc

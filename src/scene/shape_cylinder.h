@@ -1,0 +1,20 @@
+// An open cylinder about the z axis of object space, or a part of it (PBR 3e, section 3.3).
+#pragma once
+#include "scene/shape.h"
+
+namespace drc {
+
+struct CylinderParams {
+    Transform objectToWorld{};  // affine
+    bool reverseOrientation = false;
+    float radius = 1;
+    float zMin = -1;
+    float zMax = 1;
+    float phiMax = 360;  // degrees from +x towards +y
+};
+
+// u = phi / phiMax, v from the smaller z to the larger. ng points outward in a right-handed, unreversed frame; as in
+// pbrt, ReverseOrientation and a transform that swaps handedness each turn it inward.
+ShapePtr makeCylinder(const CylinderParams& params);
+
+}  // namespace drc

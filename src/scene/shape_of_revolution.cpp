@@ -1,0 +1,224 @@
+#include "scene/shape_of_revolution.h"
+
+#include <array>
+
+namespace drc {
+namespace {
+
+constexpr double kPiD = std::numbers::pi;
+
+// Over [a, b], Gauss-Legendre with five points.
+double integralOfArea(const RevolutionProfile& profile, double a, double b) {
+    constexpr double node[3] = {0, 0.5384693101056831, 0.9061798459386640};
+    constexpr double weight[3] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    const double middle = 0.5 * (a + b), half = 0.5 * (b - a);
+    double sum = weight[0] * profile.areaElement(middle);
+    for (int i = 1; i < 3; ++i)
+        sum +=
+            weight[i] * (profile.areaElement(middle - half * node[i]) + profile.areaElement(middle + half * node[i]));
+    return sum * half;
+}
+
+// Draws v with a density in proportion to the area element.
+class AreaTable {
+  public:
+    explicit AreaTable(const RevolutionProfile& profile) : profile_(profile) {
+        for (int i = 0; i < kCells; ++i)
+            sums_[size_t(i) + 1] = sums_[size_t(i)] + integralOfArea(profile_, edge(i), edge(i + 1));
+    }
+    double total() const { return sums_[kCells]; }
+    double sample(double u) const {
+        const double target = u * total();
+        const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, target);
+        const int cell = int(above - sums_.begin()) - 1;
+        const double a = edge(cell), b = edge(cell + 1), inCell = target - sums_[size_t(cell)];
+        // Newton's method from where the element would be constant.
+        double v = a + (b - a) * inCell / (sums_[size_t(cell) + 1] - sums_[size_t(cell)]);
+        for (int i = 0; i < 3; ++i) {
+            const double element = profile_.areaElement(v);
+            if (!(element > 0)) break;
+            v = std::clamp(v - (integralOfArea(profile_, a, v) - inCell) / element, a, b);
+        }
+        return v;
+    }
+
+  private:
+    static constexpr int kCells = 32;
+    double edge(int i) const { return profile_.vMin + (1 - profile_.vMin) * i / kCells; }
+
+    RevolutionProfile profile_;
+    std::array<double, kCells + 1> sums_{};
+};
+
+class ShapeOfRevolution final : public Shape {
+  public:
+    ShapeOfRevolution(const Transform& objectToWorld, bool reverseOrientation, float phiMax,
+                      const RevolutionProfile& profile)
+        : space_(objectToWorld, reverseOrientation),
+          profile_(profile),
+          maxRadius_(profile.maxRadius()),
+          phiMax_(std::clamp(double(phiMax), 0.0, 360.0) * kPiD / 180),
+          table_(profile),
+          objectArea_(phiMax_ * table_.total()),
+          area_(objectArea_) {
+        std::array<double, QuadricSpace::kAreaSteps> along;
+        for (size_t i = 0; i < along.size(); ++i) along[i] = table_.sample((double(i) + 0.5) / double(along.size()));
+        area_ *= space_.meanAreaScale([&](double u, double v) {
+            const double at = along[size_t(v * double(along.size()))];
+            return normalAt(pointAt(u, at), at);
+        });
+    }
+
+    // Of a cylinder around the shape.
+    Bounds bounds() const override {
+        Bounds box;
+        const Vec3d x = space_.vectorToWorld(Vec3d(1, 0, 0)), y = space_.vectorToWorld(Vec3d(0, 1, 0));
+        for (const double v : {profile_.vMin, 1.0}) {
+            const Vec3d centre = space_.pointToWorld(Vec3d(0, 0, profile_.z0 + v * profile_.dz));
+            Vec3 low, high;
+            for (int i = 0; i < 3; ++i) {
+                const double extent = maxRadius_ * std::hypot(x[i], y[i]);
+                // Room for the rounding of what is computed from these floats.
+                const double pad = 1e-6 * (std::abs(centre[i]) + extent + std::abs(profile_.dz) * space_.extent(i));
+                low[i] = float(centre[i] - extent - pad);
+                high[i] = float(centre[i] + extent + pad);
+            }
+            box.extend(low);
+            box.extend(high);
+        }
+        return box;
+    }
+
+    std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const override {
+        // d keeps the scale of the transform, so that t means the same in both spaces.
+        const Vec3d origin = space_.pointToObject(ray.o), d = space_.vectorToObject(Vec3d(ray.d));
+        // From the ray's point next to the shape: far away, the coefficients would cancel.
+        const Vec3d centre(0, 0, profile_.z0 + 0.5 * profile_.dz);
+        const double start = (centre - origin).dot(d) / d.length2();
+        const Vec3d o = origin + d * start;
+        const double v = (o.z - profile_.z0) / profile_.dz, dv = d.z / profile_.dz;
+        const auto& c = profile_.c;
+        const double a2 = d.x * d.x + d.y * d.y - c[2] * dv * dv;
+        const double a1 = o.x * d.x + o.y * d.y - dv * (0.5 * c[1] + c[2] * v);  // half of it
+        const double a0 = o.x * o.x + o.y * o.y - (c[0] + v * (c[1] + v * c[2]));
+        const double discriminant = a1 * a1 - a2 * a0;
+        if (!(discriminant >= 0)) return {};
+        // Without a quadratic term one of the two is infinite, and the other right.
+        const double q = -(a1 + std::copysign(std::sqrt(discriminant), a1));
+        double t0 = start + q / a2, t1 = start + a0 / q;
+        if (t0 > t1) std::swap(t0, t1);
+        for (const double t : {t0, t1}) {
+            if (!(t > tMin && t < ray.tMax)) continue;
+            if (auto hit = hitAt(origin + d * t, t)) return hit;
+        }
+        return {};
+    }
+
+    float area() const override { return float(area_); }
+
+    ShapeSample sample(const Vec2& u) const override {
+        const double v = table_.sample(u.y);
+        const Vec3d p = pointAt(u.x, v), n = normalAt(p, v);
+        return {Vec3(space_.pointToWorld(p)), space_.normalToWorld(n), areaPdf(n)};
+    }
+
+    ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const override {
+        ShapeSample s = sample(u);
+        s.pdf = toSolidAngle(s.pdf, p, s.p, s.ng);
+        return s;
+    }
+
+    float pdfFrom(const Vec3& p, const Vec3&, const ShapePoint& hit) const override {
+        return toSolidAngle(areaPdf(space_.normalToObject(hit.ng)), p, hit.p, hit.ng);
+    }
+
+  private:
+    Vec3d pointAt(double u, double v) const {
+        const Vec3d g = profile_.at(v);
+        const double cosine = std::cos(u * phiMax_), sine = std::sin(u * phiMax_);
+        return Vec3d(g.x * cosine - g.y * sine, g.x * sine + g.y * cosine, g.z);
+    }
+    // Unit, along cross(dpdu, dpdv): the gradient of x^2 + y^2 - radiusSquared.
+    Vec3d normalAt(const Vec3d& p, double v) const {
+        const Vec3d n(p.x * profile_.dz, p.y * profile_.dz, -0.5 * profile_.slope(v));
+        const double l = n.length();
+        return l > 0 ? n / l : Vec3d(1, 0, 0);  // the apex of a cone: any
+    }
+    // Density of sample() per unit world area where the object-space normal is n.
+    float areaPdf(const Vec3d& n) const { return float(1 / (objectArea_ * space_.areaScale(n))); }
+
+    std::optional<ShapeHit> hitAt(Vec3d p, double t) const {
+        const double v = (p.z - profile_.z0) / profile_.dz;
+        if (!(v >= profile_.vMin && v <= 1)) return {};
+        const Vec3d g = profile_.at(v);
+        // The turn that takes the curve's point to p.
+        double phi = std::atan2(p.y * g.x - p.x * g.y, p.x * g.x + p.y * g.y);
+        if (phi < 0) phi += 2 * kPiD;
+        if (phi > phiMax_) return {};
+        const double cosine = std::cos(phi), sine = std::sin(phi), radius = profile_.radius(v);
+        // Refined onto the surface. Where this meets the axis, derivatives are those a little off it.
+        const double away = std::max(radius, 1e-5 * maxRadius_);
+        const Vec3d outward = radius > 0 ? Vec3d(g.x * cosine - g.y * sine, g.x * sine + g.y * cosine, 0) / radius
+                                         : Vec3d(cosine, sine, 0);
+        p = Vec3d(radius * outward.x, radius * outward.y, p.z);
+        ShapeHit hit;
+        hit.t = float(t);
+        hit.uv = Vec2(float(phi / phiMax_), float(v));
+        hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-outward.y, outward.x, 0) * (away * phiMax_)));
+        const Vec3d step =
+            profile_.isLine ? profile_.p2 - profile_.p1 : Vec3d(0.5 * profile_.slope(v) / away, 0, profile_.dz);
+        hit.dpdv =
+            Vec3(space_.vectorToWorld(Vec3d(step.x * cosine - step.y * sine, step.x * sine + step.y * cosine, step.z)));
+        hit.ng = space_.normalToWorld(normalAt(p, v));
+        return hit;
+    }
+
+    QuadricSpace space_;
+    RevolutionProfile profile_;
+    double maxRadius_, phiMax_;
+    AreaTable table_;
+    double objectArea_, area_;
+};
+
+}  // namespace
+
+RevolutionProfile RevolutionProfile::line(const Vec3d& p1, const Vec3d& p2) {
+    RevolutionProfile profile;
+    const Vec3d d = p2 - p1;
+    profile.z0 = p1.z;
+    profile.dz = d.z;
+    profile.c[0] = p1.x * p1.x + p1.y * p1.y;
+    profile.c[1] = 2 * (p1.x * d.x + p1.y * d.y);
+    profile.c[2] = d.x * d.x + d.y * d.y;
+    profile.p1 = p1;
+    profile.p2 = p2;
+    return profile;
+}
+
+RevolutionProfile RevolutionProfile::parabola(double radius, double zMin, double zMax) {
+    RevolutionProfile profile;
+    profile.z0 = zMin;
+    profile.dz = zMax - zMin;
+    const double perZ = radius * radius / zMax;
+    profile.c[0] = perZ * zMin;
+    profile.c[1] = perZ * profile.dz;
+    profile.c[2] = 0;
+    profile.vMin = std::max(0.0, -zMin / profile.dz);
+    profile.isLine = false;
+    return profile;
+}
+
+Vec3d RevolutionProfile::at(double v) const { return isLine ? p1 + (p2 - p1) * v : Vec3d(radius(v), 0, z0 + v * dz); }
+
+double RevolutionProfile::areaElement(double v) const {
+    // |dp/dphi x dp/dv|, which for a curve turned about an axis is r sqrt(z'^2 + r'^2), with r r' half the slope of
+    // r^2: what a line's twist adds to the length of dp/dv lies along dp/dphi.
+    return std::hypot(dz * radius(v), 0.5 * slope(v));
+}
+
+ShapePtr makeShapeOfRevolution(const Transform& objectToWorld, bool reverseOrientation, float phiMax,
+                               const RevolutionProfile& profile) {
+    return std::make_shared<ShapeOfRevolution>(objectToWorld, reverseOrientation, phiMax, profile);
+}
+
+}  // namespace drc
