@@ -7,8 +7,9 @@ namespace {
 
 class SpotLight final : public Light {
   public:
-    SpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees)
-        : position_(lightToWorld.point(Vec3(0, 0, 0))),
+    SpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees, SpotEdge edge)
+        : edge_(edge),
+          position_(lightToWorld.point(Vec3(0, 0, 0))),
           worldToLight_(lightToWorld.inverse()),
           intensity_(intensity),
           cosEdge_(std::cos(coneDegrees * kPi / 180)),
@@ -26,8 +27,11 @@ class SpotLight final : public Light {
         const float distance = std::sqrt(distance2);
         return LightSample{d / distance, intensity_ * (share / distance2), 1, distance, true};
     }
-    // The fading edge holds a fifth of what it would hold unfaded: the integral of x^4.
-    Rgb power(float) const override { return intensity_ * (2 * kPi * ((1 - cosFull_) + (cosFull_ - cosEdge_) * 0.2f)); }
+    // The fading edge holds a fifth, or a half, of what it would hold unfaded: the integral over x.
+    Rgb power(float) const override {
+        const float share = edge_ == SpotEdge::Steep ? 0.2f : 0.5f;
+        return intensity_ * (2 * kPi * ((1 - cosFull_) + (cosFull_ - cosEdge_) * share));
+    }
     bool isDelta() const override { return true; }
     Bounds bounds() const override { return {position_, position_}; }
     LightReach reach() const override {
@@ -44,9 +48,11 @@ class SpotLight final : public Light {
     float falloff(float cosTheta) const {
         if (cosTheta <= cosEdge_) return 0;
         if (cosTheta >= cosFull_) return 1;
-        return sqr(sqr((cosTheta - cosEdge_) / (cosFull_ - cosEdge_)));
+        const float x = (cosTheta - cosEdge_) / (cosFull_ - cosEdge_);
+        return edge_ == SpotEdge::Steep ? sqr(sqr(x)) : sqr(x) * (3 - 2 * x);
     }
 
+    SpotEdge edge_;
     Vec3 position_;
     Turn worldToLight_;  // the light shines along its own +z
     Rgb intensity_;      // W / sr, on the axis
@@ -58,8 +64,9 @@ class SpotLight final : public Light {
 
 }  // namespace
 
-LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees) {
-    return std::make_shared<SpotLight>(lightToWorld, intensity, coneDegrees, fadeDegrees);
+LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees,
+                       SpotEdge edge) {
+    return std::make_shared<SpotLight>(lightToWorld, intensity, coneDegrees, fadeDegrees, edge);
 }
 
 }  // namespace drc
