@@ -45,12 +45,25 @@ constexpr Registered<ShapeMaker> kShapes[] = {
     {"paraboloid", nullptr},  {"plymesh", plyMesh},     {"sphere", sphere},      {"trianglemesh", triangleMesh},
 };
 
+constexpr Registered<ShapeMaker> kShapesV4[] = {
+    {"bilinearmesh", bilinearMesh}, {"curve", nullptr},   {"cylinder", nullptr}, {"disk", disk},
+    {"loopsubdiv", nullptr},        {"plymesh", plyMesh}, {"sphere", sphere},    {"trianglemesh", triangleMesh},
+};
+
 }  // namespace
 
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context) {
     const auto make = findMaker<ShapeMaker>(kShapes, "shape", type, context.params.pos(), "the shape is left out");
     if (make == nullptr) return std::nullopt;
     return make(context);
+}
+
+std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext& context) {
+    const auto make = findMaker<ShapeMaker>(kShapesV4, "shape", type, context.params.pos(), "the shape is left out");
+    if (make == nullptr) return std::nullopt;
+    Geometry geometry = make(context);
+    geometry.alpha = alphaMaskOf(context, "alpha");
+    return geometry;
 }
 
 }  // namespace drc::pbrt
