@@ -79,7 +79,8 @@ Integrator chooseIntegrator(const std::string& wanted, const RenderSettings& set
     // The file's own.
     if (settings.integrator == "iispt") return Integrator::Drc;
     if (settings.integrator == "directlighting") return Integrator::Direct;
-    if (settings.integrator != "path")
+    // Of "volpath" no more is left: media have warnings of their own.
+    if (settings.integrator != "path" && settings.integrator != "volpath")
         logWarning("the scene's integrator '" + settings.integrator + "' is rendered as 'path'");
     return Integrator::Path;
 }

@@ -75,7 +75,20 @@ std::unique_ptr<Camera> makeEnvironment(const CameraContext& context) {
     return makeEnvironmentCamera(p, context.film);
 }
 
-std::unique_ptr<Camera> makeRealistic(const CameraContext& context) {
+// By longitude and latitude alone.
+std::unique_ptr<Camera> makeSpherical(const CameraContext& context) {
+    const std::string mapping = context.params.getString("mapping", "equalarea");
+    if (mapping != "equalarea" && mapping != "equirectangular")
+        context.params.failAt(*context.params.find("mapping", {ParamType::String}),
+                              "must be 'equalarea' or 'equirectangular', not '" + mapping + "'");
+    if (mapping == "equalarea")
+        warn(context.params.pos(),
+             "the mapping 'equalarea' of the spherical camera is not supported yet; 'equirectangular' is used");
+    return makeEnvironment(context);
+}
+
+// simpleWeighting: what the rays' weights are where the file does not say. pbrt-v4 has one kind alone.
+std::unique_ptr<Camera> makeLensCamera(const CameraContext& context, bool simpleWeighting) {
     const ParamSet& params = context.params;
     RealisticCameraParams p;
     p.worldToCamera = context.worldToCamera;
@@ -84,7 +97,7 @@ std::unique_ptr<Camera> makeRealistic(const CameraContext& context) {
     if (!(stop > 0)) params.failAt(*params.find("aperturediameter", {ParamType::Float}), "must be positive");
     p.focusDistance = params.getFloat("focusdistance", 10);
     if (!(p.focusDistance > 0)) params.failAt(*params.find("focusdistance", {ParamType::Float}), "must be positive");
-    p.simpleWeighting = params.getBool("simpleweighting", true);
+    p.simpleWeighting = simpleWeighting;
     const std::string lens = params.getString("lensfile", "");
     if (lens.empty()) fail(params.pos(), "the realistic camera needs the parameter \"string lensfile\"");
     const SourcePos pos = params.find("lensfile", {ParamType::String})->valuePos;
@@ -96,6 +109,17 @@ std::unique_ptr<Camera> makeRealistic(const CameraContext& context) {
     }
 }
 
+std::unique_ptr<Camera> makeRealistic(const CameraContext& context) {
+    return makeLensCamera(context, context.params.getBool("simpleweighting", true));
+}
+
+std::unique_ptr<Camera> makeRealisticV4(const CameraContext& context) {
+    if (context.params.getString("aperture", "circular") != "circular")
+        warn(context.params.find("aperture", {ParamType::String})->valuePos,
+             "the aperture '" + context.params.getString("aperture", "") + "' is not supported yet; it is a circle");
+    return makeLensCamera(context, false);
+}
+
 using CameraMaker = std::unique_ptr<Camera> (*)(const CameraContext&);
 constexpr Registered<CameraMaker> kCameras[] = {
     {"environment", makeEnvironment},
@@ -104,14 +128,36 @@ constexpr Registered<CameraMaker> kCameras[] = {
     {"realistic", makeRealistic},
 };
 
+constexpr Registered<CameraMaker> kCamerasV4[] = {
+    {"orthographic", makeOrthographic},
+    {"perspective", makePerspective},
+    {"realistic", makeRealisticV4},
+    {"spherical", makeSpherical},
+};
+
+std::unique_ptr<Camera> make(std::span<const Registered<CameraMaker>> table, const std::string& type,
+                             const CameraContext& context) {
+    auto camera = findMaker<CameraMaker>(table, "camera", type, context.params.pos(), "")(context);
+    context.params.warnUnused();
+    return camera;
+}
+
 }  // namespace
 
 std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
                                    const FilmGeometry& film, const FileSearch& files) {
-    const auto make = findMaker<CameraMaker>(kCameras, "camera", type, params.pos(), "");
-    auto camera = make({params, worldToCamera, film, files});
-    params.warnUnused();
-    return camera;
+    return make(kCameras, type, {params, worldToCamera, film, files});
+}
+
+std::unique_ptr<Camera> makeCameraV4(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
+                                     const FilmGeometry& film, const FileSearch& files) {
+    return make(kCamerasV4, type, {params, worldToCamera, film, files});
+}
+
+float exposureTimeV4(const ParamSet& camera) {
+    const float time = camera.getFloat("shutterclose", 1) - camera.getFloat("shutteropen", 0);
+    if (!(time > 0)) fail(camera.pos(), "the camera's shutter must close after it opens; the picture would be black");
+    return time;
 }
 
 }  // namespace drc::pbrt

@@ -12,5 +12,10 @@ namespace drc::pbrt {
 // Throws Error for an unknown type or wrong parameters.
 std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
                                    const FilmGeometry& film, const FileSearch& files);
+// pbrt-v4's.
+std::unique_ptr<Camera> makeCameraV4(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
+                                     const FilmGeometry& film, const FileSearch& files);
+// By which pbrt-v4 multiplies the picture: how long the camera's shutter is open. Throws Error if it is not.
+float exposureTimeV4(const ParamSet& camera);
 
 }  // namespace drc::pbrt

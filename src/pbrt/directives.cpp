@@ -1,8 +1,10 @@
 #include "pbrt/directives.h"
 
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 
+#include "base/log.h"
 #include "pbrt/render_settings.h"
 #include "pbrt/suggest.h"
 
@@ -42,7 +44,10 @@ Typed typed(Context c, const std::string& kind) {
     Typed result;
     const Token token = c.tokens.expectString("the type of " + std::string(c.name));
     result.type = token.value();
-    result.params = parseParams(c.tokens, kind + " '" + result.type + "'", token.pos, c.files);
+    checkDialect(c.dialect, c.name, result.type, token.pos);
+    const bool isLight = c.name == "LightSource" || c.name == "AreaLightSource";
+    result.params =
+        parseParams(c.tokens, kind + " '" + result.type + "'", token.pos, c.files, c.builder.colorRules(isLight));
     return result;
 }
 
@@ -87,8 +92,53 @@ void activeTransform(Context c) {
 }
 
 void include(Context c) {
-    const Token name = c.tokens.expectString("the file of Include");
+    const Token name = c.tokens.expectString("the file of " + std::string(c.name));
     c.tokens.include(c.files.find(name.value(), name.pos, "file to include"), name.pos);
+}
+
+// As Include, but that what the file changes is as it was after it. The parser ends the block.
+void import(Context c) {
+    c.builder.beginBlock("Import", c.pos);
+    include(c);
+}
+
+void attribute(Context c) {
+    const Token target = c.tokens.expectString("the target of Attribute");
+    const ParamSet params = parseParams(c.tokens, "attribute '" + target.value() + "'", c.pos, c.files,
+                                        c.builder.colorRules(target.value() == "light"));
+    c.builder.attribute(target.value(), params, target.pos);
+}
+
+void colorSpace(Context c) {
+    const Token name = c.tokens.expectString("the name of ColorSpace");
+    c.builder.colorSpace(name.value(), name.pos);
+}
+
+// Options are for pbrt's own way of rendering, but for some that change the picture.
+void option(Context c) {
+    const std::vector<std::string_view> known = {"debugstart",
+                                                 "disablepixeljitter",
+                                                 "disabletexturefiltering",
+                                                 "disablewavelengthjitter",
+                                                 "displacementedgescale",
+                                                 "forcediffuse",
+                                                 "msereferenceimage",
+                                                 "msereferenceout",
+                                                 "pixelstats",
+                                                 "rendercoordsys",
+                                                 "seed",
+                                                 "wavefront"};
+    if (c.tokens.peek().kind != TokenKind::String)
+        fail(c.tokens.peek().pos, "expected an option as \"type name\", found " + c.tokens.peek().describe());
+    const ParamSet params = parseParams(c.tokens, "Option", c.pos, c.files);
+    for (const Param& param : params.all()) {
+        if (std::find(known.begin(), known.end(), param.name) == known.end())
+            warn(param.pos, "unknown option '" + param.name + "'; ignored" + suggestion(param.name, known));
+        else if (param.name == "forcediffuse" && params.getBool("forcediffuse", false))
+            warn(param.pos, "option 'forcediffuse' is not supported yet; ignored");
+        else
+            logDebug("option '" + param.name + "' has no effect");
+    }
 }
 
 void objectInstance(Context c) {
@@ -104,15 +154,19 @@ void namedMaterial(Context c) {
 void makeNamedMaterial(Context c) {
     const Token token = c.tokens.expectString("the name of MakeNamedMaterial");
     const std::string name = token.value();
-    c.builder.makeNamedMaterial(name, parseParams(c.tokens, "material '" + name + "'", token.pos, c.files));
+    ParamSet params = parseParams(c.tokens, "material '" + name + "'", token.pos, c.files, c.builder.colorRules(false));
+    if (const Param* type = params.findIfTyped("type", {ParamType::String}); type != nullptr && type->count() == 1)
+        checkDialect(c.dialect, c.name, type->strings[0], type->valuePos);
+    c.builder.makeNamedMaterial(name, std::move(params));
 }
 
 void texture(Context c) {
     const std::string name = text(c, "the name");
     const Token valueType = c.tokens.expectString("the value type, 'float' or 'spectrum', of Texture");
     const Token type = c.tokens.expectString("the type of Texture");
+    checkDialect(c.dialect, c.name, type.value(), type.pos);
     c.builder.texture(name, valueType.value(), type.value(),
-                      parseParams(c.tokens, "texture '" + name + "'", type.pos, c.files));
+                      parseParams(c.tokens, "texture '" + name + "'", type.pos, c.files, c.builder.colorRules(false)));
 }
 
 void makeNamedMedium(Context c) {
@@ -157,16 +211,16 @@ void material(Context c) {
     c.builder.material(t.type, std::move(t.params));
 }
 void lightSource(Context c) {
-    const Typed t = typed(c, "light");
-    c.builder.light(t.type, t.params);
+    Typed t = typed(c, "light");
+    c.builder.light(t.type, std::move(t.params));
 }
 void areaLightSource(Context c) {
-    const Typed t = typed(c, "area light");
-    c.builder.areaLight(t.type, t.params);
+    Typed t = typed(c, "area light");
+    c.builder.areaLight(t.type, std::move(t.params));
 }
 void shape(Context c) {
-    const Typed t = typed(c, "shape");
-    c.builder.shape(t.type, t.params);
+    Typed t = typed(c, "shape");
+    c.builder.shape(t.type, std::move(t.params));
 }
 
 using enum DirectiveScope;
@@ -174,14 +228,17 @@ constexpr Directive kDirectives[] = {
     {"Accelerator", Options, accelerator},
     {"ActiveTransform", Any, activeTransform},
     {"AreaLightSource", World, areaLightSource},
+    {"Attribute", Any, attribute},
     {"AttributeBegin", World, [](Context c) { c.builder.beginBlock("Attribute", c.pos); }},
     {"AttributeEnd", World, [](Context c) { c.builder.endBlock("Attribute", c.pos); }},
     {"Camera", Options, camera},
+    {"ColorSpace", Any, colorSpace},
     {"ConcatTransform", Any, [](Context c) { c.builder.apply(matrix(c), c.pos); }},
     {"CoordSysTransform", Any, [](Context c) { c.builder.useCoordinateSystem(text(c, "the name"), c.pos); }},
     {"CoordinateSystem", Any, [](Context c) { c.builder.nameCoordinateSystem(text(c, "the name")); }},
     {"Film", Options, film},
     {"Identity", Any, [](Context c) { c.builder.setTransform(Transform(), c.pos); }},
+    {"Import", World, import},
     {"Include", Any, include},
     {"Integrator", Options, integrator},
     {"LightSource", World, lightSource},
@@ -194,6 +251,7 @@ constexpr Directive kDirectives[] = {
     {"ObjectBegin", World, [](Context c) { c.builder.objectBegin(text(c, "the name"), c.pos); }},
     {"ObjectEnd", World, [](Context c) { c.builder.objectEnd(c.pos); }},
     {"ObjectInstance", World, objectInstance},
+    {"Option", Options, option},
     {"PixelFilter", Options, filter},
     {"ReverseOrientation", World, [](Context c) { c.builder.reverseOrientation(); }},
     {"Rotate", Any, rotate},

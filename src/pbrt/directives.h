@@ -12,6 +12,7 @@ struct DirectiveContext {
     TokenStream& tokens;  // the next one is the first after the directive's name
     SceneBuilder& builder;
     const FileSearch& files;
+    const DialectFinding& dialect;
     std::string_view name;
     SourcePos pos;
 };

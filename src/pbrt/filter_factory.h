@@ -9,5 +9,7 @@ namespace drc::pbrt {
 
 // Throws Error for an unknown type, a radius that is not positive, or wrong parameters.
 FilterPtr makeFilter(const std::string& type, const ParamSet& params);
+// pbrt-v4's: "xradius" for "xwidth", and the gaussian by its standard deviation.
+FilterPtr makeFilterV4(const std::string& type, const ParamSet& params);
 
 }  // namespace drc::pbrt

@@ -1,11 +1,12 @@
 // What directives change and AttributeBegin saves.
 #pragma once
 #include <array>
-#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
 #include "math/transform.h"
+#include "pbrt/color_space.h"
 #include "pbrt/light_factory.h"
 #include "pbrt/material_factory.h"
 #include "pbrt/texture_params.h"
@@ -29,6 +30,9 @@ struct GraphicsState {
     NamedMap<MaterialInstance> namedMaterials;
     NamedTextures textures;
     AreaLightBuilder areaLight;  // empty: shapes do not emit
+    // pbrt-v4's: the space of "rgb" colours, and what Attribute gives to all that are made, by its target.
+    const ColorSpace* colorSpace = &ColorSpace::srgb();
+    std::map<std::string, ParamSet> attributes;
 };
 
 }  // namespace drc::pbrt

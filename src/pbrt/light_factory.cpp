@@ -1,20 +1,11 @@
 #include "pbrt/light_factory.h"
 
-#include <fmt/core.h>
-
 #include "base/log.h"
-#include "math/frame.h"
-#include "pbrt/decoded_image.h"
+#include "pbrt/light_params.h"
 #include "pbrt/registry.h"
 
 namespace drc::pbrt {
 namespace {
-
-struct LightContext {
-    const ParamSet& params;
-    const Transform& toWorld;
-    const FileSearch& files;
-};
 
 // pbrt multiplies every light's colour by this one.
 Rgb scaleOf(const ParamSet& params) { return params.getColor("scale", Rgb(1.f)); }
@@ -26,29 +17,6 @@ void samplesNotNeeded(const ParamSet& params) {
     logDebug(params.owner() + ": its number of samples is not needed: lights are sampled by what they bring");
 }
 
-// Throws Error unless low < value < high.
-float between(const ParamSet& params, std::string_view name, float fallback, float low, float high) {
-    const float value = params.getFloat(name, fallback);
-    if (!(value > low && value < high))
-        params.failAt(*params.find(name, {ParamType::Float}),
-                      fmt::format("must be between {:g} and {:g} degrees, not {:g}", low, high, value));
-    return value;
-}
-
-// The picture that the parameter "mapname" names; empty if there is none.
-LightImage mapOf(const LightContext& context, const std::string& what) {
-    const std::string name = context.params.getString("mapname", "");
-    if (name.empty()) return {};
-    const SourcePos pos = context.params.find("mapname", {ParamType::String})->valuePos;
-    const std::string path = context.files.find(name, pos, what);
-    try {
-        DecodedImage image = readLinear(path);
-        return {image.width, image.height, std::move(image.texels)};
-    } catch (const Error& error) {
-        fail(pos, error.what());
-    }
-}
-
 LightPtr makePoint(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
     return makePointLight(context.toWorld.point(context.params.getPoint("from", Vec3(0, 0, 0))), intensity);
@@ -56,49 +24,30 @@ LightPtr makePoint(const LightContext& context) {
 
 LightPtr makeDistant(const LightContext& context) {
     const Rgb radiance = context.params.getColor("L", Rgb(1.f)) * scaleOf(context.params);
-    const Vec3 from = context.params.getPoint("from", Vec3(0, 0, 0));
-    const Vec3 to = context.params.getPoint("to", Vec3(0, 0, 1));
-    const Vec3 direction = normalize(context.toWorld.vector(from - to));
-    if (direction == Vec3(0, 0, 0))
-        fail(context.params.pos(), "the distant light has no direction: 'from' equals 'to'");
-    return makeDistantLight(direction, radiance);
-}
-
-// A space whose origin is `from` and whose +z points to `to`.
-Transform aimed(const ParamSet& params, const Transform& toWorld) {
-    const Vec3 from = params.getPoint("from", Vec3(0, 0, 0)), to = params.getPoint("to", Vec3(0, 0, 1));
-    const Vec3 z = normalize(to - from);
-    if (z == Vec3(0, 0, 0)) fail(params.pos(), "the " + params.owner() + " has no direction: 'from' equals 'to'");
-    const Frame f = Frame::fromNormal(z);
-    return toWorld * Transform({f.s.x, f.t.x, f.n.x, from.x,  //
-                                f.s.y, f.t.y, f.n.y, from.y,  //
-                                f.s.z, f.t.z, f.n.z, from.z, 0, 0, 0, 1});
+    return makeDistantLight(distantDirection(context), radiance);
 }
 
 LightPtr makeSpot(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
-    const float cone = between(context.params, "coneangle", 30, 0, 180);
-    const float fade = context.params.getFloat("conedeltaangle", 5);
-    if (!(fade >= 0))
-        context.params.failAt(*context.params.find("conedeltaangle", {ParamType::Float}), "must not be negative");
-    return makeSpotLight(aimed(context.params, context.toWorld), intensity, cone, fade);
+    const SpotAngles angles = spotAngles(context.params);
+    return makeSpotLight(aimed(context.params, context.toWorld), intensity, angles.cone, angles.fade, SpotEdge::Steep);
 }
 
 LightPtr makeGoniometric(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
-    return makeGoniometricLight(context.toWorld, intensity, mapOf(context, "goniometric diagram"));
+    return makeGoniometricLight(context.toWorld, intensity, imageOf(context, "mapname", "goniometric diagram"));
 }
 
 LightPtr makeProjection(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
-    const float fov = between(context.params, "fov", 45, 0, 180);
-    return makeProjectionLight(context.toWorld, intensity, fov, mapOf(context, "picture to project"));
+    const float fov = degreesBetween(context.params, "fov", 45, 0, 180);
+    return makeProjectionLight(context.toWorld, intensity, fov, imageOf(context, "mapname", "picture to project"));
 }
 
 LightPtr makeInfinite(const LightContext& context) {
     const Rgb radiance = context.params.getColor("L", Rgb(1.f)) * scaleOf(context.params);
     samplesNotNeeded(context.params);
-    return makeInfiniteLight(context.toWorld, radiance, mapOf(context, "environment map"));
+    return makeInfiniteLight(context.toWorld, radiance, imageOf(context, "mapname", "environment map"));
 }
 
 using LightMaker = LightPtr (*)(const LightContext&);

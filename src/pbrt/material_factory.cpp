@@ -1,11 +1,9 @@
 #include "pbrt/material_factory.h"
 
-#include <initializer_list>
-
+#include "pbrt/material_common.h"
 #include "pbrt/registry.h"
 #include "scene/material_disney.h"
 #include "scene/material_glass.h"
-#include "scene/material_hair.h"
 #include "scene/material_matte.h"
 #include "scene/material_metal.h"
 #include "scene/material_mirror.h"
@@ -18,13 +16,7 @@
 namespace drc::pbrt {
 namespace {
 
-struct MaterialContext {
-    const TextureParams& params;
-    const NamedMaterials& materials;
-};
-
 FloatTexturePtr bumpOf(const TextureParams& p) { return p.scalarOrNull("bumpmap"); }
-bool remapOf(const TextureParams& p) { return p.getBool("remaproughness", true); }
 // pbrt has two names for it; "eta" goes first.
 FloatTexturePtr indexOf(const TextureParams& p) {
     const FloatTexturePtr index = p.scalarOrNull("index");
@@ -132,41 +124,12 @@ MaterialPtr disney(const MaterialContext& c) {
 }
 
 MaterialPtr hair(const MaterialContext& c) {
-    const TextureParams& p = c.params;
-    HairParams hair{.sigmaA = p.colorOrNull("sigma_a"),
-                    .color = p.colorOrNull("color"),
-                    .eumelanin = p.scalarOrNull("eumelanin"),
-                    .pheomelanin = p.scalarOrNull("pheomelanin"),
-                    .eta = p.scalarOrNull("eta"),
-                    .betaM = p.scalarOrNull("beta_m"),
-                    .betaN = p.scalarOrNull("beta_n"),
-                    .alpha = p.scalarOrNull("alpha"),
-                    .bump = bumpOf(p)};
-    // Three ways to say what colour it is.
-    const std::string_view counts = hair.sigmaA ? "sigma_a" : "color";
-    const auto ignored = [&](bool given, std::string_view name) {
-        if (given)
-            warn(p.own().pos(), "parameter '" + std::string(name) + "' of " + p.own().owner() + " is ignored, as '" +
-                                    std::string(counts) + "' is given");
-    };
-    if (hair.sigmaA) ignored(hair.color != nullptr, "color");
-    if (hair.sigmaA || hair.color) {
-        ignored(hair.eumelanin != nullptr, "eumelanin");
-        ignored(hair.pheomelanin != nullptr, "pheomelanin");
-    }
-    return makeHair(std::move(hair));
+    return makeHair(hairOf(c.params, c.params.colorOrNull("color"), "color", bumpOf(c.params)));
 }
 
 MaterialPtr mix(const MaterialContext& c) {
-    const auto part = [&](std::string_view param) {
-        const std::string name = c.params.getString(param, "");
-        const auto found = c.materials.find(name);
-        const SourcePos& pos = c.params.own().pos();
-        if (!found)
-            fail(pos, "the mix material's " + std::string(param) + " '" + name + "' has not been defined" +
-                          suggestion(name, c.materials.names()));
-        if (!found->material) fail(pos, "the mix material's " + std::string(param) + " '" + name + "' is 'none'");
-        return found->material;
+    const auto part = [&](const std::string& param) {
+        return namedPart(c, c.params.getString(param, ""), param, c.params.own().pos());
     };
     const MaterialPtr first = part("namedmaterial1");
     MaterialPtr whole =
@@ -175,7 +138,6 @@ MaterialPtr mix(const MaterialContext& c) {
     return whole;
 }
 
-using MaterialMaker = MaterialPtr (*)(const MaterialContext&);
 constexpr Registered<MaterialMaker> kMaterials[] = {
     {"disney", disney},
     {"fourier", nullptr},

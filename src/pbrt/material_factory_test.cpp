@@ -2,9 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <iterator>
-#include <sstream>
-
 #include "base/log.h"
 #include "pbrt/material_comparison.h"
 #include "pbrt/test_scenes.h"
@@ -74,10 +71,7 @@ TEST(MaterialFactory, Defaults) {
 
 // Each parameter has an effect, and the same one from a texture.
 TEST(MaterialFactory, EveryParameterCountsAndMayBeATexture) {
-    struct Case {
-        const char *type, *others, *scalars, *colors;  // names with a space between
-    };
-    const Case kCases[] = {
+    const ParameterCase kCases[] = {
         {"matte", "", "sigma", "Kd"},
         {"plastic", "", "roughness", "Kd Ks"},
         {"metal", "", "roughness uroughness vroughness", "eta k"},
@@ -97,24 +91,8 @@ TEST(MaterialFactory, EveryParameterCountsAndMayBeATexture) {
     const std::string textures =
         "Texture \"t\" \"float\" \"constant\" \"float value\" .7\n"
         "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [.6 .35 .7]\n";
-    const auto words = [](const std::string& text) {
-        std::istringstream stream(text);
-        return std::vector<std::string>(std::istream_iterator<std::string>(stream), {});
-    };
-    for (const Case& c : kCases) {
-        const MaterialPtr plain = load(c.type, c.others);
-        const auto check = [&](const std::string& name, const std::string& value) {
-            const std::string others = std::string(c.others) + " ";
-            const MaterialPtr constant = load(c.type, others + value);
-            EXPECT_FALSE(alike(*plain, *constant)) << c.type << " " << name;
-            const int before = warningCount();
-            const MaterialPtr textured = load(c.type, others + "\"texture " + name + "\" \"t\"", textures);
-            EXPECT_EQ(warningCount(), before) << c.type << " " << name;
-            EXPECT_TRUE(alike(*constant, *textured)) << c.type << " " << name;
-        };
-        for (const std::string& name : words(c.scalars)) check(name, "\"float " + name + "\" .7");
-        for (const std::string& name : words(c.colors)) check(name, "\"rgb " + name + "\" [.6 .35 .7]");
-    }
+    for (const ParameterCase& c : kCases)
+        checkParameters(c, [&](const std::string& parameters) { return load(c.type, parameters, textures); });
 }
 
 TEST(MaterialFactory, RoughnessIsRemappedUnlessToldNotTo) {

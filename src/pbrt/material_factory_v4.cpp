@@ -1,24 +1,32 @@
 #include "pbrt/material_factory_v4.h"
 
+#include "pbrt/material_common.h"
 #include "pbrt/registry.h"
 #include "scene/material_coated.h"
 #include "scene/material_conductor.h"
 #include "scene/material_dielectric.h"
 #include "scene/material_diffuse_transmission.h"
-#include "scene/material_hair.h"
 #include "scene/material_matte.h"
 #include "scene/material_mix.h"
 
 namespace drc::pbrt {
 namespace {
 
-struct MaterialContext {
-    const TextureParams& params;
-    const NamedMaterials& materials;
-};
-
 FloatTexturePtr bumpOf(const TextureParams& p) { return p.scalarOrNull("displacement"); }
-bool remapOf(const TextureParams& p) { return p.getBool("remaproughness", true); }
+
+// A reflectance may be a grey, as a number.
+RgbTexturePtr reflectanceOf(const TextureParams& p, std::string_view name = "reflectance") {
+    if (const Param* grey = p.own().findIfTyped(name, {ParamType::Float}); grey != nullptr)
+        return constantTexture(Rgb(p.own().getFloat(name, 0)));
+    return p.colorOrNull(name);
+}
+
+// An index of refraction may be a spectrum: nothing here disperses, and its luminance is its mean as the eye weighs it.
+FloatTexturePtr indexOf(const TextureParams& p, std::string_view name = "eta") {
+    if (p.own().findIfTyped(name, {ParamType::Color}) != nullptr)
+        return constantTexture(luminance(p.own().getColor(name, Rgb(1.f))));
+    return p.scalarOrNull(name);
+}
 
 // eta and k, or a reflectance in their place: pbrt takes it for a mistake to give both.
 void checkReflectance(const TextureParams& p, bool indices, bool reflectance, const std::string& prefix) {
@@ -28,14 +36,14 @@ void checkReflectance(const TextureParams& p, bool indices, bool reflectance, co
 }
 
 MaterialPtr diffuse(const MaterialContext& c) {
-    return makeMatte({.kd = c.params.colorOrNull("reflectance"), .sigma = {}, .bump = bumpOf(c.params)});
+    return makeMatte({.kd = reflectanceOf(c.params), .sigma = {}, .bump = bumpOf(c.params)});
 }
 
 MaterialPtr conductor(const MaterialContext& c) {
     const TextureParams& p = c.params;
     ConductorParams made{.eta = p.colorOrNull("eta"),
                          .k = p.colorOrNull("k"),
-                         .reflectance = p.colorOrNull("reflectance"),
+                         .reflectance = reflectanceOf(p),
                          .roughness = p.scalarOrNull("roughness"),
                          .uRoughness = p.scalarOrNull("uroughness"),
                          .vRoughness = p.scalarOrNull("vroughness"),
@@ -47,7 +55,7 @@ MaterialPtr conductor(const MaterialContext& c) {
 
 MaterialPtr dielectric(const MaterialContext& c) {
     const TextureParams& p = c.params;
-    return makeDielectric({.eta = p.scalarOrNull("eta"),
+    return makeDielectric({.eta = indexOf(p),
                            .roughness = p.scalarOrNull("roughness"),
                            .uRoughness = p.scalarOrNull("uroughness"),
                            .vRoughness = p.scalarOrNull("vroughness"),
@@ -56,13 +64,13 @@ MaterialPtr dielectric(const MaterialContext& c) {
 }
 
 MaterialPtr thinDielectric(const MaterialContext& c) {
-    return makeThinDielectric({.eta = c.params.scalarOrNull("eta"), .bump = bumpOf(c.params)});
+    return makeThinDielectric({.eta = indexOf(c.params), .bump = bumpOf(c.params)});
 }
 
 MaterialPtr diffuseTransmission(const MaterialContext& c) {
     const TextureParams& p = c.params;
-    return makeDiffuseTransmission({.reflectance = p.colorOrNull("reflectance"),
-                                    .transmittance = p.colorOrNull("transmittance"),
+    return makeDiffuseTransmission({.reflectance = reflectanceOf(p),
+                                    .transmittance = reflectanceOf(p, "transmittance"),
                                     .scale = p.getFloat("scale", 1),
                                     .bump = bumpOf(p)});
 }
@@ -74,7 +82,7 @@ CoatParams coatOf(const TextureParams& p, const std::string& prefix) {
     return {.roughness = p.scalarOrNull(prefix + "roughness"),
             .uRoughness = p.scalarOrNull(prefix + "uroughness"),
             .vRoughness = p.scalarOrNull(prefix + "vroughness"),
-            .eta = p.scalarOrNull(prefix + "eta"),
+            .eta = indexOf(p, prefix + "eta"),
             .thickness = p.scalarOrNull("thickness"),
             .albedo = p.colorOrNull("albedo"),
             .g = p.scalarOrNull("g")};
@@ -82,10 +90,8 @@ CoatParams coatOf(const TextureParams& p, const std::string& prefix) {
 
 MaterialPtr coatedDiffuse(const MaterialContext& c) {
     const TextureParams& p = c.params;
-    return makeCoatedDiffuse({.coat = coatOf(p, ""),
-                              .reflectance = p.colorOrNull("reflectance"),
-                              .remapRoughness = remapOf(p),
-                              .bump = bumpOf(p)});
+    return makeCoatedDiffuse(
+        {.coat = coatOf(p, ""), .reflectance = reflectanceOf(p), .remapRoughness = remapOf(p), .bump = bumpOf(p)});
 }
 
 MaterialPtr coatedConductor(const MaterialContext& c) {
@@ -93,7 +99,7 @@ MaterialPtr coatedConductor(const MaterialContext& c) {
     CoatedConductorParams made{.coat = coatOf(p, "interface."),
                                .eta = p.colorOrNull("conductor.eta"),
                                .k = p.colorOrNull("conductor.k"),
-                               .reflectance = p.colorOrNull("reflectance"),
+                               .reflectance = reflectanceOf(p),
                                .roughness = p.scalarOrNull("conductor.roughness"),
                                .uRoughness = p.scalarOrNull("conductor.uroughness"),
                                .vRoughness = p.scalarOrNull("conductor.vroughness"),
@@ -105,21 +111,10 @@ MaterialPtr coatedConductor(const MaterialContext& c) {
 
 MaterialPtr hair(const MaterialContext& c) {
     const TextureParams& p = c.params;
-    HairParams made{.sigmaA = p.colorOrNull("sigma_a"),
-                    .color = p.colorOrNull("reflectance"),
-                    .eumelanin = p.scalarOrNull("eumelanin"),
-                    .pheomelanin = p.scalarOrNull("pheomelanin"),
-                    .eta = p.scalarOrNull("eta"),
-                    .betaM = p.scalarOrNull("beta_m"),
-                    .betaN = p.scalarOrNull("beta_n"),
-                    .alpha = p.scalarOrNull("alpha"),
-                    .bump = bumpOf(p)};
-    const int ways = (made.sigmaA ? 1 : 0) + (made.color ? 1 : 0) + (made.eumelanin || made.pheomelanin ? 1 : 0);
-    if (ways > 1)
-        warn(p.own().pos(), p.own().owner() +
-                                " has its colour given in more than one way; of 'sigma_a', 'reflectance' and the "
-                                "pigments the first counts");
-    return makeHair(std::move(made));
+    RgbTexturePtr reflectance = reflectanceOf(p);
+    const RgbTexturePtr color = p.colorOrNull("color");  // pbrt takes this name, too
+    const std::string_view name = reflectance || !color ? "reflectance" : "color";
+    return makeHair(hairOf(p, reflectance ? std::move(reflectance) : color, name, bumpOf(p)));
 }
 
 // What a number leaves to one, as a grey.
@@ -140,24 +135,14 @@ MaterialPtr mix(const MaterialContext& c) {
     if (names == nullptr) fail(own.pos(), own.owner() + " needs the parameter \"string materials\" with two names");
     if (names->count() != 2)
         own.failAt(*names, "must have two materials' names, not " + std::to_string(names->count()));
-    MaterialPtr parts[2];
-    for (size_t i = 0; i < 2; ++i) {
-        const std::string& name = names->strings[i];
-        const auto found = c.materials.find(name);
-        if (!found)
-            own.failAt(*names, "names the material '" + name + "', which has not been defined" +
-                                   suggestion(name, c.materials.names()));
-        if (!found->material) own.failAt(*names, "names the material '" + name + "', which is an interface");
-        parts[i] = found->material;
-    }
-    MaterialPtr whole = makeMix({.first = parts[0],
-                                 .second = parts[1],
-                                 .amount = std::make_shared<Remainder>(c.params.scalar("amount", 0.5f))});
+    const MaterialPtr first = namedPart(c, names->strings[0], "first of 'materials'", names->valuePos);
+    const MaterialPtr second = namedPart(c, names->strings[1], "second of 'materials'", names->valuePos);
+    MaterialPtr whole = makeMix(
+        {.first = first, .second = second, .amount = std::make_shared<Remainder>(c.params.scalar("amount", 0.5f))});
     checkLobes(*whole, own.pos());
     return whole;
 }
 
-using MaterialMaker = MaterialPtr (*)(const MaterialContext&);
 constexpr Registered<MaterialMaker> kMaterials[] = {
     {"coatedconductor", coatedConductor},
     {"coateddiffuse", coatedDiffuse},
@@ -174,24 +159,29 @@ constexpr Registered<MaterialMaker> kMaterials[] = {
 
 }  // namespace
 
-MaterialPtr makeMaterialV4(const std::string& type, const ParamSet& params, const NamedTextures& textures,
-                           const NamedMaterials& materials) {
-    params.ignore({"type"});  // MakeNamedMaterial's
+std::shared_ptr<const MaterialInstance> makeMaterialV4(const std::string& type, ParamSet params,
+                                                       const NamedTextures& textures, const NamedMaterials& materials) {
+    auto instance = std::make_shared<MaterialInstance>();
+    instance->type = type;
+    instance->params = std::move(params);
+    const ParamSet& own = instance->params;
+    own.ignore({"type"});  // MakeNamedMaterial's
     if (type.empty() || type == "interface" || type == "none") {
-        params.ignoreAll();
-        return nullptr;
+        own.ignoreAll();
+        return instance;
     }
     const MaterialMaker make =
-        findMaker<MaterialMaker>(kMaterials, "material", type, params.pos(), "grey diffuse is used");
+        findMaker<MaterialMaker>(kMaterials, "material", type, own.pos(), "grey diffuse is used");
     if (make == nullptr) {
-        params.ignoreAll();
-        return makeMatte({});
+        own.ignoreAll();
+        instance->material = makeMatte({});
+        return instance;
     }
-    params.notBuilt({"normalmap"});
-    const TextureParams textureParams(params, textures);
-    MaterialPtr made = make({textureParams, materials});
-    params.warnUnused();
-    return made;
+    own.notBuilt({"normalmap"});
+    const TextureParams textureParams(own, textures);
+    instance->material = make({textureParams, materials});
+    own.warnUnused();
+    return instance;
 }
 
 }  // namespace drc::pbrt

@@ -2,9 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <iterator>
-#include <sstream>
-
 #include "base/log.h"
 #include "pbrt/material_comparison.h"
 #include "pbrt/param_parser.h"
@@ -33,8 +30,8 @@ class MaterialFactoryV4 : public testing::Test {
     }
     MaterialPtr load(const std::string& type, const std::string& parameters) {
         tokens_ = std::make_unique<TokenStream>(Source::fromText(parameters, "m.pbrt", "."));
-        params_ = parseParams(*tokens_, "material '" + type + "'", {}, files_);
-        return makeMaterialV4(type, params_, textures_, materials_);
+        ParamSet params = parseParams(*tokens_, "material '" + type + "'", {}, files_, {.dialect = Dialect::V4});
+        return makeMaterialV4(type, std::move(params), textures_, materials_)->material;
     }
     std::string errorOfLoading(const std::string& type, const std::string& parameters) {
         return errorOf([&] { load(type, parameters); });
@@ -49,7 +46,6 @@ class MaterialFactoryV4 : public testing::Test {
     NamedTextures textures_;
     NamedMaterials materials_;
     std::unique_ptr<TokenStream> tokens_;
-    ParamSet params_;
 };
 
 TEST_F(MaterialFactoryV4, Defaults) {
@@ -88,9 +84,7 @@ TEST_F(MaterialFactoryV4, Defaults) {
 }
 
 TEST_F(MaterialFactoryV4, EveryParameterCountsAndMayBeATexture) {
-    const struct {
-        const char *type, *others, *scalars, *colors;
-    } kCases[] = {
+    const ParameterCase kCases[] = {
         {"diffuse", "", "", "reflectance"},
         {"diffusetransmission", "", "", "reflectance transmittance"},
         {"dielectric", "", "eta roughness uroughness vroughness", ""},
@@ -105,23 +99,8 @@ TEST_F(MaterialFactoryV4, EveryParameterCountsAndMayBeATexture) {
         {"coatedconductor", "\"rgb albedo\" [.5 .5 .5]", "g", ""},
         {"hair", "", "eumelanin pheomelanin eta beta_m beta_n alpha", "sigma_a reflectance"},
     };
-    const auto words = [](const std::string& text) {
-        std::istringstream stream(text);
-        return std::vector<std::string>(std::istream_iterator<std::string>(stream), {});
-    };
-    for (const auto& c : kCases) {
-        const MaterialPtr plain = load(c.type, c.others);
-        const auto check = [&](const std::string& name, const std::string& value) {
-            const std::string others = std::string(c.others) + " ";
-            const MaterialPtr constant = load(c.type, others + value);
-            EXPECT_FALSE(alike(*plain, *constant)) << c.type << " " << name;
-            const std::string texture = "\"texture " + name + "\" \"t\"";
-            EXPECT_EQ(warningsOf(c.type, texture), 0) << c.type << " " << name;
-            EXPECT_TRUE(alike(*constant, *load(c.type, others + texture))) << c.type << name;
-        };
-        for (const std::string& name : words(c.scalars)) check(name, "\"float " + name + "\" .7");
-        for (const std::string& name : words(c.colors)) check(name, "\"rgb " + name + "\" [.6 .35 .7]");
-    }
+    for (const ParameterCase& c : kCases)
+        checkParameters(c, [&](const std::string& parameters) { return load(c.type, parameters); });
 }
 
 TEST_F(MaterialFactoryV4, RoughnessIsTheSquareOfAlphaUnlessToldNotTo) {
@@ -153,8 +132,20 @@ TEST_F(MaterialFactoryV4, Mix) {
     EXPECT_THAT(errorOfLoading("mix", "\"string materials\" [\"a\"]"),
                 HasSubstr("must have two materials' names, not 1"));
     EXPECT_THAT(errorOfLoading("mix", "\"string materials\" [\"a\" \"c\"]"),
-                HasSubstr("names the material 'c', which has not been defined"));
-    EXPECT_THAT(errorOfLoading("mix", "\"string materials\" [\"gone\" \"a\"]"), HasSubstr("which is an interface"));
+                HasSubstr("the mix material's second of 'materials' 'c' has not been defined"));
+    EXPECT_THAT(errorOfLoading("mix", "\"string materials\" [\"gone\" \"a\"]"), HasSubstr("'gone' is 'none'"));
+}
+
+TEST_F(MaterialFactoryV4, NumbersForGreysAndSpectraForIndices) {
+    EXPECT_TRUE(
+        alike(*load("diffuse", "\"float reflectance\" .3"), *load("diffuse", "\"rgb reflectance\" [.3 .3 .3]")));
+    EXPECT_TRUE(
+        alike(*load("dielectric", "\"spectrum eta\" [400 1.7 700 1.7]"), *load("dielectric", "\"float eta\" 1.7")));
+    EXPECT_FALSE(alike(*load("dielectric", "\"spectrum eta\" \"glass-F11\""), *load("dielectric", "")));
+    EXPECT_FALSE(alike(*load("conductor", "\"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\""),
+                       *load("conductor", "")));
+    EXPECT_EQ(warningsOf("conductor", "\"spectrum eta\" \"metal-CuZn-eta\""), 1);
+    EXPECT_EQ(warningsOf("conductor", "\"spectrum eta\" \"metal-TiO2-eta\" \"spectrum k\" \"metal-TiO2-k\""), 0);
 }
 
 TEST_F(MaterialFactoryV4, Errors) {

@@ -38,10 +38,16 @@ const Param& required(const ParamSet& params, std::string_view name, ParamType t
     return *param;
 }
 
-std::vector<uint32_t> readIndices(const ParamSet& params, size_t vertexCount) {
+// perFace vertices a face, 3 or 4. A mesh of one face needs none where optional (pbrt-v4).
+std::vector<uint32_t> readIndices(const ParamSet& params, size_t vertexCount, size_t perFace, bool optional) {
+    if (optional && vertexCount == perFace && !params.has("indices"))
+        return perFace == 3 ? std::vector<uint32_t>{0, 1, 2} : std::vector<uint32_t>{0, 1, 2, 3};
     const Param& indices = required(params, "indices", ParamType::Integer);
     const size_t n = indices.numbers.size();
-    if (n % 3 != 0) params.failAt(indices, "must have three values a triangle, found " + std::to_string(n));
+    if (n % perFace != 0)
+        params.failAt(indices, std::string("must have ") +
+                                   (perFace == 3 ? "three values a triangle" : "four values a patch") + ", found " +
+                                   std::to_string(n));
     std::vector<uint32_t> result(n);
     for (size_t i = 0; i < n; ++i) {
         const double index = indices.numbers[i];
@@ -67,14 +73,11 @@ std::vector<Vec2> readUvs(const ParamSet& params, size_t vertexCount) {
     return {};
 }
 
-}  // namespace
-
-Geometry triangleMesh(const ShapeContext& context) {
-    const ParamSet& params = context.params;
+// Vertices and what they carry.
+std::shared_ptr<TriangleMesh> readVertices(const ParamSet& params) {
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->positions = vectors<Vec3>(required(params, "P", ParamType::Point3));
     const size_t count = mesh->positions.size();
-    mesh->indices = readIndices(params, count);
     mesh->uvs = readUvs(params, count);
     if (const Param* normals = params.find("N", {ParamType::Normal3})) {
         if (normals->count() != count)
@@ -84,7 +87,10 @@ Geometry triangleMesh(const ShapeContext& context) {
     }
     params.notBuilt({"S"});
     params.ignore({"discarddegenerateUVs", "faceIndices"});
+    return mesh;
+}
 
+Geometry geometryOf(const ShapeContext& context, std::shared_ptr<TriangleMesh> mesh) {
     Geometry geometry;
     geometry.loadMesh = [mesh, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
         return placed(std::move(*mesh), toWorld, reverse);
@@ -92,9 +98,46 @@ Geometry triangleMesh(const ShapeContext& context) {
     return geometry;
 }
 
+// Corners in the order of a patch, (0,0) (1,0) (0,1) (1,1) of u and v, each with vertices of its own where several
+// patches share some: their coordinates differ.
+void giveCornersCoordinates(TriangleMesh& mesh, std::vector<uint32_t>& corners) {
+    TriangleMesh separate;
+    for (size_t i = 0; i < corners.size(); ++i) {
+        separate.positions.push_back(mesh.positions[corners[i]]);
+        if (!mesh.normals.empty()) separate.normals.push_back(mesh.normals[corners[i]]);
+        separate.uvs.push_back(Vec2(i % 2 == 1 ? 1.f : 0.f, i % 4 >= 2 ? 1.f : 0.f));
+        corners[i] = uint32_t(i);
+    }
+    mesh = std::move(separate);
+}
+
+}  // namespace
+
+Geometry triangleMesh(const ShapeContext& context) {
+    auto mesh = readVertices(context.params);
+    mesh->indices = readIndices(context.params, mesh->positions.size(), 3, context.dialect == Dialect::V4);
+    return geometryOf(context, std::move(mesh));
+}
+
+// A patch is two triangles along the diagonal from (0,0) to (1,1): exact where it is flat.
+Geometry bilinearMesh(const ShapeContext& context) {
+    const ParamSet& params = context.params;
+    auto mesh = readVertices(params);
+    std::vector<uint32_t> corners = readIndices(params, mesh->positions.size(), 4, true);
+    params.notBuilt({"emissionfilename"});
+    if (mesh->uvs.empty()) giveCornersCoordinates(*mesh, corners);
+    mesh->indices.reserve(corners.size() / 4 * 6);
+    for (size_t i = 0; i + 3 < corners.size(); i += 4) {
+        const uint32_t p00 = corners[i], p10 = corners[i + 1], p01 = corners[i + 2], p11 = corners[i + 3];
+        mesh->indices.insert(mesh->indices.end(), {p00, p10, p11, p00, p11, p01});
+    }
+    return geometryOf(context, std::move(mesh));
+}
+
 Geometry plyMesh(const ShapeContext& context) {
     const ParamSet& params = context.params;
     const Param& name = required(params, "filename", ParamType::String);
+    if (context.dialect == Dialect::V4) params.notBuilt({"displacement", "displacement.edgelength"});
     Geometry geometry;
     geometry.loadMesh = [path = context.files.find(params.getString("filename", ""), name.valuePos, "PLY file"),
                          toWorld = context.objectToWorld,
@@ -106,7 +149,8 @@ Geometry loopSubdivision(const ShapeContext& context) {
     const ParamSet& params = context.params;
     const auto positions =
         std::make_shared<const std::vector<Vec3>>(vectors<Vec3>(required(params, "P", ParamType::Point3)));
-    const auto indices = std::make_shared<const std::vector<uint32_t>>(readIndices(params, positions->size()));
+    const auto indices =
+        std::make_shared<const std::vector<uint32_t>>(readIndices(params, positions->size(), 3, false));
     const int levels = params.getInt("levels", params.getInt("nlevels", 3));
     if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
     params.ignore({"scheme"});  // pbrt knows one alone

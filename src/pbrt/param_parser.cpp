@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "image/color.h"
+#include "pbrt/illuminants.h"
 #include "pbrt/metal_spectra.h"
+#include "pbrt/named_spectra.h"
 #include "pbrt/spectrum.h"
 #include "pbrt/suggest.h"
 
@@ -13,10 +15,20 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\n\r";
 
+// What a colour is of. Indices of refraction and the like are numbers for each of red, green and blue, and no colours.
+enum class ColorUse { Light, Reflectance, Index };
+
+ColorUse useOf(const std::string& param, const ColorRules& rules) {
+    if (rules.isLight) return ColorUse::Light;
+    for (const std::string_view name : {"eta", "k", "sigma_a", "sigma_s", "mfp"})
+        if (param == name || param.ends_with("." + std::string(name))) return ColorUse::Index;
+    return ColorUse::Reflectance;
+}
+
 class ParamParser {
   public:
-    ParamParser(TokenStream& tokens, const FileSearch& files, const std::string& owner)
-        : tokens_(tokens), files_(files), owner_(owner) {}
+    ParamParser(TokenStream& tokens, const FileSearch& files, const std::string& owner, const ColorRules& rules)
+        : tokens_(tokens), files_(files), owner_(owner), rules_(rules) {}
 
     Param parse() {
         declaration(tokens_.next());
@@ -28,16 +40,13 @@ class ParamParser {
   private:
     void declaration(const Token& token) {
         const std::string text = token.value();
-        const size_t typeStart = text.find_first_not_of(kBlanks);
-        const size_t typeEnd = text.find_first_of(kBlanks, typeStart);
-        const size_t nameStart = text.find_first_not_of(kBlanks, typeEnd);
-        if (typeStart == std::string::npos || nameStart == std::string::npos)
+        ParamName declared = paramNameOf(text);
+        if (declared.name.empty())
             fail(token.pos, "expected a parameter of " + owner_ + " as \"type name\", found " + token.describe());
-        const size_t nameEnd = text.find_first_of(kBlanks, nameStart);
-        if (text.find_first_not_of(kBlanks, nameEnd) != std::string::npos)
+        if (declared.hasMore)
             fail(token.pos, "expected one type and one name in the parameter \"" + text + "\" of " + owner_);
-        param_.typeName = text.substr(typeStart, typeEnd - typeStart);
-        param_.name = text.substr(nameStart, nameEnd - nameStart);
+        param_.typeName = std::move(declared.type);
+        param_.name = std::move(declared.name);
         param_.pos = token.pos;
         const auto type = paramTypeNamed(param_.typeName);
         if (!type)
@@ -109,29 +118,71 @@ class ParamParser {
     }
 
     void convertColors() {
-        const std::vector<double>& n = param_.numbers;
         if (param_.typeName == "spectrum") {
             checkGroups(2);
+            const std::vector<double>& n = param_.numbers;
             std::vector<SpectrumSample> samples;
             for (size_t i = 0; i + 1 < n.size(); i += 2) samples.push_back({float(n[i]), float(n[i + 1])});
-            if (!samples.empty()) param_.colors.push_back(spectrumToRgb(std::move(samples)));
+            if (!samples.empty()) param_.colors.push_back(colorOf(std::move(samples)));
             for (const std::string& name : param_.strings) param_.colors.push_back(namedSpectrum(name));
         } else if (param_.typeName == "blackbody") {
-            checkGroups(2);
-            for (size_t i = 0; i + 1 < n.size(); i += 2)
-                param_.colors.push_back(blackbodyToRgb(float(n[i])) * float(n[i + 1]));
+            convertTemperatures();
         } else {
             checkGroups(3);
-            for (size_t i = 0; i < n.size() / 3; ++i) {
-                const Vec3 c = vec3At(n, i);
-                param_.colors.push_back(param_.typeName == "xyz" ? xyzToRgb(c) : Rgb(c.x, c.y, c.z));
+            for (size_t i = 0; i < param_.numbers.size() / 3; ++i) {
+                const Vec3 c = vec3At(param_.numbers, i);
+                param_.colors.push_back(param_.typeName == "xyz" ? xyzToRgb(c) : fromSpace(Rgb(c.x, c.y, c.z)));
             }
         }
     }
 
+    void convertTemperatures() {
+        const std::vector<double>& n = param_.numbers;
+        if (rules_.dialect == Dialect::V4) {
+            if (n.size() != 1)
+                fail(param_.valuePos, "parameter '" + param_.name + "' of " + owner_ +
+                                          " is of type 'blackbody', which in pbrt-v4 is a temperature alone, found " +
+                                          std::to_string(n.size()) + " numbers; how bright it is 'scale' says");
+            param_.colors.push_back(scaled(blackbodyToRgb(float(n[0]))));
+            return;
+        }
+        checkGroups(2);
+        for (size_t i = 0; i + 1 < n.size(); i += 2)
+            param_.colors.push_back(blackbodyToRgb(float(n[i])) * float(n[i + 1]));
+    }
+
+    // A colour of the file's own space.
+    Rgb fromSpace(const Rgb& c) const {
+        if (rules_.dialect == Dialect::V3 || rules_.space == &ColorSpace::srgb()) return c;
+        switch (useOf(param_.name, rules_)) {
+            case ColorUse::Light:
+                return rules_.space->light(c);
+            case ColorUse::Reflectance:
+                return rules_.space->reflectance(c);
+            case ColorUse::Index:
+                break;
+        }
+        return c;
+    }
+
+    // pbrt-v4 divides what a spectrum makes lights emit by its luminance.
+    Rgb scaled(const Rgb& c) const { return rules_.dialect == Dialect::V4 && rules_.isLight ? atUnitLuminance(c) : c; }
+
+    Rgb colorOf(std::vector<SpectrumSample> samples) const {
+        if (rules_.dialect == Dialect::V4 && useOf(param_.name, rules_) == ColorUse::Reflectance)
+            return reflectanceToRgb(std::move(samples));
+        return scaled(spectrumToRgb(std::move(samples)));
+    }
+
     Rgb namedSpectrum(const std::string& name) const {
+        bool isStandIn = false;
+        if (auto index = namedIndex(name, isStandIn)) {
+            if (isStandIn)
+                warn(param_.valuePos, "the spectrum '" + name + "' is not built in; copper stands in for it");
+            return colorOf(std::move(*index));
+        }
+        if (const auto illuminant = illuminantNamed(name)) return *illuminant;
         const auto metal = metalSpectrum(name);
-        if (metal && name.starts_with("metal-")) return spectrumToRgb(*metal);
         std::string path;
         try {
             path = files_.find(name, param_.valuePos, "spectrum file");
@@ -139,22 +190,34 @@ class ParamParser {
             if (!metal) throw;
             warn(param_.valuePos,
                  "cannot find the spectrum file '" + name + "'; measurements of this metal stand in for it");
-            return spectrumToRgb(*metal);
+            return colorOf(*metal);
         }
-        return spectrumToRgb(readSpdFile(path));
+        return colorOf(readSpdFile(path));
     }
 
     TokenStream& tokens_;
     const FileSearch& files_;
     const std::string& owner_;
+    const ColorRules& rules_;
     Param param_;
 };
 
 }  // namespace
 
-ParamSet parseParams(TokenStream& tokens, const std::string& owner, const SourcePos& pos, const FileSearch& files) {
+ParamName paramNameOf(const std::string& text) {
+    const size_t typeStart = text.find_first_not_of(kBlanks);
+    const size_t typeEnd = text.find_first_of(kBlanks, typeStart);
+    const size_t nameStart = text.find_first_not_of(kBlanks, typeEnd);
+    if (typeStart == std::string::npos || nameStart == std::string::npos) return {};
+    const size_t nameEnd = text.find_first_of(kBlanks, nameStart);
+    return {text.substr(typeStart, typeEnd - typeStart), text.substr(nameStart, nameEnd - nameStart),
+            text.find_first_not_of(kBlanks, nameEnd) != std::string::npos};
+}
+
+ParamSet parseParams(TokenStream& tokens, const std::string& owner, const SourcePos& pos, const FileSearch& files,
+                     const ColorRules& rules) {
     ParamSet params(owner, pos);
-    while (tokens.peek().kind == TokenKind::String) params.add(ParamParser(tokens, files, owner).parse());
+    while (tokens.peek().kind == TokenKind::String) params.add(ParamParser(tokens, files, owner, rules).parse());
     return params;
 }
 

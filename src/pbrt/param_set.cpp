@@ -80,6 +80,18 @@ void ParamSet::add(Param param) {
     params_.push_back(std::move(param));
 }
 
+void ParamSet::inherit(const ParamSet& defaults) {
+    const size_t own = params_.size();
+    for (const Param& param : defaults.params_) {
+        if (std::any_of(params_.begin(), params_.begin() + std::ptrdiff_t(own),
+                        [&](const Param& p) { return p.name == param.name; }))
+            continue;
+        params_.push_back(param);
+        params_.back().inherited = true;
+        params_.back().used = false;
+    }
+}
+
 void ParamSet::failAt(const Param& param, const std::string& complaint) const {
     fail(param.pos, "parameter '" + param.name + "' of " + owner_ + " " + complaint);
 }
@@ -169,7 +181,7 @@ size_t ParamSet::unusedCount() const {
 
 void ParamSet::warnUnused() const {
     for (const Param& param : params_) {
-        if (param.used) continue;
+        if (param.used || param.inherited) continue;
         param.used = true;  // one warning, however often the set is used
         warn(param.pos, "unknown parameter '" + param.name + "' of " + owner_ + "; ignored");
     }

@@ -25,6 +25,7 @@ struct Param {
     std::vector<std::string> strings;
     std::vector<bool> bools;
     std::vector<Rgb> colors;  // rgb, xyz, blackbody and spectrum, converted
+    bool inherited = false;   // from pbrt-v4's Attribute: may be meant for others
     mutable bool used = false;
 
     // Of type's units: points, not coordinates.
@@ -41,6 +42,8 @@ class ParamSet {
 
     // One of the same name and type is replaced, as in pbrt.
     void add(Param param);
+    // What the set does not name itself. Nobody need look these up.
+    void inherit(const ParamSet& defaults);
 
     float getFloat(std::string_view name, float fallback) const;
     int getInt(std::string_view name, int fallback) const;
@@ -65,6 +68,7 @@ class ParamSet {
     void warnUnused() const;
     size_t unusedCount() const;
 
+    const std::vector<Param>& all() const { return params_; }
     const std::string& owner() const { return owner_; }
     const SourcePos& pos() const { return pos_; }
     // Throws Error at the parameter: "parameter 'x' of material 'matte' " + complaint.

@@ -1,25 +1,41 @@
 #include "pbrt/parser.h"
 
+#include "base/log.h"
 #include "pbrt/directives.h"
 
 namespace drc::pbrt {
 
-Parser::Parser(std::unique_ptr<Source> main)
-    : tokens_(std::move(main)), files_(tokens_.mainSource().directory()), builder_(files_) {}
+Parser::Parser(std::shared_ptr<const Source> main) : Parser(main, FileSearch(main->directory())) {}
+
+Parser::Parser(std::shared_ptr<const Source> main, const FileSearch& files)
+    : tokens_(main), files_(files), dialect_(findDialect(main, files)), builder_(files_, dialect_.dialect) {
+    logDebug("the scene is read as " + dialect_.describe());
+}
 
 void Parser::directive(const Token& word) {
     if (word.kind != TokenKind::Word) fail(word.pos, "expected a directive, found " + word.describe());
     const Directive& entry = findDirective(word);
+    checkDialect(dialect_, entry.name, "", word.pos);
     if (entry.scope == DirectiveScope::World && !builder_.inWorld())
         fail(word.pos, std::string(entry.name) + " must come after WorldBegin");
     if (entry.scope == DirectiveScope::Options && builder_.inWorld())
         fail(word.pos, std::string(entry.name) + " must come before WorldBegin");
-    entry.run({tokens_, builder_, files_, entry.name, word.pos});
+    entry.run({tokens_, builder_, files_, dialect_, entry.name, word.pos});
+    if (entry.name == "Import") imports_.push_back({tokens_.depth(), word.pos});
     worldEnded_ = entry.name == "WorldEnd";
+}
+
+void Parser::endImports() {
+    tokens_.peek();  // leaves the files that have ended
+    while (!imports_.empty() && tokens_.depth() < imports_.back().depth) {
+        builder_.endBlock("Import", imports_.back().pos);
+        imports_.pop_back();
+    }
 }
 
 std::unique_ptr<Scene> Parser::parse(const LoadOptions& options) {
     for (;;) {
+        endImports();
         const Token token = tokens_.next();
         if (token.kind == TokenKind::End) {
             builder_.checkComplete(token.pos);

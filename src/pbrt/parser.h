@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "pbrt/dialect_scan.h"
 #include "pbrt/file_search.h"
 #include "pbrt/param_parser.h"
 #include "pbrt/scene_builder.h"
@@ -11,16 +12,25 @@ namespace drc::pbrt {
 
 class Parser {
   public:
-    explicit Parser(std::unique_ptr<Source> main);
-    // To be called once.
+    explicit Parser(std::shared_ptr<const Source> main);
+    // In the dialect that the file is written in. To be called once.
     std::unique_ptr<Scene> parse(const LoadOptions& options);
 
   private:
+    Parser(std::shared_ptr<const Source> main, const FileSearch& files);
     void directive(const Token& word);
+    // Ends the blocks of imported files that have been left.
+    void endImports();
 
     TokenStream tokens_;
     FileSearch files_;
+    DialectFinding dialect_;
     SceneBuilder builder_;
+    struct Import {
+        size_t depth;  // of files while it is read
+        SourcePos pos;
+    };
+    std::vector<Import> imports_;  // those still open
     bool worldEnded_ = false;
 };
 

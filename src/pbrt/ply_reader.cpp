@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "pbrt/gzip.h"
 #include "pbrt/mapped_file.h"
 #include "pbrt/ply_header.h"
 
@@ -257,8 +258,11 @@ class MeshReader {
 
 TriangleMesh readPly(const std::string& path) {
     const MappedFile file(path, "PLY file");
-    const PlyHeader header = parsePlyHeader(file.text(), path);
-    const std::string_view data = file.text().substr(header.dataOffset);
+    const bool packed = isGzip(file.text());
+    const std::string unpacked = packed ? gunzip(file.text(), path) : "";
+    const std::string_view text = packed ? std::string_view(unpacked) : file.text();
+    const PlyHeader header = parsePlyHeader(text, path);
+    const std::string_view data = text.substr(header.dataOffset);
     switch (header.format) {
         case PlyFormat::Ascii:
             return MeshReader(header, AsciiValues(data, path), path).read();

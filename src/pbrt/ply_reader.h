@@ -1,4 +1,4 @@
-// Triangle meshes from PLY files: ASCII and binary of either byte order.
+// Triangle meshes from PLY files: ASCII and binary of either byte order, compressed by gzip or not.
 #pragma once
 #include <string>
 

@@ -10,14 +10,14 @@
 
 namespace drc::pbrt {
 
-// Make is a function pointer; null: pbrt-v3 knows the name, and we have not built the thing.
+// Make is a function pointer; null: pbrt knows the name, and we have not built the thing.
 template <typename Make>
 struct Registered {
     std::string_view name;
     Make make;
 };
 
-// The maker of that name. Throws Error at pos for a name that pbrt-v3 does not know either; for one that is not built,
+// The maker of that name. Throws Error at pos for a name that pbrt does not know either; for one that is not built,
 // warns with the consequence ("the shape is left out") and returns null. kind is for messages: "shape".
 template <typename Make>
 Make findMaker(std::span<const Registered<Make>> table, const std::string& kind, const std::string& name,

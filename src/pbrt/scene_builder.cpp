@@ -1,12 +1,10 @@
 #include "pbrt/scene_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 
 #include "base/parallel.h"
-#include "pbrt/camera_factory.h"
-#include "pbrt/filter_factory.h"
-#include "pbrt/render_settings.h"
 #include "pbrt/suggest.h"
 
 namespace drc::pbrt {
@@ -26,14 +24,18 @@ std::string placeOf(const SourcePos& pos) {
 
 }  // namespace
 
-SceneBuilder::SceneBuilder(const FileSearch& files)
-    : files_(files),
-      camera_{"perspective", ParamSet("camera 'perspective'", {})},
-      film_{"image", ParamSet("film 'image'", {})},
-      filter_{"box", ParamSet("pixel filter 'box'", {})},
-      sampler_{"halton", ParamSet("sampler 'halton'", {})},
-      integrator_{"path", ParamSet("integrator 'path'", {})} {
-    state_.material = makeMaterial("matte", ParamSet("material 'matte'", {}), state_.textures, state_.namedMaterials);
+SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect)
+    : files_(files), dialect_(dialect), make_(factoriesOf(dialect)) {
+    const auto setting = [](const std::string& kind, const char* type) {
+        return Setting{type, ParamSet(kind + " '" + type + "'", {})};
+    };
+    camera_ = setting("camera", "perspective");
+    film_ = setting("film", make_.defaultFilm);
+    filter_ = setting("pixel filter", make_.defaultFilter);
+    sampler_ = setting("sampler", make_.defaultSampler);
+    integrator_ = setting("integrator", make_.defaultIntegrator);
+    state_.material = make_.material(make_.defaultMaterial, ParamSet("the default material", {}), state_.textures,
+                                     state_.namedMaterials);
 }
 
 void SceneBuilder::apply(const Transform& t, const SourcePos& pos) {
@@ -90,6 +92,10 @@ void SceneBuilder::beginBlock(const std::string& kind, const SourcePos& pos) { b
 
 void SceneBuilder::pop(const std::string& kind, const SourcePos& pos) {
     if (blocks_.empty()) fail(pos, kind + "End without " + kind + "Begin");
+    if (kind == "Import" && blocks_.back().kind != kind)
+        fail(blocks_.back().pos, "the " + blocks_.back().kind + "Begin is not ended in the imported file");
+    if (blocks_.back().kind == "Import" && kind != "Import")
+        fail(pos, kind + "End without " + kind + "Begin in the imported file");
     if (blocks_.back().kind != kind)
         fail(pos, kind + "End where the " + blocks_.back().kind + "Begin in " + placeOf(blocks_.back().pos) +
                       " must be ended first");
@@ -133,15 +139,41 @@ void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos)
 
 void SceneBuilder::reverseOrientation() { state_.reverseOrientation = !state_.reverseOrientation; }
 
+void SceneBuilder::attribute(const std::string& target, const ParamSet& params, const SourcePos& pos) {
+    const std::vector<std::string_view> targets = {"light", "material", "medium", "shape", "texture"};
+    if (std::find(targets.begin(), targets.end(), target) == targets.end())
+        fail(pos, "unknown target '" + target + "' of Attribute" + suggestion(target, targets));
+    // The last of each name counts.
+    ParamSet all = params;
+    all.inherit(state_.attributes[target]);
+    state_.attributes[target] = std::move(all);
+}
+
+void SceneBuilder::colorSpace(const std::string& name, const SourcePos& pos) {
+    state_.colorSpace = ColorSpace::named(name);
+    if (state_.colorSpace == nullptr)
+        fail(pos, "unknown colour space '" + name + "'" + suggestion(name, ColorSpace::names()));
+}
+
+ColorRules SceneBuilder::colorRules(bool isLight) const { return {dialect_, state_.colorSpace, isLight}; }
+
+ParamSet SceneBuilder::completed(const std::string& target, ParamSet params) const {
+    const auto found = state_.attributes.find(target);
+    if (found != state_.attributes.end()) params.inherit(found->second);
+    return params;
+}
+
 void SceneBuilder::material(const std::string& type, ParamSet params) {
-    state_.material = makeMaterial(type, std::move(params), state_.textures, state_.namedMaterials);
+    state_.material =
+        make_.material(type, completed("material", std::move(params)), state_.textures, state_.namedMaterials);
 }
 
 void SceneBuilder::makeNamedMaterial(const std::string& name, ParamSet params) {
     const Param* type = params.find("type", {ParamType::String});
     if (type == nullptr) fail(params.pos(), "the named material '" + name + "' needs the parameter \"string type\"");
     const std::string typeName = params.getString("type", "");
-    state_.namedMaterials.set(name, makeMaterial(typeName, std::move(params), state_.textures, state_.namedMaterials));
+    state_.namedMaterials.set(name, make_.material(typeName, completed("material", std::move(params)), state_.textures,
+                                                   state_.namedMaterials));
 }
 
 void SceneBuilder::namedMaterial(const std::string& name, const SourcePos& pos) {
@@ -153,8 +185,9 @@ void SceneBuilder::namedMaterial(const std::string& name, const SourcePos& pos) 
 
 void SceneBuilder::texture(const std::string& name, const std::string& valueType, const std::string& type,
                            ParamSet params) {
+    params = completed("texture", std::move(params));
     const TextureParams textureParams(params, state_.textures);
-    const TextureRequest request{textureParams, staticTransform(params.pos()), files_, textureFiles_};
+    const TextureRequest request{textureParams, staticTransform(params.pos()), files_, textureFiles_, dialect_};
     if (valueType == "float")
         state_.textures.scalars.set(name, makeFloatTexture(type, request));
     else if (valueType == "spectrum" || valueType == "color")
@@ -164,19 +197,21 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
     params.warnUnused();
 }
 
-void SceneBuilder::light(const std::string& type, const ParamSet& params) {
-    if (LightPtr light = makeLight(type, params, staticTransform(params.pos()), files_))
+void SceneBuilder::light(const std::string& type, ParamSet params) {
+    params = completed("light", std::move(params));
+    if (LightPtr light = make_.light(type, params, staticTransform(params.pos()), files_))
         scene_->lights.push_back(std::move(light));
 }
 
-void SceneBuilder::areaLight(const std::string& type, const ParamSet& params) {
-    state_.areaLight = makeAreaLight(type, params);
+void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
+    state_.areaLight = make_.areaLight(type, completed("light", std::move(params)));
 }
 
-void SceneBuilder::shape(const std::string& type, const ParamSet& params) {
-    const ShapeContext context{params, state_.textures, files_, staticTransform(params.pos()),
-                               state_.reverseOrientation};
-    auto geometry = makeShape(type, context);
+void SceneBuilder::shape(const std::string& type, ParamSet params) {
+    params = completed("shape", std::move(params));
+    const ShapeContext context{
+        params, state_.textures, files_, staticTransform(params.pos()), state_.reverseOrientation, dialect_};
+    auto geometry = make_.shape(type, context);
     if (!geometry) return;
     PendingPrimitive pending;
     pending.pos = params.pos();
@@ -185,7 +220,8 @@ void SceneBuilder::shape(const std::string& type, const ParamSet& params) {
     pending.primitive.shape = pending.geometry.shape;
     pending.primitive.alpha = pending.geometry.alpha;
     pending.primitive.shadowAlpha = pending.geometry.shadowAlpha;
-    pending.primitive.material = materialForShape(*state_.material, params, state_.textures, state_.namedMaterials);
+    pending.primitive.material =
+        make_.materialOfShape(*state_.material, params, state_.textures, state_.namedMaterials);
     params.warnUnused();
     if (joinCurves(pending)) return;
     if (state_.areaLight && openObject_) {
@@ -222,6 +258,7 @@ void SceneBuilder::checkComplete(const SourcePos& end) const {
     if (!blocks_.empty())
         fail(end, "the file ends before the " + blocks_.back().kind + "End of " + blocks_.back().kind + "Begin in " +
                       placeOf(blocks_.back().pos));
+    if (worldBegin_ && !make_.needsWorldEnd) return;
     if (worldBegin_) fail(end, "the file ends before the WorldEnd of WorldBegin in " + placeOf(*worldBegin_));
     fail(end, "the file ends without a WorldBegin");
 }
@@ -253,17 +290,21 @@ void SceneBuilder::loadMeshes() {
 
 std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     RenderSettings& settings = scene_->settings;
-    settings.filter = makeFilter(filter_.type, filter_.params);
-    applyFilm(film_.type, film_.params, settings);
-    applySampler(sampler_.type, sampler_.params, settings);
-    applyIntegrator(integrator_.type, integrator_.params, settings);
+    settings.filter = make_.filter(filter_.type, filter_.params);
+    make_.film(film_.type, film_.params, settings);
+    make_.sampler(sampler_.type, sampler_.params, settings);
+    make_.integrator(integrator_.type, integrator_.params, settings);
+    if (dialect_ == Dialect::V4) {
+        settings.filmScale *= exposureTimeV4(camera_.params);
+        settings.maxSampleLuminance /= settings.filmScale;  // the limit is one of the exposed picture
+    }
     if (options.resolution) {
         settings.film.width = options.resolution->width;
         settings.film.height = options.resolution->height;
     }
     if (worldToCamera_.isAnimated())
         warn(camera_.params.pos(), "moving cameras are not supported yet; that of the start time is used");
-    scene_->camera = makeCamera(camera_.type, camera_.params, worldToCamera_.start(), settings.film, files_);
+    scene_->camera = make_.camera(camera_.type, camera_.params, worldToCamera_.start(), settings.film, files_);
 
     loadMeshes();
     for (PendingPrimitive& p : pending_) {

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "pbrt/dialect_factories.h"
 #include "pbrt/file_search.h"
 #include "pbrt/graphics_state.h"
+#include "pbrt/param_parser.h"
 #include "pbrt/scene_file.h"
-#include "pbrt/shape_factory.h"
 #include "pbrt/texture_factory.h"
 #include "scene/scene.h"
 
@@ -18,7 +19,7 @@ namespace drc::pbrt {
 // Every pos is the directive's, for messages. All throw Error for what is wrong and cannot be mended with a warning.
 class SceneBuilder {
   public:
-    explicit SceneBuilder(const FileSearch& files);
+    SceneBuilder(const FileSearch& files, Dialect dialect);
 
     // Transformations. apply multiplies the current one from the right.
     void apply(const Transform& t, const SourcePos& pos);
@@ -39,21 +40,27 @@ class SceneBuilder {
     // Throws Error for blocks that are still open.
     void worldEnd(const SourcePos& pos);
 
-    // kind: "Attribute", "Transform".
+    // kind: "Attribute", "Transform", "Import".
     void beginBlock(const std::string& kind, const SourcePos& pos);
     void endBlock(const std::string& kind, const SourcePos& pos);
     void objectBegin(const std::string& name, const SourcePos& pos);
     void objectEnd(const SourcePos& pos);
     void objectInstance(const std::string& name, const SourcePos& pos);
 
+    // pbrt-v4's. Throws Error for a target that does not exist.
+    void attribute(const std::string& target, const ParamSet& params, const SourcePos& pos);
+    void colorSpace(const std::string& name, const SourcePos& pos);
+    // By which colours are to be read now.
+    ColorRules colorRules(bool isLight) const;
+
     void reverseOrientation();
     void material(const std::string& type, ParamSet params);
     void makeNamedMaterial(const std::string& name, ParamSet params);
     void namedMaterial(const std::string& name, const SourcePos& pos);
     void texture(const std::string& name, const std::string& valueType, const std::string& type, ParamSet params);
-    void light(const std::string& type, const ParamSet& params);
-    void areaLight(const std::string& type, const ParamSet& params);
-    void shape(const std::string& type, const ParamSet& params);
+    void light(const std::string& type, ParamSet params);
+    void areaLight(const std::string& type, ParamSet params);
+    void shape(const std::string& type, ParamSet params);
 
     // Throws Error, at the end of the file, if the scene is cut short.
     void checkComplete(const SourcePos& end) const;
@@ -87,7 +94,12 @@ class SceneBuilder {
     void pop(const std::string& kind, const SourcePos& pos);
     void loadMeshes();
 
+    // With what Attribute gives to things of that kind.
+    ParamSet completed(const std::string& target, ParamSet params) const;
+
     const FileSearch& files_;
+    Dialect dialect_;
+    const DialectFactories& make_;
     GraphicsState state_;
     std::vector<Block> blocks_;
     std::map<std::string, TransformSet> coordinateSystems_;

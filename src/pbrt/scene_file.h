@@ -1,4 +1,4 @@
-// Scenes from pbrt-v3 files.
+// Scenes from files of pbrt-v3 and pbrt-v4.
 #pragma once
 #include <memory>
 #include <optional>
@@ -12,8 +12,9 @@ struct LoadOptions {
     std::optional<FilmGeometry> resolution;  // instead of the file's
 };
 
+// Which of the two a file is written in is found out by its words (dialect_scan.h); -v says which, and by what.
 // Everything that the scene needs is read, and everything that can be wrong found out, before this returns. Throws
-// Error for what is malformed, missing or unknown; what pbrt-v3 knows and we have not built gives a warning.
+// Error for what is malformed, missing or unknown; what pbrt knows and we have not built gives a warning.
 std::unique_ptr<Scene> loadPbrtFile(const std::string& path, const LoadOptions& options = {});
 // The same for a text. Relative paths start in directory; messages call the text name.
 std::unique_ptr<Scene> loadPbrtString(const std::string& text, const std::string& directory = ".",

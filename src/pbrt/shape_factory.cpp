@@ -120,16 +120,31 @@ constexpr Registered<ShapeMaker> kShapes[] = {
     {"trianglemesh", triangleMesh},
 };
 
+constexpr Registered<ShapeMaker> kShapesV4[] = {
+    {"bilinearmesh", bilinearMesh},  {"curve", curve},     {"cylinder", cylinder}, {"disk", disk},
+    {"loopsubdiv", loopSubdivision}, {"plymesh", plyMesh}, {"sphere", sphere},     {"trianglemesh", triangleMesh},
+};
+
+std::optional<Geometry> make(std::span<const Registered<ShapeMaker>> table, const std::string& type,
+                             const ShapeContext& context) {
+    const auto maker = findMaker<ShapeMaker>(table, "shape", type, context.params.pos(), "the shape is left out");
+    if (maker == nullptr) return std::nullopt;
+    Geometry geometry = maker(context);
+    if (!geometry.shape && !geometry.loadMesh) return std::nullopt;
+    geometry.alpha = maskOf(context, "alpha");
+    return geometry;
+}
+
 }  // namespace
 
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context) {
-    const auto make = findMaker<ShapeMaker>(kShapes, "shape", type, context.params.pos(), "the shape is left out");
-    if (make == nullptr) return std::nullopt;
-    Geometry geometry = make(context);
-    if (!geometry.shape && !geometry.loadMesh) return std::nullopt;
-    geometry.alpha = maskOf(context, "alpha");
-    geometry.shadowAlpha = maskOf(context, "shadowalpha");
+    std::optional<Geometry> geometry = make(kShapes, type, context);
+    if (geometry) geometry->shadowAlpha = maskOf(context, "shadowalpha");
     return geometry;
+}
+
+std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext& context) {
+    return make(kShapesV4, type, context);
 }
 
 }  // namespace drc::pbrt

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "pbrt/dialect.h"
 #include "pbrt/file_search.h"
 #include "pbrt/texture_params.h"
 #include "scene/curves.h"
@@ -19,6 +20,7 @@ struct ShapeContext {
     const FileSearch& files;
     Transform objectToWorld;
     bool reverseOrientation = false;
+    Dialect dialect = Dialect::V3;
 };
 
 // Exactly one of shape and loadMesh is set.
@@ -34,5 +36,7 @@ struct Geometry {
 // parameters; a missing file is found here, a damaged one when the mesh is loaded. Leaves unknown parameters for the
 // material.
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context);
+// pbrt-v4's, which may all have an alpha mask.
+std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext& context);
 
 }  // namespace drc::pbrt

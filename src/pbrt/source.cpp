@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/log.h"
+#include "pbrt/gzip.h"
 
 namespace drc::pbrt {
 namespace {
@@ -16,6 +17,10 @@ constexpr size_t kExcerptWidth = 100;
 std::unique_ptr<Source> Source::fromFile(const std::string& path) {
     auto source = std::make_unique<Source>();
     source->file_ = std::make_unique<MappedFile>(path, "scene file");
+    if (isGzip(source->file_->text())) {
+        source->text_ = gunzip(source->file_->text(), path);
+        source->file_ = nullptr;
+    }
     source->name_ = path;
     source->directory_ = std::filesystem::path(path).parent_path().string();
     return source;

@@ -14,7 +14,7 @@ namespace drc::pbrt {
 // One file, or a text in memory, that is being read. Lives as long as anything refers to places in it.
 class Source {
   public:
-    // Maps the file. Throws Error if it cannot be read.
+    // Maps the file, or unpacks it if gzip has compressed it. Throws Error if it cannot be read.
     static std::unique_ptr<Source> fromFile(const std::string& path);
     // name stands for the file in messages; directory is where relative paths start.
     static std::unique_ptr<Source> fromText(std::string text, std::string name, std::string directory);

@@ -5,6 +5,7 @@
 
 #include "image/color.h"
 #include "pbrt/cie.h"
+#include "pbrt/illuminants.h"
 #include "pbrt/tokenizer.h"
 
 namespace drc::pbrt {
@@ -25,6 +26,27 @@ Rgb integrate(const Spectrum& spectrum) {
     return xyzToRgb(Vec3(float(x / norm), float(y / norm), float(z / norm)));
 }
 
+// Sorts the samples, and is then a function of the wavelength.
+class Interpolated {
+  public:
+    explicit Interpolated(std::vector<SpectrumSample> samples) : samples_(std::move(samples)) {
+        std::stable_sort(samples_.begin(), samples_.end(),
+                         [](const auto& a, const auto& b) { return a.wavelength < b.wavelength; });
+    }
+    double operator()(double nm) const {
+        const auto above = std::lower_bound(samples_.begin(), samples_.end(), nm,
+                                            [](const SpectrumSample& s, double w) { return s.wavelength < w; });
+        if (above == samples_.begin()) return samples_.front().value;
+        if (above == samples_.end()) return samples_.back().value;
+        const SpectrumSample &a = above[-1], &b = above[0];
+        const double t = (nm - a.wavelength) / (b.wavelength - a.wavelength);
+        return a.value + t * (b.value - a.value);
+    }
+
+  private:
+    std::vector<SpectrumSample> samples_;  // not empty
+};
+
 double planck(double nm, double kelvin) {
     constexpr double kC2 = 1.438776877e7;  // second radiation constant, nm K
     const double l = nm * 1e-3;            // um, to stay within range; the factor cancels
@@ -35,17 +57,19 @@ double planck(double nm, double kelvin) {
 
 Rgb spectrumToRgb(std::vector<SpectrumSample> samples) {
     if (samples.empty()) return Rgb(0.f);
-    std::stable_sort(samples.begin(), samples.end(),
-                     [](const auto& a, const auto& b) { return a.wavelength < b.wavelength; });
-    return integrate([&](double nm) -> double {
-        const auto above = std::lower_bound(samples.begin(), samples.end(), nm,
-                                            [](const SpectrumSample& s, double w) { return s.wavelength < w; });
-        if (above == samples.begin()) return samples.front().value;
-        if (above == samples.end()) return samples.back().value;
-        const SpectrumSample &a = above[-1], &b = above[0];
-        const double t = (nm - a.wavelength) / (b.wavelength - a.wavelength);
-        return a.value + t * (b.value - a.value);
-    });
+    return integrate(Interpolated(std::move(samples)));
+}
+
+Rgb reflectanceToRgb(std::vector<SpectrumSample> samples) {
+    if (samples.empty()) return Rgb(0.f);
+    const Interpolated reflectance(std::move(samples));
+    static const Rgb kWhite = integrate([](double nm) { return double(d65At(float(nm))); });
+    return integrate([&](double nm) { return reflectance(nm) * double(d65At(float(nm))); }) / kWhite;
+}
+
+Rgb atUnitLuminance(const Rgb& color) {
+    const float y = luminance(color);
+    return y > 0 ? color / y : Rgb(0.f);
 }
 
 Rgb blackbodyToRgb(float kelvin) {

@@ -75,5 +75,20 @@ TEST(SpdFile, SaysWhereItIsMalformed) {
     EXPECT_THAT(errorOf([&] { readSpdFile(folder.write("b.spd", "400 1 500")); }), testing::HasSubstr("has no value"));
 }
 
+TEST(Spectrum, ReflectancesAreSeenInDaylight) {
+    EXPECT_LT(length(reflectanceToRgb({{400, 0.5f}, {700, 0.5f}}) - Rgb(0.5f)), 1e-5f);
+    const Rgb red = reflectanceToRgb({{580, 0}, {620, 1}});
+    EXPECT_GT(red.x, 0.8f);
+    EXPECT_LT(red.z, 0.05f);
+    EXPECT_EQ(reflectanceToRgb({}), Rgb(0.f));
+}
+
+TEST(Spectrum, UnitLuminanceKeepsTheColor) {
+    const Rgb c = atUnitLuminance(Rgb(2, 4, 1));
+    EXPECT_NEAR(luminance(c), 1, 1e-6f);
+    EXPECT_NEAR(c.y / c.x, 2, 1e-5f);
+    EXPECT_EQ(atUnitLuminance(Rgb(0.f)), Rgb(0.f));
+}
+
 }  // namespace
 }  // namespace drc::pbrt

@@ -64,5 +64,12 @@ inline std::string errorOfWorld(const std::string& text, const std::string& dire
 inline std::unique_ptr<Scene> loadWorld(const std::string& text, const std::string& directory = ".") {
     return loadPbrtString("WorldBegin\n" + text + "\nWorldEnd\n", directory, {}, "s.pbrt");
 }
+// The same in pbrt-v4's words: between the film and WorldBegin, on line 1, and the end.
+inline std::unique_ptr<Scene> loadWorldV4(const std::string& text, const std::string& directory = ".") {
+    return loadPbrtString("Film \"rgb\" WorldBegin\n" + text + "\n", directory, {}, "s.pbrt");
+}
+inline std::string errorOfWorldV4(const std::string& text, const std::string& directory = ".") {
+    return errorOf([&] { loadWorldV4(text, directory); });
+}
 
 }  // namespace drc::pbrt

@@ -6,6 +6,7 @@
 #include "pbrt/texture_mappings.h"
 #include "scene/texture_bilerp.h"
 #include "scene/texture_checkerboard.h"
+#include "scene/texture_convert.h"
 #include "scene/texture_dots.h"
 #include "scene/texture_imagemap.h"
 #include "scene/texture_marble.h"
@@ -35,9 +36,9 @@ TexturePtr<T> placeholder() {
 }
 
 Mapping2D mapping2DOf(const TextureRequest& request) {
-    return makeMapping2D(request.params.own(), request.textureToWorld);
+    return makeMapping2D(request.params.own(), request.textureToWorld, request.dialect);
 }
-Mapping3D mapping3DOf(const TextureRequest& request) { return makeMapping3D(request.textureToWorld); }
+Mapping3D mapping3DOf(const TextureRequest& request) { return makeMapping3D(request.textureToWorld, request.dialect); }
 
 NoiseSum noiseOf(const ParamSet& own) {
     const NoiseSum sum{own.getInt("octaves", 8), own.getFloat("roughness", 0.5f)};
@@ -57,10 +58,28 @@ TexturePtr<T> scale(const TextureRequest& request) {
     return makeScaleTexture<T>(part<T>(request, "tex1", 1), part<T>(request, "tex2", 1));
 }
 
+// pbrt-v4's second factor is a number.
+template <typename T>
+TexturePtr<T> scaleV4(const TextureRequest& request) {
+    const FloatTexturePtr factor = request.params.scalar("scale", 1);
+    if constexpr (std::is_same_v<T, float>)
+        return makeScaleTexture<T>(part<T>(request, "tex", 1), factor);
+    else
+        return makeScaleTexture<T>(part<T>(request, "tex", 1), makeGreyTexture(factor));
+}
+
 template <typename T>
 TexturePtr<T> mix(const TextureRequest& request) {
     return makeMixTexture<T>(part<T>(request, "tex1", 0), part<T>(request, "tex2", 1),
                              request.params.scalar("amount", 0.5f));
+}
+
+template <typename T>
+TexturePtr<T> directionMix(const TextureRequest& request) {
+    const ParamSet& own = request.params.own();
+    own.ignore({"dir"});
+    warn(own.pos(), "texture 'directionmix' is not supported yet; its two textures are mixed evenly");
+    return makeMixTexture<T>(part<T>(request, "tex1", 0), part<T>(request, "tex2", 1), constantTexture(0.5f));
 }
 
 CheckerboardEdges edgesOf(const ParamSet& own) {
@@ -114,7 +133,7 @@ TexturePtr<T> windy(const TextureRequest& request) {
     return makeWindyTexture<T>(mapping3DOf(request));
 }
 
-// For textures whose values pbrt-v3 has no numbers for.
+// For textures whose values pbrt has no numbers for.
 [[noreturn]] void failForNumbers(const TextureRequest& request, const std::string& type) {
     const ParamSet& own = request.params.own();
     fail(own.pos(), own.owner() + " must be of type 'spectrum': '" + type + "' gives colours, not numbers");
@@ -145,7 +164,39 @@ ImageWrap wrapOf(const TextureParams& p) {
     if (wrap == "repeat") return ImageWrap::Repeat;
     if (wrap == "black") return ImageWrap::Black;
     if (wrap == "clamp") return ImageWrap::Clamp;
+    if (wrap == "octahedralsphere") {
+        warn(p.own().pos(), "the wrap mode 'octahedralsphere' is not supported yet; 'repeat' is used");
+        return ImageWrap::Repeat;
+    }
     fail(p.own().pos(), "unknown wrap mode '" + wrap + "'" + suggestion(wrap, {"repeat", "black", "clamp"}));
+}
+
+TexelGamma gammaOf(const ParamSet& own) {
+    if (!own.has("gamma")) return TexelGamma::FromFile;
+    return own.getBool("gamma", true) ? TexelGamma::Srgb : TexelGamma::Linear;
+}
+
+// What pbrt-v4 takes the numbers of pictures for that store small integers; those of others are linear.
+TexelGamma encodingOf(const ParamSet& own) {
+    const std::string encoding = own.getString("encoding", "sRGB");
+    if (encoding == "sRGB") return TexelGamma::FromFile;
+    if (encoding == "linear") return TexelGamma::Linear;
+    const SourcePos pos = own.find("encoding", {ParamType::String})->valuePos;
+    if (!encoding.starts_with("gamma "))
+        fail(pos, "the 'encoding' of " + own.owner() + " must be 'sRGB', 'linear' or 'gamma' with a number, not '" +
+                      encoding + "'");
+    warn(pos, "the encoding '" + encoding + "' is not supported yet; that of sRGB is used");
+    return TexelGamma::FromFile;
+}
+
+// Every lookup is filtered over what the ray's cone covers, whatever pbrt-v4 is told: 'point', 'bilinear', its default,
+// and 'EWA' come to the same picture with enough samples.
+bool isTrilinear(const ParamSet& own) {
+    const std::string filter = own.getString("filter", "bilinear");
+    if (filter != "point" && filter != "bilinear" && filter != "trilinear" && filter != "EWA" && filter != "ewa")
+        fail(own.find("filter", {ParamType::String})->valuePos,
+             "unknown texture filter '" + filter + "'" + suggestion(filter, {"point", "bilinear", "trilinear", "EWA"}));
+    return filter == "trilinear";
 }
 
 template <typename T>
@@ -154,21 +205,22 @@ TexturePtr<T> imageMap(const TextureRequest& request) {
     const Param* name = p.own().find("filename", {ParamType::String});
     if (name == nullptr) fail(p.own().pos(), p.own().owner() + " needs the parameter 'filename' of type 'string'");
     const std::string path = request.files.find(p.getString("filename", ""), name->valuePos, "texture");
-    const TexelGamma gamma = !p.own().has("gamma")            ? TexelGamma::FromFile
-                             : p.own().getBool("gamma", true) ? TexelGamma::Srgb
-                                                              : TexelGamma::Linear;
+    const bool v4 = request.dialect == Dialect::V4;
+    const TexelGamma gamma = v4 ? encodingOf(p.own()) : gammaOf(p.own());
     ImageMapParams params;
     params.mapping = mapping2DOf(request);
     params.wrap = wrapOf(p);
     params.scale = p.getFloat("scale", 1);
-    params.trilinear = p.getBool("trilinear", false);
+    params.trilinear = v4 ? isTrilinear(p.own()) : p.getBool("trilinear", false);
     params.maxAnisotropy = p.getFloat("maxanisotropy", 8);
     if (!(params.maxAnisotropy >= 1))
         fail(p.own().pos(), "the 'maxanisotropy' of " + p.own().owner() + " must be at least 1");
+    TexturePtr<T> texture;
     if constexpr (std::is_same_v<T, float>)
-        return makeImageMap(request.images.scalar(path, gamma, name->valuePos), params);
+        texture = makeImageMap(request.images.scalar(path, gamma, name->valuePos), params);
     else
-        return makeImageMap(request.images.color(path, gamma, name->valuePos), params);
+        texture = makeImageMap(request.images.color(path, gamma, name->valuePos), params);
+    return v4 && p.getBool("invert", false) ? makeInvertedTexture<T>(texture) : texture;
 }
 
 template <typename T>
@@ -191,9 +243,22 @@ constexpr Registered<TextureMaker<T>> kTextures[] = {
 };
 
 template <typename T>
+constexpr Registered<TextureMaker<T>> kTexturesV4[] = {
+    {"bilerp", bilerp<T>},     {"checkerboard", checkerboard<T>},
+    {"constant", constant<T>}, {"directionmix", directionMix<T>},
+    {"dots", dots<T>},         {"fbm", fbmTexture<T>},
+    {"imagemap", imageMap<T>}, {"marble", marble<T>},
+    {"mix", mix<T>},           {"ptex", nullptr},
+    {"scale", scaleV4<T>},     {"windy", windy<T>},
+    {"wrinkled", wrinkled<T>},
+};
+
+template <typename T>
 TexturePtr<T> make(const std::string& type, const TextureRequest& request) {
     const ParamSet& own = request.params.own();
-    const auto maker = findMaker<TextureMaker<T>>(kTextures<T>, "texture", type, own.pos(), "the constant 0.5 is used");
+    const std::span<const Registered<TextureMaker<T>>> table =
+        request.dialect == Dialect::V3 ? std::span(kTextures<T>) : std::span(kTexturesV4<T>);
+    const auto maker = findMaker<TextureMaker<T>>(table, "texture", type, own.pos(), "the constant 0.5 is used");
     if (maker != nullptr) return maker(request);
     own.ignoreAll();
     return placeholder<T>();

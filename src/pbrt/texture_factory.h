@@ -3,6 +3,7 @@
 #include <string>
 
 #include "math/transform.h"
+#include "pbrt/dialect.h"
 #include "pbrt/file_search.h"
 #include "pbrt/texture_files.h"
 #include "pbrt/texture_params.h"
@@ -15,10 +16,11 @@ struct TextureRequest {
     Transform textureToWorld;
     const FileSearch& files;
     TextureFiles& images;
+    Dialect dialect = Dialect::V3;
 };
 
-// What is not built becomes the constant 0.5, with a warning. Throw Error for a type that pbrt-v3 does not know either,
-// for wrong parameters and for an image that is missing or damaged.
+// By the request's dialect. What is not built becomes the constant 0.5, with a warning. Throw Error for a type that
+// pbrt does not know either, for wrong parameters and for an image that is missing or damaged.
 FloatTexturePtr makeFloatTexture(const std::string& type, const TextureRequest& request);
 RgbTexturePtr makeRgbTexture(const std::string& type, const TextureRequest& request);
 

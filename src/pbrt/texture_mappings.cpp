@@ -22,9 +22,18 @@ void warnOfOthers(const ParamSet& texture, const std::string& mapping, std::init
     texture.ignore(others);
 }
 
+// pbrt-v4's planes lie in the texture's space, pbrt-v3's in the world's: vs . (M p + t) = (transposed M vs) . p + vs .
+// t.
+Mapping2D planarIn(const Transform& worldToTexture, const Vec3& vs, const Vec3& vt, const Vec2& delta) {
+    const Vec3 x = worldToTexture.vector(Vec3(1, 0, 0)), y = worldToTexture.vector(Vec3(0, 1, 0)),
+               z = worldToTexture.vector(Vec3(0, 0, 1)), t = worldToTexture.point(Vec3(0, 0, 0));
+    const auto turned = [&](const Vec3& v) { return Vec3(dot(x, v), dot(y, v), dot(z, v)); };
+    return Mapping2D::planar(turned(vs), turned(vt), delta + Vec2(dot(t, vs), dot(t, vt)));
+}
+
 }  // namespace
 
-Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld) {
+Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld, Dialect dialect) {
     const std::string type = texture.getString("mapping", "uv");
     if (type == "uv") {
         UvMapping mapping;
@@ -39,7 +48,8 @@ Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld
         const Vec3 vs = vectorOf(texture, "v1", Vec3(1, 0, 0)), vt = vectorOf(texture, "v2", Vec3(0, 1, 0));
         const Vec2 delta(texture.getFloat("udelta", 0), texture.getFloat("vdelta", 0));
         warnOfOthers(texture, type, {"uscale", "vscale"});
-        return Mapping2D::planar(vs, vt, delta);
+        if (dialect == Dialect::V3) return Mapping2D::planar(vs, vt, delta);
+        return planarIn(textureToWorld.inverse(), vs, vt, delta);
     }
     if (type == "spherical" || type == "cylindrical") {
         warnOfOthers(texture, type, {"uscale", "vscale", "udelta", "vdelta", "v1", "v2"});
@@ -51,7 +61,10 @@ Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld
 }
 
 // pbrt-v3 applies the current transformation itself to points of the world, not its inverse, as it does for the 2D
-// mappings. Its scenes are made to look right that way: "Scale 10 10 10" makes noise ten times as fine.
-Mapping3D makeMapping3D(const Transform& textureToWorld) { return Mapping3D(textureToWorld); }
+// mappings. Its scenes are made to look right that way: "Scale 10 10 10" makes noise ten times as fine. In pbrt-v4 it
+// makes it ten times as coarse.
+Mapping3D makeMapping3D(const Transform& textureToWorld, Dialect dialect) {
+    return Mapping3D(dialect == Dialect::V3 ? textureToWorld : textureToWorld.inverse());
+}
 
 }  // namespace drc::pbrt

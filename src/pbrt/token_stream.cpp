@@ -14,7 +14,7 @@ std::string canonical(const std::string& path) {
 
 }  // namespace
 
-TokenStream::TokenStream(std::unique_ptr<Source> main) {
+TokenStream::TokenStream(std::shared_ptr<const Source> main) {
     stack_.push_back({Tokenizer(*main), canonical(main->name())});
     sources_.push_back(std::move(main));
 }

@@ -13,7 +13,7 @@ class TokenStream {
   public:
     static constexpr size_t kMaxIncludeDepth = 64;
 
-    explicit TokenStream(std::unique_ptr<Source> main);
+    explicit TokenStream(std::shared_ptr<const Source> main);
 
     const Token& peek();
     Token next();
@@ -25,6 +25,8 @@ class TokenStream {
     Token expectString(const std::string& purpose);
     double expectNumber(const std::string& purpose);
 
+    // How many files are open: 1 in the main one. A file is left when the token after its last is peeked at.
+    size_t depth() const { return stack_.size(); }
     const Source& mainSource() const { return *sources_.front(); }
 
   private:
@@ -33,7 +35,7 @@ class TokenStream {
         std::string canonicalPath;
     };
 
-    std::vector<std::unique_ptr<Source>> sources_;  // all that were ever opened: places refer to them
+    std::vector<std::shared_ptr<const Source>> sources_;  // all that were ever opened: places refer to them
     std::vector<Frame> stack_;
     std::optional<Token> ahead_;
 };

@@ -67,8 +67,11 @@ class AreaLight : public Light {
 
 LightPtr makePointLight(const Vec3& position, const Rgb& intensity);
 // The three below shine from the origin of their space. Spot: along +z, fading to nothing over the outermost degrees of
-// a cone whose half-angle is coneDegrees.
-LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees);
+// a cone whose half-angle is coneDegrees. With x what the cosine has of the way from the edge to the full intensity,
+// the light there is x^4 (Steep: PBR 3e, section 12.3.1) or 3 x^2 - 2 x^3 (Smooth: PBR 4e, section 12.2.1).
+enum class SpotEdge { Steep, Smooth };
+LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees,
+                       SpotEdge edge = SpotEdge::Steep);
 // image empty: equally bright everywhere; else it multiplies the intensity, and says what its rows and columns are
 // where the lights are written. fovDegrees: of the picture's shorter side.
 LightPtr makeGoniometricLight(const Transform& lightToWorld, const Rgb& intensity, LightImage image);

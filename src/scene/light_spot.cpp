@@ -6,14 +6,18 @@ namespace {
 
 class SpotLight final : public DirectedPointLight {
   public:
-    SpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees)
+    SpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees, SpotEdge edge)
         : DirectedPointLight(lightToWorld, intensity),
+          edge_(edge),
           cosEdge_(std::cos(coneDegrees * kPi / 180)),
           cosFull_(std::cos(std::max(0.f, coneDegrees - fadeDegrees) * kPi / 180)),
           cone_(coneDegrees * kPi / 180) {}
 
-    // The fading edge holds a fifth of what it would hold unfaded: the integral of x^4.
-    Rgb power(float) const override { return intensity_ * (2 * kPi * ((1 - cosFull_) + (cosFull_ - cosEdge_) * 0.2f)); }
+    // The fading edge holds a fifth, or a half, of what it would hold unfaded: the integral over x.
+    Rgb power(float) const override {
+        const float share = edge_ == SpotEdge::Steep ? 0.2f : 0.5f;
+        return intensity_ * (2 * kPi * ((1 - cosFull_) + (cosFull_ - cosEdge_) * share));
+    }
     LightReach reach() const override {
         LightReach r{bounds(), axis_};
         r.intensity = luminance(intensity_);
@@ -29,17 +33,20 @@ class SpotLight final : public DirectedPointLight {
     float falloff(float cosTheta) const {
         if (cosTheta <= cosEdge_) return 0;
         if (cosTheta >= cosFull_) return 1;
-        return sqr(sqr((cosTheta - cosEdge_) / (cosFull_ - cosEdge_)));
+        const float x = (cosTheta - cosEdge_) / (cosFull_ - cosEdge_);
+        return edge_ == SpotEdge::Steep ? sqr(sqr(x)) : sqr(x) * (3 - 2 * x);
     }
 
+    SpotEdge edge_;
     float cosEdge_, cosFull_;
     float cone_;  // radians from the axis to the edge
 };
 
 }  // namespace
 
-LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees) {
-    return std::make_shared<SpotLight>(lightToWorld, intensity, coneDegrees, fadeDegrees);
+LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees,
+                       SpotEdge edge) {
+    return std::make_shared<SpotLight>(lightToWorld, intensity, coneDegrees, fadeDegrees, edge);
 }
 
 }  // namespace drc

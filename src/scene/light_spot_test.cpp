@@ -30,6 +30,18 @@ TEST(SpotLight, PowerAndReach) {
     checkPowerAndReach(*makeSpotLight(Transform(), Rgb(1.f), 45, 0), 1e-2f);
 }
 
+TEST(SpotLight, SmoothEdge) {
+    const LightPtr light = makeSpotLight(Transform(), Rgb(4, 2, 1), 30, 10, SpotEdge::Smooth);
+    const float edge = std::cos(kPi / 6), full = std::cos(kPi / 9);
+    const auto at = [&](float x) {  // of the way from the edge's cosine to the full intensity's
+        return intensityTowards(*light, offAxis(std::acos(edge + x * (full - edge)) * 180 / kPi)).x;
+    };
+    EXPECT_NEAR(at(0.5f), 2, 1e-3);
+    EXPECT_NEAR(at(0.25f), 4 * 0.15625f, 1e-3);
+    EXPECT_NEAR(at(1), 4, 1e-3);
+    checkPowerAndReach(*light, 5e-3f);
+}
+
 TEST(SpotLight, ShinesAlongItsOwnAxis) {
     const Transform t = Transform::translate(Vec3(5, 0, 0)) * Transform::rotate(90, Vec3(0, 1, 0));
     const LightPtr light = makeSpotLight(t, Rgb(1.f), 20, 0);

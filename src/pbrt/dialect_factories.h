@@ -1,0 +1,30 @@
+// The makers of each dialect: what a builder of scenes asks for whatever a file names.
+#pragma once
+#include "pbrt/camera_factory.h"
+#include "pbrt/dialect.h"
+#include "pbrt/filter_factory.h"
+#include "pbrt/light_factory.h"
+#include "pbrt/material_factory.h"
+#include "pbrt/render_settings.h"
+#include "pbrt/shape_factory.h"
+
+namespace drc::pbrt {
+
+struct DialectFactories {
+    decltype(&makeMaterial) material;
+    decltype(&materialForShape) materialOfShape;
+    decltype(&makeLight) light;
+    decltype(&makeAreaLight) areaLight;
+    decltype(&makeShape) shape;
+    decltype(&makeCamera) camera;
+    decltype(&makeFilter) filter;
+    decltype(&applyFilm) film;
+    decltype(&applySampler) sampler;
+    decltype(&applyIntegrator) integrator;
+    // What there is where the file says nothing.
+    const char *defaultMaterial, *defaultFilm, *defaultFilter, *defaultSampler, *defaultIntegrator;
+    bool needsWorldEnd;
+};
+const DialectFactories& factoriesOf(Dialect dialect);
+
+}  // namespace drc::pbrt

@@ -1,0 +1,66 @@
+#include "pbrt/gzip.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace drc::pbrt {
+namespace {
+
+constexpr int kGzipFormat = 16 + MAX_WBITS;  // no bare zlib streams
+constexpr size_t kChunk = size_t(1) << 20;
+
+class Inflater {
+  public:
+    Inflater() {
+        if (inflateInit2(&stream, kGzipFormat) != Z_OK) throw Error("zlib cannot be used");
+    }
+    ~Inflater() { inflateEnd(&stream); }
+    Inflater(const Inflater&) = delete;
+    Inflater& operator=(const Inflater&) = delete;
+
+    z_stream stream{};
+};
+
+}  // namespace
+
+bool isGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+std::string gunzip(std::string_view bytes, const std::string& path, const GunzipLimit& limit) {
+    const size_t most = std::max(limit.bytes, bytes.size() * limit.ratio);
+    Inflater inflater;
+    z_stream& z = inflater.stream;
+    std::string result;
+    size_t read = 0;
+    const auto failGzip = [&](const std::string& what) { throw Error(path + ": the gzip stream " + what); };
+    for (;;) {
+        if (z.avail_in == 0) {
+            const size_t chunk = std::min(kChunk, bytes.size() - read);
+            z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + read));
+            z.avail_in = uInt(chunk);
+            read += chunk;
+        }
+        const size_t before = result.size();
+        result.resize(before + kChunk);
+        z.next_out = reinterpret_cast<Bytef*>(result.data() + before);
+        z.avail_out = uInt(kChunk);
+        const int status = inflate(&z, Z_NO_FLUSH);
+        result.resize(before + kChunk - z.avail_out);
+        const bool atEnd = z.avail_in == 0 && read == bytes.size();
+        if (result.size() > most)
+            failGzip("grows beyond " + std::to_string(most >> 20) + " MiB, from " + std::to_string(bytes.size()) +
+                     " bytes: this is no mesh or scene");
+        if (status == Z_STREAM_END) {
+            if (atEnd) return result;
+            inflateReset(&z);  // several streams, one after the other, are one file
+        } else if (status == Z_BUF_ERROR || (status == Z_OK && atEnd && z.avail_out > 0)) {
+            if (atEnd) failGzip("is cut short");
+        } else if (status != Z_OK) {
+            failGzip(std::string("is damaged") + (z.msg != nullptr ? std::string(": ") + z.msg : ""));
+        }
+    }
+}
+
+}  // namespace drc::pbrt

@@ -1,0 +1,163 @@
+#include "pbrt/light_factory_v4.h"
+
+#include <fmt/core.h>
+
+#include "pbrt/equal_area_image.h"
+#include "pbrt/light_params.h"
+#include "pbrt/registry.h"
+
+namespace drc::pbrt {
+namespace {
+
+float scaleOf(const ParamSet& params) {
+    const float scale = params.getFloat("scale", 1);
+    if (!(scale >= 0)) params.failAt(*params.find("scale", {ParamType::Float}), "must not be negative");
+    return scale;
+}
+
+// Multiplies a light's colour: "scale", and if the parameter `target` ("power", "illuminance") is given what takes the
+// light from what it has of that, `own`, to it. As in pbrt `own` is that of white: a colour of half the luminance has
+// half of what the target says.
+float brightness(const ParamSet& params, std::string_view target, double own) {
+    const float wanted = params.getFloat(target, -1);
+    if (!(wanted > 0)) return scaleOf(params);
+    if (!(own > 0))
+        fail(params.pos(), "the picture of " + params.owner() + " is black: it cannot have the '" +
+                               std::string(target) + "' that is asked for");
+    return scaleOf(params) * float(wanted / own);
+}
+
+double meanLuminance(const LightImage& image) {
+    double sum = 0;
+    for (const Rgb& c : image.texels) sum += double(luminance(c));
+    return sum / double(image.texels.size());
+}
+
+// pbrt-v4's pictures of a whole sphere of directions, as the lights here take them; empty if there is none.
+LightImage sphereOf(const LightContext& context, const std::string& what) {
+    LightImage image = imageOf(context, "filename", what);
+    if (image.empty()) return image;
+    if (image.width != image.height)
+        fail(context.params.find("filename", {ParamType::String})->valuePos,
+             fmt::format("the {} has {} x {} pixels; pbrt-v4 takes square ones alone, in the equal-area layout: "
+                         "'imgtool makeequiarea' makes them from pictures by longitude and latitude",
+                         what, image.width, image.height));
+    image.mend();
+    return image;
+}
+
+LightPtr makePoint(const LightContext& context) {
+    const ParamSet& params = context.params;
+    const float scale = brightness(params, "power", 4 * double(kPi));
+    return makePointLight(context.toWorld.point(params.getPoint("from", Vec3(0, 0, 0))),
+                          params.getColor("I", Rgb(1.f)) * scale);
+}
+
+LightPtr makeDistant(const LightContext& context) {
+    const float scale = brightness(context.params, "illuminance", 1);
+    return makeDistantLight(distantDirection(context), context.params.getColor("L", Rgb(1.f)) * scale);
+}
+
+LightPtr makeSpot(const LightContext& context) {
+    const ParamSet& params = context.params;
+    const Rgb intensity = params.getColor("I", Rgb(1.f));
+    const SpotAngles angles = spotAngles(params);
+    const Transform space = aimed(params, context.toWorld);
+    const double edge = std::cos(double(angles.cone) * double(kPi) / 180);
+    const double full = std::cos(double(std::max(0.f, angles.cone - angles.fade)) * double(kPi) / 180);
+    const float scale = brightness(params, "power", 2 * double(kPi) * ((1 - full) + (full - edge) / 2));
+    return makeSpotLight(space, intensity * scale, angles.cone, angles.fade, SpotEdge::Smooth);
+}
+
+LightPtr makeGoniometric(const LightContext& context) {
+    LightImage image = sphereOf(context, "goniometric diagram");
+    const double mean = image.empty() ? 1 : meanLuminance(image);
+    const float scale = brightness(context.params, "power", 4 * double(kPi) * mean);
+    // Its numbers are intensities: colours, if it has any, do not count.
+    for (Rgb& c : image.texels) c = Rgb((c.x + c.y + c.z) / 3);
+    // The diagram's pole is the light's +y for both; makeGoniometricLight has it so too.
+    return makeGoniometricLight(context.toWorld, context.params.getColor("I", Rgb(1.f)) * scale,
+                                latLongFromEqualArea(image));
+}
+
+LightPtr makeProjection(const LightContext& context) {
+    const ParamSet& params = context.params;
+    const float fov = degreesBetween(params, "fov", 90, 0, 180);
+    LightImage image = imageOf(context, "filename", "picture to project");
+    if (image.empty()) fail(params.pos(), "the projection light needs the parameter \"string filename\"");
+    image.mend();
+    // The picture stands upright: its upper edge is at the light's +y.
+    const LightImage upright = flippedTopToBottom(std::move(image));
+    const double white = double(luminance(makeProjectionLight({}, Rgb(1.f), fov, upright)->power(0)));
+    return makeProjectionLight(context.toWorld, Rgb(brightness(params, "power", white)), fov, upright);
+}
+
+LightPtr makeInfinite(const LightContext& context) {
+    const ParamSet& params = context.params;
+    if (params.has("portal")) {
+        params.ignore({"portal"});
+        warn(params.pos(), "parameter 'portal' of " + params.owner() +
+                               " is not supported yet; the environment lights the scene from everywhere");
+    }
+    const LightImage square = sphereOf(context, "environment map");
+    if (!square.empty() && params.has("L"))
+        fail(params.pos(), "the infinite light has both 'L' and 'filename'; give the one or the other");
+    const double own = square.empty() ? double(kPi) : horizontalIlluminance(square);
+    const Rgb radiance = params.getColor("L", Rgb(1.f)) * brightness(params, "illuminance", own);
+    return makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square));
+}
+
+using LightMaker = LightPtr (*)(const LightContext&);
+constexpr Registered<LightMaker> kLights[] = {
+    {"distant", makeDistant}, {"goniometric", makeGoniometric}, {"infinite", makeInfinite},
+    {"point", makePoint},     {"projection", makeProjection},   {"spot", makeSpot},
+};
+
+// Each triangle of a mesh is a light of its own to pbrt, and has the power that is asked for; here they share it
+// evenly.
+double emittedByWhite(const Primitive& primitive) {
+    if (primitive.shape) return double(primitive.shape->area()) * double(kPi);
+    double area = 0;
+    for (uint32_t i = 0; i < primitive.mesh->triangleCount(); ++i) area += double(primitive.mesh->area(i));
+    return area / std::max(1u, primitive.mesh->triangleCount()) * double(kPi);
+}
+
+AreaLightBuilder makeDiffuse(const ParamSet& params) {
+    const bool twoSided = params.getBool("twosided", false);
+    const float power = params.getFloat("power", -1);
+    if (params.has("filename")) {
+        params.ignore({"filename"});
+        warn(params.pos(), "parameter 'filename' of " + params.owner() +
+                               " is not supported yet; the light is of one colour everywhere");
+    }
+    const Rgb radiance = params.getColor("L", Rgb(1.f)) * scaleOf(params);
+    if (isBlack(radiance)) return {};
+    return [=](const Primitive& primitive) -> std::shared_ptr<const AreaLight> {
+        const double own = power > 0 ? emittedByWhite(primitive) * (twoSided ? 2 : 1) : 0;
+        const Rgb emitted = own > 0 ? radiance * float(double(power) / own) : radiance;
+        return primitive.mesh ? makeMeshAreaLight(*primitive.mesh, emitted, twoSided)
+                              : makeShapeAreaLight(primitive.shape, emitted, twoSided);
+    };
+}
+
+using AreaLightMaker = AreaLightBuilder (*)(const ParamSet&);
+constexpr Registered<AreaLightMaker> kAreaLights[] = {{"diffuse", makeDiffuse}};
+
+}  // namespace
+
+LightPtr makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
+                     const FileSearch& files) {
+    const LightMaker make = findMaker<LightMaker>(kLights, "light", type, params.pos(), "the light is left out");
+    LightPtr light = make({params, lightToWorld, files});
+    params.warnUnused();
+    return light;
+}
+
+AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params) {
+    const auto make = findMaker<AreaLightMaker>(kAreaLights, "area light", type, params.pos(), "shapes do not emit");
+    AreaLightBuilder builder = make(params);
+    params.warnUnused();
+    return builder;
+}
+
+}  // namespace drc::pbrt

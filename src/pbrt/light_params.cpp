@@ -1,0 +1,57 @@
+#include "pbrt/light_params.h"
+
+#include <fmt/core.h>
+
+#include "math/frame.h"
+#include "pbrt/decoded_image.h"
+
+namespace drc::pbrt {
+
+float degreesBetween(const ParamSet& params, std::string_view name, float fallback, float low, float high) {
+    const float value = params.getFloat(name, fallback);
+    if (!(value > low && value < high))
+        params.failAt(*params.find(name, {ParamType::Float}),
+                      fmt::format("must be between {:g} and {:g} degrees, not {:g}", low, high, value));
+    return value;
+}
+
+LightImage imageOf(const LightContext& context, std::string_view param, const std::string& what) {
+    const std::string name = context.params.getString(param, "");
+    if (name.empty()) return {};
+    const SourcePos pos = context.params.find(param, {ParamType::String})->valuePos;
+    const std::string path = context.files.find(name, pos, what);
+    try {
+        DecodedImage image = readLinear(path);
+        return {image.width, image.height, std::move(image.texels)};
+    } catch (const Error& error) {
+        fail(pos, error.what());
+    }
+}
+
+Transform aimed(const ParamSet& params, const Transform& toWorld) {
+    const Vec3 from = params.getPoint("from", Vec3(0, 0, 0)), to = params.getPoint("to", Vec3(0, 0, 1));
+    const Vec3 z = normalize(to - from);
+    if (z == Vec3(0, 0, 0)) fail(params.pos(), "the " + params.owner() + " has no direction: 'from' equals 'to'");
+    const Frame f = Frame::fromNormal(z);
+    return toWorld * Transform({f.s.x, f.t.x, f.n.x, from.x,  //
+                                f.s.y, f.t.y, f.n.y, from.y,  //
+                                f.s.z, f.t.z, f.n.z, from.z, 0, 0, 0, 1});
+}
+
+Vec3 distantDirection(const LightContext& context) {
+    const Vec3 from = context.params.getPoint("from", Vec3(0, 0, 0));
+    const Vec3 to = context.params.getPoint("to", Vec3(0, 0, 1));
+    const Vec3 direction = normalize(context.toWorld.vector(from - to));
+    if (direction == Vec3(0, 0, 0))
+        fail(context.params.pos(), "the distant light has no direction: 'from' equals 'to'");
+    return direction;
+}
+
+SpotAngles spotAngles(const ParamSet& params) {
+    const float cone = degreesBetween(params, "coneangle", 30, 0, 180);
+    const float fade = params.getFloat("conedeltaangle", 5);
+    if (!(fade >= 0)) params.failAt(*params.find("conedeltaangle", {ParamType::Float}), "must not be negative");
+    return {cone, fade};
+}
+
+}  // namespace drc::pbrt

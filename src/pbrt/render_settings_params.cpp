@@ -1,0 +1,73 @@
+#include "pbrt/render_settings_params.h"
+
+#include <algorithm>
+
+#include "pbrt/suggest.h"
+
+namespace drc::pbrt {
+namespace {
+
+constexpr int kMaxResolution = 1 << 16;
+
+}  // namespace
+
+int positiveOf(const ParamSet& params, std::string_view name, int fallback, int most) {
+    const int value = params.getInt(name, fallback);
+    if (value < 1 || value > most)
+        params.failAt(*params.find(name, {ParamType::Integer}),
+                      "must be from 1 to " + std::to_string(most) + ", not " + std::to_string(value));
+    return value;
+}
+
+float positiveOf(const ParamSet& params, std::string_view name, float fallback) {
+    const float value = params.getFloat(name, fallback);
+    if (!(value > 0)) params.failAt(*params.find(name, {ParamType::Float}), "must be positive");
+    return value;
+}
+
+void checkKnown(const std::vector<std::string_view>& known, const std::string& kind, const std::string& name,
+                const SourcePos& pos) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+        fail(pos, "unknown " + kind + " '" + name + "'" + suggestion(name, known));
+}
+
+void applyFrame(const ParamSet& params, RenderSettings& settings) {
+    settings.film.width = positiveOf(params, "xresolution", settings.film.width, kMaxResolution);
+    settings.film.height = positiveOf(params, "yresolution", settings.film.height, kMaxResolution);
+    settings.outputFile = params.getString("filename", settings.outputFile);
+    settings.film.diagonal = positiveOf(params, "diagonal", settings.film.diagonal);
+    if (const Param* window = params.find("cropwindow", {ParamType::Float})) {
+        if (window->numbers.size() != 4) params.failAt(*window, "must have four values of type 'float'");
+        float crop[4];
+        for (size_t i = 0; i < 4; ++i) crop[i] = std::clamp(float(window->numbers[i]), 0.f, 1.f);
+        // As pbrt does, either order of the two edges.
+        for (int axis = 0; axis < 2; ++axis) {
+            settings.cropWindow[2 * axis] = std::min(crop[2 * axis], crop[2 * axis + 1]);
+            settings.cropWindow[2 * axis + 1] = std::max(crop[2 * axis], crop[2 * axis + 1]);
+            if (settings.cropWindow[2 * axis] == settings.cropWindow[2 * axis + 1]) params.failAt(*window, "is empty");
+        }
+    }
+}
+
+void applyPixelBounds(const ParamSet& params, RenderSettings& settings) {
+    const Param* bounds = params.find("pixelbounds", {ParamType::Integer});
+    if (bounds == nullptr) return;
+    if (bounds->numbers.size() != 4) params.failAt(*bounds, "must have four values of type 'integer'");
+    PixelRegion& r = settings.pixelBounds.emplace();
+    r = {int(bounds->numbers[0]), int(bounds->numbers[2]), int(bounds->numbers[1]), int(bounds->numbers[3])};
+    if (r.width() < 1 || r.height() < 1)
+        params.failAt(*bounds, "is empty: it must be x0 x1 y0 y1 in pixels, with x0 < x1 and y0 < y1");
+}
+
+int samplesOfStratified(const ParamSet& params) {
+    const int64_t samples = int64_t(positiveOf(params, "xsamples", 4, 4096)) * positiveOf(params, "ysamples", 4, 4096);
+    return int(std::min<int64_t>(samples, kMostSamples));
+}
+
+int maxDepthOf(const ParamSet& params) {
+    const int depth = params.getInt("maxdepth", 5);
+    if (depth < 0) params.failAt(*params.find("maxdepth", {ParamType::Integer}), "must not be negative");
+    return depth;
+}
+
+}  // namespace drc::pbrt

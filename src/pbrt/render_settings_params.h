@@ -1,0 +1,28 @@
+// What the film, the samplers and the integrators of both dialects read in the same way.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pbrt/param_set.h"
+#include "scene/scene.h"
+
+namespace drc::pbrt {
+
+constexpr int kMostSamples = 1 << 24;  // a pixel
+
+// Throw Error for a value that is not positive, or above most.
+int positiveOf(const ParamSet& params, std::string_view name, int fallback, int most);
+float positiveOf(const ParamSet& params, std::string_view name, float fallback);
+// Throws Error at pos unless the name is one of those known.
+void checkKnown(const std::vector<std::string_view>& known, const std::string& kind, const std::string& name,
+                const SourcePos& pos);
+
+// Resolution, crop window, size and file of the film.
+void applyFrame(const ParamSet& params, RenderSettings& settings);
+void applyPixelBounds(const ParamSet& params, RenderSettings& settings);
+// Samples a pixel of the sampler "stratified".
+int samplesOfStratified(const ParamSet& params);
+int maxDepthOf(const ParamSet& params);
+
+}  // namespace drc::pbrt

@@ -1,0 +1,43 @@
+#include "scene/texture_convert.h"
+
+#include <utility>
+
+namespace drc {
+namespace {
+
+float inverted(float x) { return std::max(0.f, 1 - x); }
+Rgb inverted(const Rgb& c) { return clampNonNegative(Rgb(1.f) - c); }
+
+template <typename T>
+class InvertedTexture final : public Texture<T> {
+  public:
+    explicit InvertedTexture(std::shared_ptr<const Texture<T>> texture) : texture_(std::move(texture)) {}
+    T eval(const TextureContext& at) const override { return inverted(texture_->eval(at)); }
+    bool isConstant() const override { return texture_->isConstant(); }
+
+  private:
+    std::shared_ptr<const Texture<T>> texture_;
+};
+
+class GreyTexture final : public RgbTexture {
+  public:
+    explicit GreyTexture(FloatTexturePtr number) : number_(std::move(number)) {}
+    Rgb eval(const TextureContext& at) const override { return Rgb(number_->eval(at)); }
+    bool isConstant() const override { return number_->isConstant(); }
+
+  private:
+    FloatTexturePtr number_;
+};
+
+}  // namespace
+
+template <typename T>
+std::shared_ptr<const Texture<T>> makeInvertedTexture(std::shared_ptr<const Texture<T>> texture) {
+    return std::make_shared<InvertedTexture<T>>(std::move(texture));
+}
+template FloatTexturePtr makeInvertedTexture<float>(FloatTexturePtr);
+template RgbTexturePtr makeInvertedTexture<Rgb>(RgbTexturePtr);
+
+RgbTexturePtr makeGreyTexture(FloatTexturePtr number) { return std::make_shared<GreyTexture>(std::move(number)); }
+
+}  // namespace drc

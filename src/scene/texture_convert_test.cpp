@@ -1,0 +1,24 @@
+#include "scene/texture_convert.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/texture_uv.h"
+
+namespace drc {
+namespace {
+
+TEST(TextureConvert, Inverts) {
+    const auto half = std::make_shared<ConstantTexture<float>>(0.25f);
+    EXPECT_EQ(makeInvertedTexture<float>(half)->eval({}), 0.75f);
+    EXPECT_TRUE(makeInvertedTexture<float>(half)->isConstant());
+    const auto color = std::make_shared<ConstantTexture<Rgb>>(Rgb(0.25f, 2, 1));
+    EXPECT_EQ(makeInvertedTexture<Rgb>(color)->eval({}), Rgb(0.75f, 0, 0));
+    EXPECT_FALSE(makeInvertedTexture<Rgb>(makeUvTexture({}))->isConstant());
+}
+
+TEST(TextureConvert, Greys) {
+    EXPECT_EQ(makeGreyTexture(std::make_shared<ConstantTexture<float>>(0.25f))->eval({}), Rgb(0.25f));
+}
+
+}  // namespace
+}  // namespace drc
