@@ -49,20 +49,32 @@ float orientationMeasure(const LightReach& reach) {
 }
 
 LightBound::LightBound(const LightReach& reach)
-    : center_(reach.bounds.center()),
+    : center(reach.bounds.center()),
       // Even a point has some extent, so that next to it nothing overflows.
-      radius2_(std::max(sqr(reach.bounds.radius()), 1e-12f)),
-      axis_(reach.axis),
-      cosSpread_(std::cos(reach.spread)),
-      sinSpread_(std::sin(reach.spread)),
+      radius2(std::max(sqr(reach.bounds.radius()), 1e-12f)),
+      axis(reach.axis),
+      cosSpread(reach.spread >= kPi ? -1 : std::cos(reach.spread)),
+      sinSpread(reach.spread >= kPi ? 0 : std::sin(reach.spread)),
       // Lower by what rounding may do to the cosine that is compared with it.
-      cosFalloff_(std::cos(reach.falloff) - 1e-4f),
-      intensity_(reach.intensity),
-      twoSided_(reach.twoSided) {
-    if (reach.spread >= kPi) {
-        cosSpread_ = -1;
-        sinSpread_ = 0;
+      cosFalloff(std::cos(reach.falloff) - 1e-4f),
+      intensity(reach.intensity),
+      twoSided(reach.twoSided ? 1.f : 0.f) {}
+
+void LightBounds::set(int i, const LightBound& b) {
+    for (int k = 0; k < 3; ++k) {
+        center_[k][i] = b.center[k];
+        axis_[k][i] = b.axis[k];
     }
+    radius2_[i] = b.radius2;
+    cosSpread_[i] = b.cosSpread;
+    sinSpread_[i] = b.sinSpread;
+    cosFalloff_[i] = b.cosFalloff;
+    intensity_[i] = b.intensity;
+    twoSided_[i] = b.twoSided;
+}
+
+void LightBounds::irradiance(const Vec3& p, float (&result)[kCount]) const {
+    for (int i = 0; i < kCount; ++i) result[i] = get(i).irradiance(p);
 }
 
 }  // namespace drc

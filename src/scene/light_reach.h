@@ -23,45 +23,65 @@ LightReach merged(const LightReach& a, const LightReach& b);
 float orientationMeasure(const LightReach& reach);
 
 // A reach in the form that a point is quickly tested against.
-class LightBound {
-  public:
+struct LightBound {
     LightBound() = default;
     explicit LightBound(const LightReach& reach);
 
-    // About the greatest irradiance that the light could bring to p. Zero only where it cannot bring any.
+    // About the greatest irradiance that the light could bring to p. Zero only where it cannot bring any. Without
+    // branches, so that the compiler tests several side by side: see LightBounds.
     float irradiance(const Vec3& p) const {
-        const Vec3 d = p - center_;
+        const Vec3 d = p - center;
         const float distance2 = lengthSquared(d);
-        if (!(distance2 > radius2_)) return intensity_ / radius2_;
-        const float inverse2 = 1 / distance2;
-        float cosine = dot(axis_, d) * std::sqrt(inverse2);
-        if (twoSided_) cosine = std::abs(cosine);
+        const float inverse2 = 1 / std::max(distance2, radius2);
+        float cosine = dot(axis, d) * std::sqrt(inverse2);
+        cosine = twoSided > 0 ? std::abs(cosine) : cosine;
+        const float sine = safeSqrt(1 - cosine * cosine);
         // The angle between axis and direction, less what the axes spread, less what the bounds subtend.
-        float sine = safeSqrt(1 - cosine * cosine);
-        if (cosine >= cosSpread_) {
-            cosine = 1;
-            sine = 0;
-        } else {
-            const float c = cosine * cosSpread_ + sine * sinSpread_;
-            sine = sine * cosSpread_ - cosine * sinSpread_;
-            cosine = c;
-        }
-        const float sinBounds2 = radius2_ * inverse2, cosBounds = safeSqrt(1 - sinBounds2);
-        cosine = cosine >= cosBounds ? 1 : cosine * cosBounds + sine * std::sqrt(sinBounds2);
-        return cosine < cosFalloff_ ? 0 : intensity_ * inverse2 * std::max(cosine, kLeastCosine);
+        const bool within = cosine >= cosSpread;
+        const float cosLess = within ? 1 : cosine * cosSpread + sine * sinSpread;
+        const float sinLess = within ? 0 : sine * cosSpread - cosine * sinSpread;
+        const float sinBounds2 = radius2 * inverse2, cosBounds = safeSqrt(1 - sinBounds2);
+        const float least = cosLess >= cosBounds ? 1 : cosLess * cosBounds + sinLess * std::sqrt(sinBounds2);
+        const float outside = least < cosFalloff ? 0 : intensity * inverse2 * std::max(least, kLeastCosine);
+        return distance2 > radius2 ? outside : intensity / radius2;
     }
 
-  private:
     // Lights may reach beyond 90 degrees from their axes, and at grazing angles are brighter than the bounds suggest.
     static constexpr float kLeastCosine = 0.02f;
 
-    Vec3 center_{0.f};
-    float radius2_ = 1;
-    Vec3 axis_{0, 0, 1};
-    float cosSpread_ = -1, sinSpread_ = 0;
-    float cosFalloff_ = 0;
-    float intensity_ = 0;
-    bool twoSided_ = false;
+    Vec3 center{0.f};
+    float radius2 = 1;
+    Vec3 axis{0, 0, 1};
+    float cosSpread = -1, sinSpread = 0;
+    float cosFalloff = 0;
+    float intensity = 0;
+    float twoSided = 0;  // or 1
+};
+
+// Eight bounds, field by field, tested together. Those that are not set bring nothing.
+class alignas(32) LightBounds {
+  public:
+    static constexpr int kCount = 8;
+    void set(int i, const LightBound& bound);
+    void irradiance(const Vec3& p, float (&result)[kCount]) const;
+
+  private:
+    LightBound get(int i) const {
+        LightBound b;
+        b.center = Vec3(center_[0][i], center_[1][i], center_[2][i]);
+        b.radius2 = radius2_[i];
+        b.axis = Vec3(axis_[0][i], axis_[1][i], axis_[2][i]);
+        b.cosSpread = cosSpread_[i];
+        b.sinSpread = sinSpread_[i];
+        b.cosFalloff = cosFalloff_[i];
+        b.intensity = intensity_[i];
+        b.twoSided = twoSided_[i];
+        return b;
+    }
+
+    float center_[3][kCount]{}, radius2_[kCount]{1, 1, 1, 1, 1, 1, 1, 1};
+    float axis_[3][kCount]{}, cosSpread_[kCount]{}, sinSpread_[kCount]{}, cosFalloff_[kCount]{};
+    float intensity_[kCount]{}, twoSided_[kCount]{};
 };
 
 }  // namespace drc

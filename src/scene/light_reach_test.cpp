@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "math/frame.h"
 #include "math/rng.h"
 #include "math/warp.h"
@@ -92,6 +94,30 @@ TEST(LightBound, NeverDeniesWhatArrives) {
         const float cosine = dot(normal, normalize(p - part));
         if (cosine > 0 || r.twoSided) {
             EXPECT_GT(bound.irradiance(p), 0);
+        }
+    }
+}
+
+TEST(LightBounds, AreEachWhatItIsAlone) {
+    Pcg32 rng(3);
+    for (int round = 0; round < 50; ++round) {
+        std::vector<LightBound> alone;
+        LightBounds together;
+        for (int i = 0; i < 5; ++i) {
+            LightReach r = cone(sampleUniformSphere(rng.nextVec2()), kPi * rng.nextFloat(), kPi / 2, i % 2 == 0);
+            r.bounds.extend(sampleUniformSphere(rng.nextVec2()));
+            r.intensity = 0.5f + rng.nextFloat();
+            together.set(i, alone.emplace_back(r));
+        }
+        for (int k = 0; k < 20; ++k) {
+            const Vec3 p = sampleUniformSphere(rng.nextVec2()) * (4 * rng.nextFloat());
+            float values[LightBounds::kCount];
+            together.irradiance(p, values);
+            for (int i = 0; i < 5; ++i) {
+                const float expected = alone[size_t(i)].irradiance(p);
+                EXPECT_NEAR(values[i], expected, 1e-3f * expected);
+            }
+            for (int i = 5; i < LightBounds::kCount; ++i) EXPECT_EQ(values[i], 0);
         }
     }
 }

@@ -36,6 +36,12 @@ int bucketOf(float x, float low, float extent) {
     return std::clamp(int((x - low) / extent * kBuckets), 0, kBuckets - 1);
 }
 
+float sumOf(const float (&values)[LightBounds::kCount]) {
+    float sum = 0;
+    for (const float v : values) sum += v;
+    return sum;
+}
+
 struct Split {
     int axis = -1;   // -1: none
     int bucket = 0;  // the last of the first part
@@ -44,23 +50,25 @@ struct Split {
 
 }  // namespace
 
-LightTree::LightTree(std::span<const LightReach> lights) : leaf_(lights.size(), -1) {
+LightTree::LightTree(std::span<const LightReach> lights) : leaves_(lights.size()) {
     std::vector<Item> items;
     for (size_t i = 0; i < lights.size(); ++i)
         if (lights[i].intensity > 0 && !lights[i].bounds.empty()) items.push_back({lights[i], int(i)});
     if (items.empty()) return;
-    nodes_.reserve(2 * items.size());
+    std::vector<Cluster> clusters;
+    clusters.reserve(2 * items.size());
+    clusters.resize(1);
+    build(clusters, items, 0, 1);
+    reach_ = clusters[0].reach;
+    bound_ = LightBound(reach_);
     nodes_.resize(1);
-    reach_ = build(items, 0, 1);
+    widen(clusters, 0, 0, 1);
 }
 
-LightReach LightTree::build(std::span<Item> items, int node, int depth) {
-    depth_ = std::max(depth_, depth);
+void LightTree::build(std::vector<Cluster>& clusters, std::span<Item> items, int cluster, int depth) {
     if (items.size() == 1) {
-        nodes_[size_t(node)].bound = LightBound(items[0].reach);
-        nodes_[size_t(node)].child = ~items[0].light;
-        leaf_[size_t(items[0].light)] = node;
-        return items[0].reach;
+        clusters[size_t(cluster)] = {items[0].reach, 1, ~items[0].light};
+        return;
     }
     Bounds centers;
     for (const Item& item : items) centers.extend(item.reach.bounds.center());
@@ -102,52 +110,83 @@ LightReach LightTree::build(std::span<Item> items, int node, int depth) {
                              return a.reach.bounds.center()[longest] < b.reach.bounds.center()[longest];
                          });
     }
-    const int first = int(nodes_.size());
-    nodes_.resize(nodes_.size() + 2);
-    for (const int child : {first, first + 1}) nodes_[size_t(child)].parent = node;
-    const LightReach a = build(items.first(middle), first, depth + 1);
-    const LightReach b = build(items.subspan(middle), first + 1, depth + 1);
-    const LightReach reach = merged(a, b);
-    nodes_[size_t(node)].bound = LightBound(reach);
-    nodes_[size_t(node)].child = first;
-    return reach;
+    const int first = int(clusters.size());
+    clusters.resize(clusters.size() + 2);
+    build(clusters, items.first(middle), first, depth + 1);
+    build(clusters, items.subspan(middle), first + 1, depth + 1);
+    clusters[size_t(cluster)] = {merged(clusters[size_t(first)].reach, clusters[size_t(first) + 1].reach), items.size(),
+                                 first};
 }
 
-float LightTree::shareOfFirst(const Node& node, const Vec3& p) const {
-    const float a = nodes_[size_t(node.child)].bound.irradiance(p);
-    const float b = nodes_[size_t(node.child) + 1].bound.irradiance(p);
-    return a + b > 0 ? a / (a + b) : -1;
+void LightTree::widen(const std::vector<Cluster>& clusters, int cluster, int node, int depth) {
+    depth_ = std::max(depth_, depth);
+    // The largest cluster is opened until there are as many as a node holds. The two stand where it stood, so that the
+    // order of the random numbers is kept, and with it their stratification.
+    std::vector<int> branches{cluster};
+    while (branches.size() < LightBounds::kCount) {
+        const auto largest = std::max_element(branches.begin(), branches.end(), [&](int a, int b) {
+            return clusters[size_t(a)].count < clusters[size_t(b)].count;
+        });
+        const int child = clusters[size_t(*largest)].child;
+        if (child < 0) break;
+        *largest = child;
+        branches.insert(largest + 1, child + 1);
+    }
+    for (size_t i = 0; i < branches.size(); ++i) {
+        const Cluster& c = clusters[size_t(branches[i])];
+        nodes_[size_t(node)].bounds.set(int(i), LightBound(c.reach));
+        if (c.child < 0) {
+            nodes_[size_t(node)].child[i] = c.child;
+            leaves_[size_t(~c.child)] = {node, int(i)};
+            continue;
+        }
+        const int next = int(nodes_.size());
+        nodes_[size_t(node)].child[i] = next;
+        nodes_.emplace_back();
+        nodes_.back().parent = node;
+        nodes_.back().branch = int(i);
+        widen(clusters, branches[i], next, depth + 1);
+    }
 }
 
 LightTree::Choice LightTree::sample(const Vec3& p, float u) const {
     if (nodes_.empty()) return {};
     Choice choice{-1, 1, u};
-    const Node* node = nodes_.data();
-    while (node->child >= 0) {
-        const float share = shareOfFirst(*node, p);
-        if (share < 0) return {};
-        const bool first = choice.uRemapped < share;
-        const float probability = first ? share : 1 - share;
-        choice.probability *= probability;
-        choice.uRemapped =
-            std::min((first ? choice.uRemapped : choice.uRemapped - share) / probability, kOneMinusEpsilon);
-        node = &nodes_[size_t(node->child) + (first ? 0 : 1)];
+    for (int node = 0; node >= 0;) {
+        float weights[LightBounds::kCount];
+        nodes_[size_t(node)].bounds.irradiance(p, weights);
+        const float sum = sumOf(weights);
+        if (!(sum > 0)) return {};
+        // The first branch whose part of the sum holds u, or by rounding the last that has one.
+        const float target = choice.uRemapped * sum;
+        float before = 0, start = 0;
+        int branch = -1;
+        for (int i = 0; i < LightBounds::kCount && (branch < 0 || before <= target); ++i) {
+            if (!(weights[i] > 0)) continue;
+            branch = i;
+            start = before;
+            before += weights[i];
+        }
+        choice.probability *= weights[branch] / sum;
+        choice.uRemapped = std::clamp((target - start) / weights[branch], 0.f, kOneMinusEpsilon);
+        node = nodes_[size_t(node)].child[branch];
+        choice.index = ~node;
     }
-    choice.index = ~node->child;
     return choice;
 }
 
 float LightTree::probability(const Vec3& p, int index) const {
-    const int leaf = leaf_[size_t(index)];
-    if (leaf < 0) return 0;
+    const Leaf leaf = leaves_[size_t(index)];
     // From the leaf upwards: the same factors as on the way down.
-    float result = 1;
-    for (int i = leaf; nodes_[size_t(i)].parent >= 0;) {
-        const int parent = nodes_[size_t(i)].parent;
-        const float share = shareOfFirst(nodes_[size_t(parent)], p);
-        if (share < 0) return 0;
-        result *= i == nodes_[size_t(parent)].child ? share : 1 - share;
-        i = parent;
+    float result = leaf.node < 0 ? 0 : 1;
+    for (int node = leaf.node, branch = leaf.branch; node >= 0;) {
+        float weights[LightBounds::kCount];
+        nodes_[size_t(node)].bounds.irradiance(p, weights);
+        const float sum = sumOf(weights);
+        if (!(sum > 0)) return 0;
+        result *= weights[branch] / sum;
+        branch = nodes_[size_t(node)].branch;
+        node = nodes_[size_t(node)].parent;
     }
     return result;
 }

@@ -27,27 +27,39 @@ class LightTree {
     bool empty() const { return nodes_.empty(); }
     // Of all lights together.
     const LightReach& reach() const { return reach_; }
-    const LightBound& bound() const { return nodes_.front().bound; }
+    const LightBound& bound() const { return bound_; }
     int depth() const { return depth_; }
 
   private:
-    struct alignas(64) Node {
-        LightBound bound;
-        int child = 0;    // the first of two neighbours; negative: ~light
-        int parent = -1;  // -1: the root
+    // Eight branches or lights, chosen among at once: a wide tree is shallow, and its branches are weighed side by
+    // side.
+    struct Node {
+        LightBounds bounds;
+        int child[LightBounds::kCount]{};  // node; negative: ~light
+        int parent = -1;                   // -1: the root
+        int branch = 0;                    // of the parent
     };
-    static_assert(sizeof(Node) == 64);
+    struct Leaf {
+        int node = -1;  // -1: never chosen
+        int branch = 0;
+    };
     struct Item {
         LightReach reach;
         int light;
     };
-    LightReach build(std::span<Item> items, int node, int depth);
-    // Probability of the first of a node's two children; negative: neither can bring anything.
-    float shareOfFirst(const Node& node, const Vec3& p) const;
+    // The binary tree that the wide one is made of.
+    struct Cluster {
+        LightReach reach;
+        size_t count;
+        int child;  // the first of two neighbours; negative: ~light
+    };
+    static void build(std::vector<Cluster>& clusters, std::span<Item> items, int cluster, int depth);
+    void widen(const std::vector<Cluster>& clusters, int cluster, int node, int depth);
 
     std::vector<Node> nodes_;
-    std::vector<int> leaf_;  // of each light; -1: none
+    std::vector<Leaf> leaves_;  // of each light
     LightReach reach_;
+    LightBound bound_;
     int depth_ = 0;
 };
 
