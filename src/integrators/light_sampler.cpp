@@ -1,5 +1,7 @@
 #include "integrators/light_sampler.h"
 
+#include "math/eight_sums.h"
+
 namespace drc {
 namespace {
 
@@ -24,23 +26,33 @@ LightSampler::LightSampler(const Scene& scene) {
         } else {
             lights_.push_back(light.get());
             reaches.push_back(light->reach());
-            bounds_.emplace_back(reaches.back());
         }
     }
     finite_ = lights_.size();
     lights_.insert(lights_.end(), distant.begin(), distant.end());
     for (size_t i = 0; i < lights_.size(); ++i) index_[lights_[i]] = int(i);
     byIrradiance_ = Distribution1D(distant_);
-    if (!weighsAll()) tree_ = LightTree(reaches);
+    if (!weighsAll()) {
+        tree_ = LightTree(reaches);
+        return;
+    }
+    bounds_.resize((lights_.size() + LightBounds::kCount - 1) / LightBounds::kCount);
+    for (size_t i = 0; i < finite_; ++i)
+        bounds_[i / LightBounds::kCount].set(int(i % LightBounds::kCount), LightBound(reaches[i]));
+    std::fill_n(uniform_, lights_.size(), kUniformShare / float(lights_.size()));
 }
 
-float LightSampler::weigh(const Vec3& p, float* weights) const {
+void LightSampler::weigh(const Vec3& p, float (&probabilities)[kMaxWeighed]) const {
+    constexpr size_t kBlock = LightBounds::kCount;
+    for (size_t b = 0; b < bounds_.size(); ++b) bounds_[b].irradiance(p, probabilities + b * kBlock);
+    std::copy(distant_.begin(), distant_.end(), probabilities + finite_);
     float sum = 0;
-    for (size_t i = 0; i < finite_; ++i) sum += weights[i] = bounds_[i].irradiance(p);
-    for (size_t i = finite_; i < lights_.size(); ++i) sum += weights[i] = distant_[i - finite_];
-    if (sum > 0 && std::isfinite(sum)) return sum;
-    std::fill_n(weights, lights_.size(), 1.f);
-    return float(lights_.size());
+    for (size_t b = 0; b < bounds_.size(); ++b) sum += EightSums(probabilities + b * kBlock).total();
+    const bool known = sum > 0 && std::isfinite(sum);
+    // All alike where nothing is known.
+    const float scale = known ? (1 - kUniformShare) / sum : 0, share = known ? 1 : 1 / kUniformShare;
+    for (size_t i = 0; i < bounds_.size() * kBlock; ++i)
+        probabilities[i] = share * uniform_[i] + scale * (known ? probabilities[i] : 0.f);
 }
 
 float LightSampler::distantShare(const Vec3& p) const {
@@ -54,14 +66,16 @@ LightSampler::Choice LightSampler::sample(const Vec3& p, float u) const {
     if (lights_.empty()) return {};
     if (lights_.size() == 1) return {lights_[0], 1};
     if (weighsAll()) {
-        float weights[kMaxWeighed];
-        const float scale = (1 - kUniformShare) / weigh(p, weights), uniform = kUniformShare / float(lights_.size());
-        float cdf = 0;
-        for (size_t i = 0;; ++i) {
-            const float probability = uniform + scale * weights[i];
-            cdf += probability;
-            if (u < cdf || i + 1 == lights_.size()) return {lights_[i], probability};
+        alignas(32) float probabilities[kMaxWeighed];
+        weigh(p, probabilities);
+        float before = 0;
+        for (size_t b = 0; b < bounds_.size(); ++b) {
+            const EightSums sums(probabilities + b * EightSums::kCount, before);
+            const size_t i = b * EightSums::kCount + size_t(sums.find(u));
+            if (i < (b + 1) * EightSums::kCount) return {lights_[i], probabilities[i]};
+            before = sums.total();
         }
+        return {lights_.back(), probabilities[lights_.size() - 1]};  // by rounding
     }
     const float distant = distantShare(p);
     if (u < distant) {
@@ -79,9 +93,9 @@ float LightSampler::probability(const Vec3& p, const Light* light) const {
     if (lights_.size() == 1) return 1;
     const auto index = size_t(it->second);
     if (weighsAll()) {
-        float weights[kMaxWeighed];
-        const float scale = (1 - kUniformShare) / weigh(p, weights);
-        return kUniformShare / float(lights_.size()) + scale * weights[index];
+        alignas(32) float probabilities[kMaxWeighed];
+        weigh(p, probabilities);
+        return probabilities[index];
     }
     const float distant = distantShare(p);
     if (index >= finite_) return distant * byIrradiance_.probability(int(index - finite_));

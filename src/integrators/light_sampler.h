@@ -28,16 +28,18 @@ class LightSampler {
     // At most this many lights are weighed at every point.
     static constexpr size_t kMaxWeighed = 32;
     bool weighsAll() const { return lights_.size() <= kMaxWeighed; }
-    // The weights of all lights, where they are few; returns their sum, which is positive.
-    float weigh(const Vec3& p, float* weights) const;
+    static_assert(kMaxWeighed % LightBounds::kCount == 0);
+    // The probabilities of all lights, where they are few, and zeros behind them.
+    void weigh(const Vec3& p, float (&probabilities)[kMaxWeighed]) const;
     // Among many: the probability that the light is one of those at infinity.
     float distantShare(const Vec3& p) const;
 
     // First those of finite size, then those at infinity.
     std::vector<const Light*> lights_;
     size_t finite_ = 0;
-    std::vector<LightBound> bounds_;  // of those of finite size
-    std::vector<float> distant_;      // of those at infinity, the irradiance on what faces them
+    std::vector<LightBounds> bounds_;  // of those of finite size, where the lights are few
+    std::vector<float> distant_;       // of those at infinity, the irradiance on what faces them
+    float uniform_[kMaxWeighed]{};     // what each has of its probability at every point, where the lights are few
     float distantSum_ = 0;
     LightTree tree_;               // over those of finite size, if there are many lights
     Distribution1D byIrradiance_;  // over those at infinity

@@ -43,8 +43,8 @@ LobeValue CoatedConductor::evaluate(const Vec3& wo, const Vec3& wi) const {
     const float inverseEta2 = 1 / sqr(coat_.eta());
     const Rgb fresnel = base_.eval(absDot(i, wh));
     const float cosO = absCosTheta(wo), cosI = absCosTheta(wi);
-    const float once = d * distribution_.g(o, i) / (4 * absCosTheta(o) * absCosTheta(i)) * inverseEta2 *
-                       coat_.transmittance(cosO) * coat_.transmittance(cosI);
+    const float once =
+        d * distribution_.visibility(o, i) * inverseEta2 * coat_.transmittance(cosO) * coat_.transmittance(cosI);
     LobeValue value;
     // Once, and after all reflections between base and coat.
     const float again = 0.5f * (comesBack(cosO) + comesBack(cosI));

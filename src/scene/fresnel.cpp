@@ -1,22 +1,6 @@
 #include "scene/fresnel.h"
 
-#include <utility>
-
 namespace drc {
-
-float fresnelDielectric(float cosThetaI, float etaI, float etaT) {
-    cosThetaI = std::clamp(cosThetaI, -1.f, 1.f);
-    if (cosThetaI <= 0) {
-        std::swap(etaI, etaT);
-        cosThetaI = -cosThetaI;
-    }
-    const float sinThetaT = etaI / etaT * safeSqrt(1 - cosThetaI * cosThetaI);
-    if (sinThetaT >= 1) return 1;
-    const float cosThetaT = safeSqrt(1 - sinThetaT * sinThetaT);
-    const float parallel = (etaT * cosThetaI - etaI * cosThetaT) / (etaT * cosThetaI + etaI * cosThetaT);
-    const float perpendicular = (etaI * cosThetaI - etaT * cosThetaT) / (etaI * cosThetaI + etaT * cosThetaT);
-    return 0.5f * (parallel * parallel + perpendicular * perpendicular);
-}
 
 namespace {
 

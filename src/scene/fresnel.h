@@ -4,9 +4,33 @@
 
 namespace drc {
 
+// A boundary between dielectrics, by the ratio of its indices: without the divisions that would be the same at every
+// angle.
+class IndexRatio {
+  public:
+    IndexRatio(float etaI, float etaT) : eta_(etaT / etaI), inverse_(etaI / etaT) {}
+    // As fresnelDielectric.
+    float reflectance(float cosThetaI) const {
+        const bool inside = cosThetaI <= 0;
+        const float eta = inside ? inverse_ : eta_, inverse = inside ? eta_ : inverse_;
+        const float cosI = std::min(std::abs(cosThetaI), 1.f);
+        const float cos2T = 1 - (1 - cosI * cosI) * (inverse * inverse);
+        if (cos2T <= 0) return 1;
+        const float cosT = std::sqrt(cos2T);
+        const float parallel = (eta * cosI - cosT) / (eta * cosI + cosT);
+        const float perpendicular = (cosI - eta * cosT) / (cosI + eta * cosT);
+        return 0.5f * (parallel * parallel + perpendicular * perpendicular);
+    }
+
+  private:
+    float eta_, inverse_;  // etaT / etaI and etaI / etaT
+};
+
 // Unpolarised reflectance of a boundary between dielectrics. cosThetaI > 0: the ray comes from the side of index etaI;
 // negative: from the other side. 1 at total internal reflection.
-float fresnelDielectric(float cosThetaI, float etaI, float etaT);
+inline float fresnelDielectric(float cosThetaI, float etaI, float etaT) {
+    return IndexRatio(etaI, etaT).reflectance(cosThetaI);
+}
 
 // Unpolarised reflectance of a conductor of index eta + i k, seen from vacuum. The sign of cosThetaI is ignored.
 Rgb fresnelConductor(float cosThetaI, const Rgb& eta, const Rgb& k);
@@ -29,15 +53,14 @@ class Fresnel {
     static Fresnel dielectric(float etaI, float etaT) {
         Fresnel f;
         f.kind_ = Kind::Dielectric;
-        f.etaI_ = etaI;
-        f.etaT_ = etaT;
+        f.ratio_ = IndexRatio(etaI, etaT);
         return f;
     }
     // A coat of index eta whose two faces both look outwards: the side of the surface does not matter.
     static Fresnel coat(float eta) {
         Fresnel f;
         f.kind_ = Kind::Coat;
-        f.etaT_ = eta;
+        f.ratio_ = IndexRatio(1, eta);
         return f;
     }
     static Fresnel conductor(const Rgb& eta, const Rgb& k) {
@@ -53,7 +76,7 @@ class Fresnel {
     static Fresnel metallic(const Rgb& atNormal, float metallic, float eta, float transmissive = 0) {
         Fresnel f;
         f.kind_ = Kind::Metallic;
-        f.etaT_ = eta;
+        f.ratio_ = IndexRatio(1, eta);
         f.eta_ = atNormal;
         f.metallic_ = metallic;
         f.transmissive_ = transmissive;
@@ -63,9 +86,9 @@ class Fresnel {
     Rgb eval(float cosThetaI) const {
         switch (kind_) {
             case Kind::Dielectric:
-                return Rgb(fresnelDielectric(cosThetaI, etaI_, etaT_));
+                return Rgb(ratio_.reflectance(cosThetaI));
             case Kind::Coat:
-                return Rgb(fresnelDielectric(std::abs(cosThetaI), etaI_, etaT_));
+                return Rgb(ratio_.reflectance(std::abs(cosThetaI)));
             case Kind::Conductor:
                 return fresnelConductor(cosThetaI, eta_, k_);
             case Kind::Metallic:
@@ -78,14 +101,14 @@ class Fresnel {
 
   private:
     float metallicsDielectric(float cosThetaI) const {
-        const float outside = fresnelDielectric(std::abs(cosThetaI), etaI_, etaT_);
+        const float outside = ratio_.reflectance(std::abs(cosThetaI));
         if (cosThetaI >= 0 || transmissive_ == 0) return outside;
-        return lerp(transmissive_, outside, fresnelDielectric(cosThetaI, etaI_, etaT_));
+        return lerp(transmissive_, outside, ratio_.reflectance(cosThetaI));
     }
 
     enum class Kind { None, Dielectric, Coat, Conductor, Metallic };
     Kind kind_ = Kind::None;
-    float etaI_ = 1, etaT_ = 1;
+    IndexRatio ratio_{1, 1};
     float metallic_ = 0, transmissive_ = 0;
     Rgb eta_{1.f}, k_{0.f};  // of a conductor; eta_ is also what a metallic boundary reflects at normal incidence
 };

@@ -73,7 +73,7 @@ void LightBounds::set(int i, const LightBound& b) {
     twoSided_[i] = b.twoSided;
 }
 
-void LightBounds::irradiance(const Vec3& p, float (&result)[kCount]) const {
+void LightBounds::irradiance(const Vec3& p, float* result) const {
     for (int i = 0; i < kCount; ++i) result[i] = get(i).irradiance(p);
 }
 

@@ -63,7 +63,8 @@ class alignas(32) LightBounds {
   public:
     static constexpr int kCount = 8;
     void set(int i, const LightBound& bound);
-    void irradiance(const Vec3& p, float (&result)[kCount]) const;
+    // result: kCount numbers.
+    void irradiance(const Vec3& p, float* result) const;
 
   private:
     LightBound get(int i) const {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "math/eight_sums.h"
+
 namespace drc {
 namespace {
 
@@ -34,12 +36,6 @@ struct Bucket {
 
 int bucketOf(float x, float low, float extent) {
     return std::clamp(int((x - low) / extent * kBuckets), 0, kBuckets - 1);
-}
-
-float sumOf(const float (&values)[LightBounds::kCount]) {
-    float sum = 0;
-    for (const float v : values) sum += v;
-    return sum;
 }
 
 struct Split {
@@ -155,20 +151,13 @@ LightTree::Choice LightTree::sample(const Vec3& p, float u) const {
     for (int node = 0; node >= 0;) {
         float weights[LightBounds::kCount];
         nodes_[size_t(node)].bounds.irradiance(p, weights);
-        const float sum = sumOf(weights);
-        if (!(sum > 0)) return {};
-        // The first branch whose part of the sum holds u, or by rounding the last that has one.
-        const float target = choice.uRemapped * sum;
-        float before = 0, start = 0;
-        int branch = -1;
-        for (int i = 0; i < LightBounds::kCount && (branch < 0 || before <= target); ++i) {
-            if (!(weights[i] > 0)) continue;
-            branch = i;
-            start = before;
-            before += weights[i];
-        }
-        choice.probability *= weights[branch] / sum;
-        choice.uRemapped = std::clamp((target - start) / weights[branch], 0.f, kOneMinusEpsilon);
+        const EightSums sums(weights);
+        if (!(sums.total() > 0)) return {};
+        const float target = choice.uRemapped * sums.total();
+        int branch = sums.find(target);
+        if (branch == EightSums::kCount) branch = sums.last();  // by rounding
+        choice.probability *= weights[branch] / sums.total();
+        choice.uRemapped = std::clamp((target - sums.before(branch)) / weights[branch], 0.f, kOneMinusEpsilon);
         node = nodes_[size_t(node)].child[branch];
         choice.index = ~node;
     }
@@ -182,7 +171,7 @@ float LightTree::probability(const Vec3& p, int index) const {
     for (int node = leaf.node, branch = leaf.branch; node >= 0;) {
         float weights[LightBounds::kCount];
         nodes_[size_t(node)].bounds.irradiance(p, weights);
-        const float sum = sumOf(weights);
+        const float sum = EightSums(weights).total();
         if (!(sum > 0)) return 0;
         result *= weights[branch] / sum;
         branch = nodes_[size_t(node)].branch;

@@ -24,7 +24,7 @@ LobeSample sampleByCosine(const Lobe& lobe, const Vec3& wo, const Vec2& u) {
 // Reflected off a microfacet that wo sees (PBR 3e, section 14.1.1).
 // d: distribution.d of the normal halfway between wo and wi.
 inline float microfacetPdf(const TrowbridgeReitz& distribution, const Vec3& wo, const Vec3& wi, float d) {
-    return sameHemisphere(wo, wi) ? d * distribution.g1(wo) / (4 * absCosTheta(wo)) : 0;
+    return sameHemisphere(wo, wi) ? 0.25f * d * distribution.g1OverCosine(wo) : 0;
 }
 template <class Lobe>
 LobeSample sampleByMicrofacet(const Lobe& lobe, const TrowbridgeReitz& distribution, const Vec3& wo, const Vec2& u) {

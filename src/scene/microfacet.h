@@ -31,22 +31,20 @@ class TrowbridgeReitz {
         const float e = sqr(wh.x * inverseX_) + sqr(wh.y * inverseY_) + wh.z * wh.z;
         return kInvPi * inverseX_ * inverseY_ / (e * e);
     }
-    float lambda(const Vec3& w) const {
-        const float cos2 = w.z * w.z;
-        // Infinite at the horizon, which makes g1 and g vanish there.
-        if (cos2 == 0) return kInfinity;
-        const float alphaTan2 = (sqr(alphaX_ * w.x) + sqr(alphaY_ * w.y)) / cos2;
-        return 0.5f * (std::sqrt(1 + alphaTan2) - 1);
+    // Masking and shadowing over 4 |cos wo cos wi|, what the Torrance-Sparrow model multiplies d by. With the cosines
+    // cancelled out of Smith's function nothing overflows at the horizon and one division is left.
+    float visibility(const Vec3& wo, const Vec3& wi) const {
+        const float cosO = std::abs(wo.z), cosI = std::abs(wi.z);
+        const float o = stretchedLength(wo), i = stretchedLength(wi);
+        return masking_ == Masking::Separable ? 1 / ((cosO + o) * (cosI + i)) : 0.5f / (o * cosI + i * cosO);
     }
-    float g1(const Vec3& w) const { return 1 / (1 + lambda(w)); }
-    float g(const Vec3& wo, const Vec3& wi) const {
-        return masking_ == Masking::Separable ? g1(wo) * g1(wi) : 1 / (1 + lambda(wo) + lambda(wi));
-    }
+    // Masking alone over |cos w|; finite at the horizon.
+    float g1OverCosine(const Vec3& w) const { return 2 / (std::abs(w.z) + stretchedLength(w)); }
 
     // A microfacet normal that wo sees, on wo's side of the surface. wo.z != 0.
     Vec3 sample(const Vec3& wo, const Vec2& u) const;
     // Its density, per solid angle of wh; wh must face wo.
-    float pdf(const Vec3& wo, const Vec3& wh) const { return d(wh) * g1(wo) * absDot(wo, wh) / std::abs(wo.z); }
+    float pdf(const Vec3& wo, const Vec3& wh) const { return d(wh) * g1OverCosine(wo) * absDot(wo, wh); }
 
     // One number for both axes.
     float meanAlpha() const { return std::sqrt(alphaX_ * alphaY_); }
@@ -59,6 +57,11 @@ class TrowbridgeReitz {
     bool isNarrow() const { return std::max(alphaX_, alphaY_) < kNarrowAlpha; }
 
   private:
+    // Of w, scaled so that the surface's slopes have alpha 1: |cos w| (1 + 2 lambda(w)).
+    float stretchedLength(const Vec3& w) const {
+        return std::sqrt(sqr(alphaX_ * w.x) + sqr(alphaY_ * w.y) + w.z * w.z);
+    }
+
     static constexpr float kNarrowAlpha = 0.2f;
     float alphaX_, alphaY_, inverseX_, inverseY_;
     Masking masking_;

@@ -3,14 +3,13 @@
 namespace drc {
 
 LobeValue MicrofacetReflection::evaluate(const Vec3& wo, const Vec3& wi) const {
-    const float cosO = absCosTheta(wo), cosI = absCosTheta(wi);
-    Vec3 wh = wo + wi;
-    if (cosO == 0 || cosI == 0 || lengthSquared(wh) == 0) return {};
-    wh = normalize(wh);
+    const Vec3 sum = wo + wi;
+    const float l2 = lengthSquared(sum);
+    if (wo.z == 0 || wi.z == 0 || l2 == 0) return {};
     // Above the surface, so that the sign of the cosine says on which side of a dielectric the light travels.
-    if (wh.z < 0) wh = -wh;
+    const Vec3 wh = sum * std::copysign(1 / std::sqrt(l2), sum.z);
     const float d = distribution_.d(wh);
-    return {reflectance_ * fresnel_.eval(dot(wi, wh)) * (d * distribution_.g(wo, wi) / (4 * cosI * cosO)),
+    return {reflectance_ * fresnel_.eval(dot(wi, wh)) * (d * distribution_.visibility(wo, wi)),
             microfacetPdf(distribution_, wo, wi, d)};
 }
 

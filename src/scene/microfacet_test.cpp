@@ -19,17 +19,19 @@ TEST(TrowbridgeReitz, RoughnessToAlpha) {
 TEST(TrowbridgeReitz, HandComputed) {
     const TrowbridgeReitz d(0.5f, 0.5f);
     EXPECT_NEAR(d.d(Vec3(0, 0, 1)), 1 / (kPi * 0.25f), 1e-5f);
-    // tan = 1: lambda = (sqrt(1 + 0.25) - 1) / 2
-    EXPECT_NEAR(d.lambda(direction(std::sqrt(0.5f))), 0.0590170f, 1e-6f);
-    EXPECT_NEAR(d.g1(direction(std::sqrt(0.5f))), 1 / 1.0590170f, 1e-6f);
-    EXPECT_EQ(d.g1(Vec3(1, 0, 0)), 0);
+    // tan = 1: lambda = (sqrt(1 + 0.25) - 1) / 2 = 0.0590170, and g1 = 1 / (1 + lambda)
+    EXPECT_NEAR(d.g1OverCosine(direction(std::sqrt(0.5f))), 1 / 1.0590170f / std::sqrt(0.5f), 1e-6f);
+    // At the horizon g1 goes to zero like the cosine: lambda = (sqrt(1 + 0.25 tan^2) - 1) / 2, about tan / 4.
+    EXPECT_NEAR(d.g1OverCosine(Vec3(1, 0, 0)), 4, 1e-5f);
 }
 
 TEST(TrowbridgeReitz, Masking) {
     // lambda = 0.0590170 at 45 degrees, as above.
     const Vec3 w = direction(std::sqrt(0.5f));
-    EXPECT_NEAR(TrowbridgeReitz(0.5f, 0.5f).g(w, w), 1 / 1.118034f, 1e-6f);
-    EXPECT_NEAR(TrowbridgeReitz(0.5f, 0.5f, TrowbridgeReitz::Masking::Separable).g(w, w), 1 / sqr(1.0590170f), 1e-6f);
+    // g over 4 cos^2
+    EXPECT_NEAR(TrowbridgeReitz(0.5f, 0.5f).visibility(w, w), 1 / 1.118034f / 2, 1e-6f);
+    const TrowbridgeReitz separable(0.5f, 0.5f, TrowbridgeReitz::Masking::Separable);
+    EXPECT_NEAR(separable.visibility(w, w), 1 / sqr(1.0590170f) / 2, 1e-6f);
 }
 
 TEST(TrowbridgeReitz, Widened) {

@@ -24,9 +24,8 @@ Rgb MicrofacetTransmission::f(const Vec3& wo, const Vec3& wi, TransportMode mode
     const float transmitted = 1 - fresnelDielectric(cosOH, etaA_, etaB_);
     // Without the scale of radiance by 1 / eta^2 the factor eta^2 of the Jacobian remains.
     const float scale = mode == TransportMode::Radiance ? 1 : eta * eta;
-    const float denominator = wo.z * wi.z * sqr(cosOH + eta * cosIH);
-    return transmittance_ * (transmitted * scale *
-                             std::abs(distribution_.d(wh) * distribution_.g(wo, wi) * cosIH * cosOH / denominator));
+    return transmittance_ * (transmitted * scale * 4 * distribution_.d(wh) * distribution_.visibility(wo, wi) *
+                             std::abs(cosIH * cosOH) / sqr(cosOH + eta * cosIH));
 }
 
 float MicrofacetTransmission::pdf(const Vec3& wo, const Vec3& wi) const {

@@ -1,0 +1,46 @@
+// Eight weights added up side by side, to choose one of them without a branch on each, which no processor predicts.
+#pragma once
+#include <immintrin.h>
+
+#include <bit>
+
+namespace drc {
+
+class EightSums {
+  public:
+    static constexpr int kCount = 8;
+
+    // weights: not negative. offset: the sum of what comes before them.
+    explicit EightSums(const float* weights, float offset = 0) {
+        __m256 s = _mm256_loadu_ps(weights);
+        s = _mm256_add_ps(s, shiftedUp<4>(s));
+        s = _mm256_add_ps(s, shiftedUp<8>(s));
+        // So far the sums of four and four: the first four's last belongs to all of the others.
+        const __m256 firstHalf = _mm256_permute2f128_ps(s, s, 0x08);
+        s = _mm256_add_ps(s, _mm256_permute_ps(firstHalf, 0xff));
+        sums_[0] = offset;
+        _mm256_storeu_ps(sums_ + 1, _mm256_add_ps(s, _mm256_set1_ps(offset)));
+    }
+    // Of the offset and the first i weights, i in [0, 8].
+    float before(int i) const { return sums_[i]; }
+    float total() const { return sums_[kCount]; }
+    // The weight whose part of the sum holds target; 8: target is beyond all of them.
+    int find(float target) const { return countUpTo<_CMP_LE_OQ>(target); }
+    // The last weight that makes a difference to the sum.
+    int last() const { return countUpTo<_CMP_LT_OQ>(total()); }
+
+  private:
+    template <int kBytes>
+    static __m256 shiftedUp(__m256 s) {
+        return _mm256_castsi256_ps(_mm256_slli_si256(_mm256_castps_si256(s), kBytes));
+    }
+    template <int kComparison>
+    int countUpTo(float x) const {
+        const __m256 below = _mm256_cmp_ps(_mm256_loadu_ps(sums_ + 1), _mm256_set1_ps(x), kComparison);
+        return std::popcount(unsigned(_mm256_movemask_ps(below)));
+    }
+
+    float sums_[kCount + 1];
+};
+
+}  // namespace drc
