@@ -30,7 +30,7 @@ Bsdf SurfaceInteraction::bsdf() const {
     const Material* material = primitive->material.get();
     if (material == nullptr) return bsdf;
     const FloatTexture* bump = material->bump();
-    if (lobes) bsdf.copyLobes(*lobes);
+    if (lobes) bsdf.borrowLobes(*lobes);
     if (lobes && bump == nullptr) return bsdf;
     const TextureContext context = textureContext();
     if (bump) bsdf.setFrame(bumpFrame(context, bsdf.frame(), *bump));

@@ -80,12 +80,11 @@ bool PathTracer::shadowed(const SurfaceInteraction& at, const LightSample& light
 }
 
 PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group,
-                                                   Sampler& sampler) const {
-    const float uLight = sampler.get1D();
-    Vec2 u = sampler.get2D();
-    const auto choice = lights_.sample(at.p, uLight);
+                                                   const VertexNumbers& numbers) const {
+    const auto choice = lights_.sample(at.p, numbers.light);
     if (choice.light == nullptr) return {};
     float pdf = choice.probability;
+    Vec2 u = numbers.onLight;
     int slot = -1;
     if (group != kNoGroup && choice.light == guide_->light()) {
         const EnvironmentGuide::Guided guided = guide_->sample(group, u);
@@ -115,9 +114,9 @@ Rgb PathTracer::arriving(const SurfaceInteraction& at, const LightProposal& prop
     return proposal.weight * (proposal.light->isInfinite() ? proposal.light->escaped(s.wi) : s.radiance);
 }
 
-bool PathTracer::scatter(Path& path, const SurfaceInteraction& hit, const BsdfView& bsdf, Sampler& sampler) const {
-    const float uLobe = sampler.get1D();
-    const auto s = bsdf.sample(uLobe, sampler.get2D());
+bool PathTracer::scatter(Path& path, const SurfaceInteraction& hit, const BsdfView& bsdf,
+                         const VertexNumbers& u) const {
+    const auto s = bsdf.sample(u.lobe, u.direction);
     if (!s || !(s->pdf > 0)) return false;
     path.throughput *= s->f * (absDot(s->wi, bsdf.bsdf().frame().n) / s->pdf);
     if (isBlack(path.throughput)) return false;
@@ -134,7 +133,7 @@ bool PathTracer::scatter(Path& path, const SurfaceInteraction& hit, const BsdfVi
 
     if (path.depth + path.chain >= settings_.rouletteDepth) {
         const float survival = std::min(0.95f, maxComponent(path.throughput) * path.etaScale);
-        if (sampler.get1D() >= survival) return false;
+        if (u.roulette >= survival) return false;
         path.throughput *= 1 / survival;
     }
     return true;
@@ -175,10 +174,11 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
         if (bsdf.size() == 0) break;
         const BsdfView view(bsdf, hit.wo);
         path.group = groupOf(hit, bsdf);
+        const VertexNumbers u(sampler);
         LightProposal light;
-        if (bsdf.hasNonSpecular()) light = proposeLight(hit, view, path.group, sampler);
+        if (bsdf.hasNonSpecular()) light = proposeLight(hit, view, path.group, u);
         const Rgb throughput = path.throughput;
-        const bool goesOn = scatter(path, hit, view, sampler);
+        const bool goesOn = scatter(path, hit, view, u);
         // The path's own ray before the shadow ray, which then hides the wait for the data of the surface met.
         met = goesOn && accel_.find(path.ray, found);
         sum += throughput * arriving(hit, light);
@@ -198,11 +198,10 @@ Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) cons
 }
 
 Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, int group, const Rgb& throughput,
-                           Sampler& sampler, IndirectAlong* along) const {
+                           const VertexNumbers& u, Sampler& sampler, IndirectAlong* along) const {
     Rgb sum(0.f);
     const Bsdf& bsdf = view.bsdf();
-    const float uLobe = sampler.get1D();
-    const auto s = view.sample(uLobe, sampler.get2D());
+    const auto s = view.sample(u.lobe, u.direction);
     if (!s) return sum;
     const Rgb scale = throughput * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     Ray next = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
@@ -241,8 +240,9 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* al
         if (bsdf.hasNonSpecular()) {
             const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);
             const int group = groupOf(hit, bsdf);
-            sum += throughput * arriving(hit, proposeLight(hit, view, group, sampler));
-            sum += bsdfSample(hit, view, group, throughput, sampler, along);
+            const VertexNumbers u(sampler);
+            sum += throughput * arriving(hit, proposeLight(hit, view, group, u));
+            sum += bsdfSample(hit, view, group, throughput, u, sampler, along);
         }
         if (along) {
             if (!along->traceWide && bsdf.has(LobeFlags::Narrow))

@@ -103,6 +103,14 @@ class PathTracer {
         Rgb weight{0.f};
         int slot = -1;  // of the guide, which is told whether the sample arrives; -1: not guided
     };
+    // The random numbers of one vertex.
+    struct VertexNumbers {
+        explicit VertexNumbers(Sampler& sampler) : VertexNumbers(sampler.getFour2D()) {}
+        explicit VertexNumbers(const std::array<Vec2, 4>& u)
+            : onLight(u[0]), direction(u[1]), light(u[2].x), lobe(u[2].y), roulette(u[3].x) {}
+        Vec2 onLight, direction;
+        float light, lobe, roulette;
+    };
     // The guide's group for a point on a surface.
     int groupOf(const SurfaceInteraction& at, const Bsdf& bsdf) const {
         return guide_ ? guide_->group(at.p, faceForward(bsdf.frame().n, at.wo)) : kNoGroup;
@@ -111,12 +119,12 @@ class PathTracer {
     Rgb trace(const Ray& ray, Sampler& sampler, Emission emission, FirstHit* first,
               const SurfaceInteraction* start = nullptr) const;
     // Samples the next direction at a hit. False: the path ends.
-    bool scatter(Path& path, const SurfaceInteraction& hit, const BsdfView& bsdf, Sampler& sampler) const;
+    bool scatter(Path& path, const SurfaceInteraction& hit, const BsdfView& bsdf, const VertexNumbers& u) const;
     // One sample of indirect light for the narrow lobes alone. Paths of little weight are not traced.
     Rgb indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
     // The BSDF's sample of direct light at a primary point, and with wide indirect light wanted the path beyond it.
     Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, int group, const Rgb& throughput,
-                   Sampler& sampler, IndirectAlong* along) const;
+                   const VertexNumbers& u, Sampler& sampler, IndirectAlong* along) const;
     // Nearest surface that has a material or emits; passes through the others.
     bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;
     bool nextSurface(Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) const;
@@ -124,7 +132,8 @@ class PathTracer {
     bool shadowed(const SurfaceInteraction& at, const LightSample& light) const;
     // Light sample at a non-specular vertex, weighted against the density of the BSDF's own samples, and what of it
     // arrives if its shadow ray is free.
-    LightProposal proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group, Sampler& sampler) const;
+    LightProposal proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group,
+                               const VertexNumbers& numbers) const;
     Rgb arriving(const SurfaceInteraction& at, const LightProposal& proposal) const;
     // Emission met by a ray that the BSDF sampled with the given density, weighted against light sampling.
     Rgb emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const;

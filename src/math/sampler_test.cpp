@@ -9,24 +9,56 @@ namespace drc {
 namespace {
 
 // In a (0,2)-sequence the first 2^k points put exactly one into every elementary interval of area 2^-k.
-TEST(Sampler, EveryDimensionPairIsANetInBaseTwo) {
+template <class Get>
+void expectNets(int pairs, Get get) {
     for (const int k : {4, 8, 10}) {
         const int n = 1 << k;
-        for (int dimension = 0; dimension < 6; ++dimension) {
+        for (int pair = 0; pair < pairs; ++pair) {
             std::vector<Vec2> points;
-            for (int i = 0; i < n; ++i) {
-                Sampler s(1234 + k, uint32_t(i));
-                Vec2 p(0.f);
-                for (int d = 0; d <= dimension; ++d) p = s.get2D();
-                points.push_back(p);
-            }
+            for (int i = 0; i < n; ++i) points.push_back(get(Sampler(1234 + k, uint32_t(i)), pair));
             for (int a = 0; a <= k; ++a) {
                 std::set<std::pair<int, int>> cells;
                 for (const Vec2& p : points) cells.insert({int(p.x * float(1 << a)), int(p.y * float(1 << (k - a)))});
-                EXPECT_EQ(int(cells.size()), n) << "interval shape " << a << " of " << k << ", pair " << dimension;
+                EXPECT_EQ(int(cells.size()), n) << "interval shape " << a << " of " << k << ", pair " << pair;
             }
         }
     }
+}
+
+TEST(Sampler, EveryDimensionPairIsANetInBaseTwo) {
+    expectNets(6, [](Sampler s, int pair) {
+        for (int d = 0; d < pair; ++d) s.get2D();
+        return s.get2D();
+    });
+}
+
+TEST(Sampler, EachOfFourPairsIsANetInBaseTwo) {
+    expectNets(8, [](Sampler s, int pair) {
+        if (pair >= 4) s.getFour2D();
+        return s.getFour2D()[size_t(pair % 4)];
+    });
+}
+
+TEST(Sampler, FourPairsAreUncorrelated) {
+    constexpr int kCount = 4096, kNumbers = 10;
+    double products[kNumbers][kNumbers] = {};
+    for (uint32_t i = 0; i < kCount; ++i) {
+        Sampler s(3, i);
+        const auto four = s.getFour2D();
+        const Vec2 next = s.getFour2D()[0];
+        float x[kNumbers];
+        for (size_t k = 0; k < 4; ++k) {
+            x[2 * k] = four[k].x;
+            x[2 * k + 1] = four[k].y;
+        }
+        x[8] = next.x;
+        x[9] = next.y;
+        for (int a = 0; a < kNumbers; ++a)
+            for (int b = 0; b < a; ++b) products[a][b] += (x[a] - 0.5) * (x[b] - 0.5);
+    }
+    for (int a = 0; a < kNumbers; ++a)
+        for (int b = 0; b < a; ++b)
+            EXPECT_LT(std::abs(products[a][b] / kCount), 4.0 / (12 * std::sqrt(double(kCount)))) << a << " " << b;
 }
 
 TEST(Sampler, OneDimensionIsStratified) {

@@ -5,40 +5,42 @@
 
 namespace drc {
 
-Bsdf::Bsdf(const Bsdf& other) { *this = other; }
-
-Bsdf& Bsdf::operator=(const Bsdf& other) {
+Bsdf::Lobes& Bsdf::Lobes::operator=(const Lobes& other) {
     if (this == &other) return *this;
-    frame_ = other.frame_;
-    ng_ = other.ng_;
-    copyLobes(other);
+    count = other.count;
+    for (int i = 0; i < count; ++i) {
+        new (storage + i * sizeof(Lobe)) Lobe(reinterpret_cast<const Lobe*>(other.storage)[i]);
+        flags[size_t(i)] = other.flags[size_t(i)];
+        weights[size_t(i)] = other.weights[size_t(i)];
+    }
     return *this;
 }
 
-void Bsdf::copyLobes(const Bsdf& other) {
-    count_ = other.count_;
-    for (int i = 0; i < count_; ++i) {
-        new (storage_ + i * sizeof(Lobe)) Lobe(other.lobe(i));
-        flags_[i] = other.flags_[i];
-        weights_[i] = other.weights_[i];
-    }
+Bsdf::Bsdf(const Bsdf& other) { *this = other; }
+
+Bsdf& Bsdf::operator=(const Bsdf& other) {
+    frame_ = other.frame_;
+    ng_ = other.ng_;
+    own_ = other.own_;
+    lobes_ = other.lobes_ == &other.own_ ? &own_ : other.lobes_;
+    return *this;
 }
 
-bool Bsdf::has(LobeFlags flags) const {
-    for (int i = 0; i < count_; ++i)
-        if ((flags_[i] & flags) == flags) return true;
+bool Bsdf::has(LobeFlags wanted) const {
+    for (int i = 0; i < size(); ++i)
+        if ((flags(i) & wanted) == wanted) return true;
     return false;
 }
 
 bool Bsdf::hasWithin(LobeFlags mask) const {
-    for (int i = 0; i < count_; ++i)
-        if (matches(flags_[i], mask)) return true;
+    for (int i = 0; i < size(); ++i)
+        if (matches(flags(i), mask)) return true;
     return false;
 }
 
 bool Bsdf::hasWideTransmission() const {
-    for (int i = 0; i < count_; ++i)
-        if (matches(flags_[i], LobeFlags::Wide) && any(flags_[i] & LobeFlags::Transmission)) return true;
+    for (int i = 0; i < size(); ++i)
+        if (matches(flags(i), LobeFlags::Wide) && any(flags(i) & LobeFlags::Transmission)) return true;
     return false;
 }
 
@@ -58,9 +60,8 @@ std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, float uLobe, const Vec2& 
 Rgb Bsdf::albedo(const Vec3& woWorld, LobeFlags mask) const {
     const Vec3 wo = frame_.toLocal(woWorld);
     Rgb sum(0.f);
-    for (int i = 0; i < count_; ++i)
-        if (matches(flags_[i], mask))
-            sum += weights_[i] * visitLobe([&](const auto& l) { return l.albedo(wo); }, lobe(i));
+    for (int i = 0; i < size(); ++i)
+        if (matches(flags(i), mask)) sum += weight(i) * visitLobe([&](const auto& l) { return l.albedo(wo); }, lobe(i));
     return sum;
 }
 

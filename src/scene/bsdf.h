@@ -39,15 +39,15 @@ class Bsdf {
     // kMaxLobes (Material::maxLobes).
     template <class L>
     void add(const L& lobe, const Rgb& weight = Rgb(1.f)) {
-        if (count_ == kMaxLobes || isBlack(weight)) return;
-        new (storage_ + count_ * sizeof(Lobe)) Lobe(lobe);
-        flags_[count_] = lobe.flags();
-        weights_[count_] = weight;
-        ++count_;
+        if (own_.count == kMaxLobes || isBlack(weight)) return;
+        new (own_.storage + own_.count * sizeof(Lobe)) Lobe(lobe);
+        own_.flags[own_.count] = lobe.flags();
+        own_.weights[own_.count] = weight;
+        ++own_.count;
     }
 
-    // The lobes of another in place of its own.
-    void copyLobes(const Bsdf& other);
+    // The lobes of another in place of its own, which must outlive this one and its copies and not change.
+    void borrowLobes(const Bsdf& other) { lobes_ = other.lobes_; }
 
     // True if any lobe has all of these flags.
     bool has(LobeFlags flags) const;
@@ -57,7 +57,7 @@ class Bsdf {
     // Light that arrives from behind is seen as more than what a specular path brings.
     bool hasWideTransmission() const;
     bool hasSpecular() const { return has(LobeFlags::Specular); }
-    int size() const { return count_; }
+    int size() const { return lobes_->count; }
 
     // What a BsdfView of wo through mask says of one direction; a view is the cheaper way to ask more than once.
     Rgb f(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All,
@@ -75,18 +75,27 @@ class Bsdf {
     Rgb albedo(const Vec3& wo, LobeFlags mask = LobeFlags::All) const;
 
     // i in [0, size()).
-    const Lobe& lobe(int i) const { return reinterpret_cast<const Lobe*>(storage_)[i]; }
-    LobeFlags flags(int i) const { return flags_[i]; }
-    const Rgb& weight(int i) const { return weights_[i]; }
+    const Lobe& lobe(int i) const { return reinterpret_cast<const Lobe*>(lobes_->storage)[i]; }
+    LobeFlags flags(int i) const { return lobes_->flags[size_t(i)]; }
+    const Rgb& weight(int i) const { return lobes_->weights[size_t(i)]; }
 
   private:
+    struct Lobes {
+        Lobes() {}
+        Lobes(const Lobes& other) { *this = other; }
+        Lobes& operator=(const Lobes& other);
+
+        int count = 0;
+        std::array<LobeFlags, kMaxLobes> flags;
+        std::array<Rgb, kMaxLobes> weights;
+        // Raw, because a Bsdf is made at every hit and to construct twelve lobes for the two in use would be a waste.
+        alignas(Lobe) std::byte storage[kMaxLobes * sizeof(Lobe)];
+    };
+
     Frame frame_;
     Vec3 ng_{0, 0, 1};
-    int count_ = 0;
-    std::array<LobeFlags, kMaxLobes> flags_;
-    std::array<Rgb, kMaxLobes> weights_;
-    // Raw, because a Bsdf is made at every hit and to construct twelve lobes for the two in use would be a waste.
-    alignas(Lobe) std::byte storage_[kMaxLobes * sizeof(Lobe)];
+    const Lobes* lobes_ = &own_;  // or another's
+    Lobes own_;
 };
 static_assert(std::is_trivially_destructible_v<Lobe>, "Bsdf does not destroy its lobes");
 
