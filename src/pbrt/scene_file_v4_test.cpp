@@ -104,7 +104,7 @@ TEST(SceneFileV4, WhatIsKnownButNotBuiltIsNamed) {
     EXPECT_THAT(errorOfOptions("Camera \"perspective\" \"float shutterclose\" 0"), HasSubstr("shutter"));
     EXPECT_THAT(errorOfOptions("Film \"rgb\" \"float iso\" 0"), HasSubstr("must be positive"));
     EXPECT_THAT(errorOfOptions("Integrator \"path\" \"string lightsampler\" \"best\""),
-                HasSubstr("unknown light sampler 'best'"));
+                HasSubstr("unknown lightsampler 'best'"));
     EXPECT_THAT(errorOfWorldV4("Shape \"hyperboloid\""), HasSubstr("only pbrt-v3 has"));
 }
 
