@@ -33,6 +33,8 @@ def main():
     parser.add_argument("--seeds", type=int, default=2, help="pictures of each scene, an even number")
     parser.add_argument("--resume", action="store_true", help="take the pictures that are already in --output")
     args = parser.parse_args()
+    if args.seeds < 2 or args.seeds % 2:
+        parser.error("--seeds must be an even number, 2 or more")
     os.makedirs(args.output, exist_ok=True)
     spp_of = dict(pair.split("=") for pair in args.reference_spp)
     rows = []

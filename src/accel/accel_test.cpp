@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "math/rng.h"
-#include "math/warp.h"
 #include "scene/curves.h"
 #include "scene/material_matte.h"
+#include "scene/shape_check.h"
 #include "scene/shape_cone.h"
 #include "scene/shape_cylinder.h"
 #include "scene/shape_disk.h"
@@ -16,13 +15,6 @@
 
 namespace drc {
 namespace {
-
-Ray rayFrom(const Vec3& o, const Vec3& d) {
-    Ray r;
-    r.o = o;
-    r.d = d;
-    return r;
-}
 
 // Holes where u is below a half.
 class HalfMask final : public FloatTexture {

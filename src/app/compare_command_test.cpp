@@ -18,7 +18,6 @@ using testing::HasSubstr;
 class CompareCommandTest : public FolderTest {
   protected:
     void SetUp() override {
-        FolderTest::SetUp();
         Image a(16, 12), b(16, 12);
         for (float& v : a.data()) v = 0.25f;
         for (float& v : b.data()) v = 0.5f;

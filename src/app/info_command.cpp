@@ -53,7 +53,7 @@ void printInfo(const std::string& path) {
 void addInfoCommand(CLI::App& app) {
     auto* command = app.add_subcommand("info", "Print what a scene file contains");
     auto path = std::make_shared<std::string>();
-    command->add_option("SCENE", *path, "Scene file, pbrt-v3")->required();
+    command->add_option("SCENE", *path, "Scene file, pbrt-v3 or pbrt-v4")->required();
     command->footer("Example: drc info scene.pbrt");
     command->callback([path] { printInfo(*path); });
 }

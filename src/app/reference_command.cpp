@@ -70,7 +70,7 @@ void writeReferences(const ReferenceOptions& options) {
 void addReferenceCommand(CLI::App& app) {
     auto* command = app.add_subcommand("reference", "Write examples for the network to learn from");
     auto o = std::make_shared<ReferenceOptions>();
-    command->add_option("SCENE", o->scenes, "Scene files, pbrt-v3")->required();
+    command->add_option("SCENE", o->scenes, "Scene files, pbrt-v3 or pbrt-v4")->required();
     command->add_option("-o,--output", o->directory, "Folder for one safetensors file a scene; those there are kept")
         ->required();
     command->add_option("--viewpoints", o->examples.viewpoints, "Maps a scene")

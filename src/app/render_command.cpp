@@ -226,7 +226,7 @@ void render(RenderOptions o) {
 void addRenderCommand(CLI::App& app) {
     auto* command = app.add_subcommand("render", "Render a scene");
     auto o = std::make_shared<RenderOptions>();
-    command->add_option("SCENE", o->scene, "Scene file, pbrt-v3")->required();
+    command->add_option("SCENE", o->scene, "Scene file, pbrt-v3 or pbrt-v4")->required();
     command->add_option("-o,--output", o->outputs,
                         "Picture to write, .exr or .png; may be repeated. Default: by the scene's film");
     command->add_option("--integrator", o->integrator, "drc, path, direct, or scene: what the file asks for")

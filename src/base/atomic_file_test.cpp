@@ -2,11 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 
 #include "base/folder_testing.h"
@@ -68,18 +66,12 @@ TEST_F(AtomicFileTest, SymbolicLinksStay) {
     EXPECT_EQ(readFile(path("real")), "new");
 }
 
-// A limit on the size of files stands for a full disk: both end a write in the middle.
 TEST_F(AtomicFileTest, AFullDiskLeavesTheOldFile) {
     writeFileAtomically(path("a"), "old");
-    rlimit before;
-    getrlimit(RLIMIT_FSIZE, &before);
-    rlimit small = before;
-    small.rlim_cur = 4096;
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    setrlimit(RLIMIT_FSIZE, &small);
-    const std::string message = errorOf([&] { writeFileAtomically(path("a"), std::string(100000, 'x')); });
-    setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
+    const std::string message = errorOf([&] {
+        const FileSizeLimit fullDisk(4096);
+        writeFileAtomically(path("a"), std::string(100000, 'x'));
+    });
     EXPECT_EQ(message, "cannot write " + path("a") + ": File too large");
     EXPECT_EQ(readFile(path("a")), "old");
     EXPECT_EQ(fileCount(), 1u);

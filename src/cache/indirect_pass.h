@@ -27,8 +27,8 @@ class IndirectPass {
     IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings, Stats* stats);
 
     // Estimates the indirect radiance of every pixel of the film, narrow lobes left out (PathTracer::direct gives
-    // theirs): add(x, y, value, weight) is called primarySamples times for each pixel, from any thread. `value`
-    // includes the pixel filter's weight. Grid spacing of one pixel or less: a map at each pixel, seen from there
+    // theirs): add(x, y, value, weight) is called primarySamples times for each pixel, from any thread, with the
+    // pixel filter's weight. Grid spacing of one pixel or less: a map at each pixel, seen from there
     // alone. False: cancelled, and some pixels have no value.
     bool run(int pass, float spacing, const std::function<void(int x, int y, const Rgb& value, float weight)>& add,
              const CancelToken* cancel = nullptr);

@@ -3,26 +3,18 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 
-#include "base/error.h"
+#include "base/folder_testing.h"
 
 namespace drc {
 namespace {
 
 using testing::HasSubstr;
 
-class Safetensors : public testing::Test {
+class Safetensors : public FolderTest {
   protected:
-    void SetUp() override {
-        path_ = (std::filesystem::temp_directory_path() /
-                 (std::string("drc_st_") + testing::UnitTest::GetInstance()->current_test_info()->name()))
-                    .string();
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     void writeRaw(const std::string& header, size_t dataBytes, int64_t claimedHeader = -1) {
         std::ofstream out(path_, std::ios::binary);
         const uint64_t n = claimedHeader < 0 ? header.size() : uint64_t(claimedHeader);
@@ -30,18 +22,13 @@ class Safetensors : public testing::Test {
         out << header << std::string(dataBytes, '\0');
     }
     std::string error() {
-        try {
-            SafetensorsFile file(path_);
-        } catch (const Error& e) {
-            const std::string text = e.what();
-            EXPECT_EQ(text.find(path_), 0u) << text;
-            EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-            return text;
-        }
-        return "no error";
+        const std::string text = errorOf([&] { SafetensorsFile file(path_); });
+        EXPECT_EQ(text.find(path_), 0u) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+        return text;
     }
 
-    std::string path_;
+    const std::string path_ = path("a.safetensors");
 };
 
 TEST_F(Safetensors, RoundTrip) {
@@ -95,32 +82,30 @@ TEST_F(Safetensors, BadFiles) {
     EXPECT_THAT(error(), HasSubstr("a header of"));
     writeRaw("{}", 0, 100);
     EXPECT_THAT(error(), HasSubstr("truncated"));
-    writeRaw("[1]", 0);
-    EXPECT_THAT(error(), HasSubstr("not a JSON object"));
-    writeRaw("{\"a\"", 0);
-    EXPECT_THAT(error(), HasSubstr("not a JSON object"));
-    writeRaw(R"({"a":{"dtype":"I64","shape":[1],"data_offsets":[0,8]}})", 8);
-    EXPECT_THAT(error(), HasSubstr("dtype 'I64'"));
-    writeRaw(R"({"a":{"dtype":"F32","shape":[3],"data_offsets":[0,8]}})", 8);
-    EXPECT_THAT(error(), HasSubstr("disagree"));
-    writeRaw(R"({"a":{"dtype":"F32","shape":[4611686018427387904,4],"data_offsets":[0,0]}})", 0);
-    EXPECT_THAT(error(), HasSubstr("too large"));
-    writeRaw(R"({"a":{"dtype":"F32","shape":[-1],"data_offsets":[0,8]}})", 8);
-    EXPECT_THAT(error(), HasSubstr("not a whole number"));
-    writeRaw(
-        R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]},"b":{"dtype":"F32","shape":[2],"data_offsets":[4,12]}})",
-        12);
-    EXPECT_THAT(error(), HasSubstr("overlap"));
-    writeRaw(R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[4,12]}})", 12);
-    EXPECT_THAT(error(), HasSubstr("hole"));
-    writeRaw(R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]}})", 9);
-    EXPECT_THAT(error(), HasSubstr("after the last tensor"));
-    writeRaw(R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[8,0]}})", 8);
-    EXPECT_THAT(error(), HasSubstr("wrong order"));
-    writeRaw(R"({"a":5})", 0);
-    EXPECT_THAT(error(), HasSubstr("not an object"));
-    writeRaw(R"({"__metadata__":{"k":5}})", 0);
-    EXPECT_THAT(error(), HasSubstr("not a string"));
+    const struct {
+        std::string header;
+        size_t dataBytes;
+        const char* complaint;
+    } kAll[] = {
+        {"[1]", 0, "not a JSON object"},
+        {"{\"a\"", 0, "not a JSON object"},
+        {R"({"a":{"dtype":"I64","shape":[1],"data_offsets":[0,8]}})", 8, "dtype 'I64'"},
+        {R"({"a":{"dtype":"F32","shape":[3],"data_offsets":[0,8]}})", 8, "disagree"},
+        {R"({"a":{"dtype":"F32","shape":[4611686018427387904,4],"data_offsets":[0,0]}})", 0, "too large"},
+        {R"({"a":{"dtype":"F32","shape":[-1],"data_offsets":[0,8]}})", 8, "not a whole number"},
+        {R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]},)"
+         R"("b":{"dtype":"F32","shape":[2],"data_offsets":[4,12]}})",
+         12, "overlap"},
+        {R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[4,12]}})", 12, "hole"},
+        {R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]}})", 9, "after the last tensor"},
+        {R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[8,0]}})", 8, "wrong order"},
+        {R"({"a":5})", 0, "not an object"},
+        {R"({"__metadata__":{"k":5}})", 0, "not a string"},
+    };
+    for (const auto& [header, dataBytes, complaint] : kAll) {
+        writeRaw(header, dataBytes);
+        EXPECT_THAT(error(), HasSubstr(complaint)) << header;
+    }
 }
 
 TEST_F(Safetensors, CannotWrite) { EXPECT_THROW(writeSafetensors("/nonexistent/x.safetensors", {}, {}), Error); }

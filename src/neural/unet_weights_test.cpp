@@ -7,22 +7,16 @@
 #include <fstream>
 #include <limits>
 
-#include "base/error.h"
+#include "base/folder_testing.h"
 
 namespace drc {
 namespace {
 
 using testing::HasSubstr;
 
-class UNetWeightsFile : public testing::Test {
+class UNetWeightsFile : public FolderTest {
   protected:
-    void SetUp() override {
-        path_ = (std::filesystem::temp_directory_path() /
-                 (std::string("drc_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".safetensors"))
-                    .string();
-        shape_.width = 4;
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
+    void SetUp() override { shape_.width = 4; }
 
     // Saves random weights after `change` had its way with them and with the metadata.
     template <typename Change>
@@ -40,18 +34,13 @@ class UNetWeightsFile : public testing::Test {
         writeSafetensors(path_, tensors, metadata);
     }
     std::string loadError() {
-        try {
-            UNetWeights::load(path_);
-        } catch (const Error& error) {
-            const std::string text = error.what();
-            EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-            EXPECT_EQ(text.find(path_), 0u) << text;
-            return text;
-        }
-        return "no error";
+        const std::string text = errorOf([&] { UNetWeights::load(path_); });
+        EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+        EXPECT_EQ(text.find(path_), 0u) << text;
+        return text;
     }
 
-    std::string path_;
+    const std::string path_ = path("a.safetensors");
     UNetShape shape_;
 };
 

@@ -100,9 +100,8 @@ Geometry curve(const ShapeContext& context) {
     const std::vector<Segment> segments = segmentsOf(params);
     const CurveType type = typeOf(params);
     const std::vector<Vec3> normals = ribbonNormals(context, type, segments.size());
-    const float width = params.getFloat("width", 1);
-    const float widths[2] = {params.getFloat("width0", width), params.getFloat("width1", width)};
-    if (!(widths[0] >= 0 && widths[1] >= 0)) fail(params.pos(), "the width of a curve must not be negative");
+    const float width = params.getNonNegativeFloat("width", 1);
+    const float widths[2] = {params.getNonNegativeFloat("width0", width), params.getNonNegativeFloat("width1", width)};
     params.ignore({"splitdepth"});  // how finely pbrt cuts curves for its own tree
 
     // What faces whoever looks has no side that a mirroring transformation could swap.

@@ -171,7 +171,7 @@ void texture(Context c) {
 
 void makeNamedMedium(Context c) {
     const std::string name = text(c, "the name");
-    parseParams(c.tokens, "medium '" + name + "'", c.pos, c.files);
+    parseParams(c.tokens, "medium '" + name + "'", c.pos, c.files, c.builder.colorRules(true));
     warn(c.pos, "participating media are not supported yet; medium '" + name + "' is left out");
 }
 
@@ -181,83 +181,52 @@ void mediumInterface(Context c) {
     warn(c.pos, "participating media are not supported yet; MediumInterface has no effect");
 }
 
-// The directives of the form  Name "type" parameters.
-void camera(Context c) {
-    Typed t = typed(c, "camera");
-    c.builder.camera(t.type, std::move(t.params));
+// A directive of the form  Name "type" parameters. kind is for messages.
+void addTyped(Context c, const std::string& kind, void (SceneBuilder::*add)(const std::string&, ParamSet)) {
+    Typed t = typed(c, kind);
+    (c.builder.*add)(t.type, std::move(t.params));
 }
-void film(Context c) {
-    Typed t = typed(c, "film");
-    c.builder.film(t.type, std::move(t.params));
-}
-void filter(Context c) {
-    Typed t = typed(c, "pixel filter");
-    c.builder.filter(t.type, std::move(t.params));
-}
-void sampler(Context c) {
-    Typed t = typed(c, "sampler");
-    c.builder.sampler(t.type, std::move(t.params));
-}
-void integrator(Context c) {
-    Typed t = typed(c, "integrator");
-    c.builder.integrator(t.type, std::move(t.params));
-}
+
 void accelerator(Context c) {
     const Typed t = typed(c, "accelerator");
     checkAccelerator(t.type, t.params);
-}
-void material(Context c) {
-    Typed t = typed(c, "material");
-    c.builder.material(t.type, std::move(t.params));
-}
-void lightSource(Context c) {
-    Typed t = typed(c, "light");
-    c.builder.light(t.type, std::move(t.params));
-}
-void areaLightSource(Context c) {
-    Typed t = typed(c, "area light");
-    c.builder.areaLight(t.type, std::move(t.params));
-}
-void shape(Context c) {
-    Typed t = typed(c, "shape");
-    c.builder.shape(t.type, std::move(t.params));
 }
 
 using enum DirectiveScope;
 constexpr Directive kDirectives[] = {
     {"Accelerator", Options, accelerator},
     {"ActiveTransform", Any, activeTransform},
-    {"AreaLightSource", World, areaLightSource},
+    {"AreaLightSource", World, [](Context c) { addTyped(c, "area light", &SceneBuilder::areaLight); }},
     {"Attribute", Any, attribute},
     {"AttributeBegin", World, [](Context c) { c.builder.beginBlock("Attribute", c.pos); }},
     {"AttributeEnd", World, [](Context c) { c.builder.endBlock("Attribute", c.pos); }},
-    {"Camera", Options, camera},
+    {"Camera", Options, [](Context c) { addTyped(c, "camera", &SceneBuilder::camera); }},
     {"ColorSpace", Any, colorSpace},
     {"ConcatTransform", Any, [](Context c) { c.builder.apply(matrix(c), c.pos); }},
     {"CoordSysTransform", Any, [](Context c) { c.builder.useCoordinateSystem(text(c, "the name"), c.pos); }},
     {"CoordinateSystem", Any, [](Context c) { c.builder.nameCoordinateSystem(text(c, "the name")); }},
-    {"Film", Options, film},
+    {"Film", Options, [](Context c) { addTyped(c, "film", &SceneBuilder::film); }},
     {"Identity", Any, [](Context c) { c.builder.setTransform(Transform(), c.pos); }},
     {"Import", World, import},
     {"Include", Any, include},
-    {"Integrator", Options, integrator},
-    {"LightSource", World, lightSource},
+    {"Integrator", Options, [](Context c) { addTyped(c, "integrator", &SceneBuilder::integrator); }},
+    {"LightSource", World, [](Context c) { addTyped(c, "light", &SceneBuilder::light); }},
     {"LookAt", Any, lookAt},
     {"MakeNamedMaterial", World, makeNamedMaterial},
     {"MakeNamedMedium", Any, makeNamedMedium},
-    {"Material", World, material},
+    {"Material", World, [](Context c) { addTyped(c, "material", &SceneBuilder::material); }},
     {"MediumInterface", Any, mediumInterface},
     {"NamedMaterial", World, namedMaterial},
     {"ObjectBegin", World, [](Context c) { c.builder.objectBegin(text(c, "the name"), c.pos); }},
     {"ObjectEnd", World, [](Context c) { c.builder.objectEnd(c.pos); }},
     {"ObjectInstance", World, objectInstance},
     {"Option", Options, option},
-    {"PixelFilter", Options, filter},
+    {"PixelFilter", Options, [](Context c) { addTyped(c, "pixel filter", &SceneBuilder::filter); }},
     {"ReverseOrientation", World, [](Context c) { c.builder.reverseOrientation(); }},
     {"Rotate", Any, rotate},
-    {"Sampler", Options, sampler},
+    {"Sampler", Options, [](Context c) { addTyped(c, "sampler", &SceneBuilder::sampler); }},
     {"Scale", Any, scale},
-    {"Shape", World, shape},
+    {"Shape", World, [](Context c) { addTyped(c, "shape", &SceneBuilder::shape); }},
     {"Texture", World, texture},
     {"Transform", Any, [](Context c) { c.builder.setTransform(matrix(c), c.pos); }},
     {"TransformBegin", World, [](Context c) { c.builder.beginBlock("Transform", c.pos); }},

@@ -30,8 +30,7 @@ FilterPtr makeGaussian(const ParamSet& params, const RadiusNames& names) {
 }
 // exp(-x^2 / (2 sigma^2)) in place of exp(-alpha x^2).
 FilterPtr makeGaussianV4(const ParamSet& params, const RadiusNames& names) {
-    const float sigma = params.getFloat("sigma", 0.5f);
-    if (!(sigma > 0)) params.failAt(*params.find("sigma", {ParamType::Float}), "must be positive");
+    const float sigma = params.getPositiveFloat("sigma", 0.5f);
     return makeGaussianFilter(radiusOf(params, 1.5f, names), 1 / (2 * sigma * sigma));
 }
 FilterPtr makeMitchell(const ParamSet& params, const RadiusNames& names) {

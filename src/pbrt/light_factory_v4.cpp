@@ -9,11 +9,7 @@
 namespace drc::pbrt {
 namespace {
 
-float scaleOf(const ParamSet& params) {
-    const float scale = params.getFloat("scale", 1);
-    if (!(scale >= 0)) params.failAt(*params.find("scale", {ParamType::Float}), "must not be negative");
-    return scale;
-}
+float scaleOf(const ParamSet& params) { return params.getNonNegativeFloat("scale", 1); }
 
 // Multiplies a light's colour: "scale", and if the parameter `target` ("power", "illuminance") is given what takes the
 // light from what it has of that, `own`, to it. As in pbrt `own` is that of white: a colour of half the luminance has

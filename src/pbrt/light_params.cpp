@@ -49,9 +49,7 @@ Vec3 distantDirection(const LightContext& context) {
 
 SpotAngles spotAngles(const ParamSet& params) {
     const float cone = degreesBetween(params, "coneangle", 30, 0, 180);
-    const float fade = params.getFloat("conedeltaangle", 5);
-    if (!(fade >= 0)) params.failAt(*params.find("conedeltaangle", {ParamType::Float}), "must not be negative");
-    return {cone, fade};
+    return {cone, params.getNonNegativeFloat("conedeltaangle", 5)};
 }
 
 }  // namespace drc::pbrt

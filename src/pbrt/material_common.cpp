@@ -1,8 +1,46 @@
 #include "pbrt/material_common.h"
 
+#include <algorithm>
+
 #include "pbrt/suggest.h"
+#include "scene/material_matte.h"
 
 namespace drc::pbrt {
+
+bool isNone(const MaterialTable& table, std::string_view type) {
+    return type.empty() || std::find(table.none.begin(), table.none.end(), type) != table.none.end();
+}
+
+MaterialMaker makerOf(const MaterialTable& table, const std::string& type, const SourcePos& pos) {
+    return findMaker(table.makers, "material", type, pos, "grey " + std::string(table.placeholder) + " is used");
+}
+
+std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& table, const std::string& type,
+                                                       ParamSet params, const NamedTextures& textures,
+                                                       const NamedMaterials& materials) {
+    auto instance = std::make_shared<MaterialInstance>();
+    instance->type = type;
+    instance->params = std::move(params);
+    const ParamSet& own = instance->params;
+    own.ignore({"type"});  // MakeNamedMaterial's
+    if (isNone(table, type)) {
+        own.ignoreAll();
+        return instance;
+    }
+    const MaterialMaker make = makerOf(table, type, own.pos());
+    if (make == nullptr) {
+        own.ignoreAll();
+        instance->type = table.placeholder;
+        instance->params = ParamSet("material '" + instance->type + "'", own.pos());
+        instance->material = makeMatte({});
+        return instance;
+    }
+    for (const std::string_view name : table.notBuilt) own.notBuilt({name});
+    const TextureParams textureParams(own, textures);
+    instance->material = make({textureParams, materials});
+    own.warnUnused();
+    return instance;
+}
 
 HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string_view colorName, FloatTexturePtr bump) {
     HairParams hair{.sigmaA = p.colorOrNull("sigma_a"),
@@ -26,6 +64,12 @@ HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string
         ignored(hair.pheomelanin != nullptr, "pheomelanin");
     }
     return hair;
+}
+
+void checkLobes(const Material& material, const SourcePos& pos) {
+    if (material.maxLobes() > Bsdf::kMaxLobes)
+        fail(pos, "the mix has up to " + std::to_string(material.maxLobes()) + " lobes, which is more than the " +
+                      std::to_string(Bsdf::kMaxLobes) + " that one surface may have; mix fewer or simpler materials");
 }
 
 MaterialPtr namedPart(const MaterialContext& c, const std::string& name, const std::string& what,

@@ -1,12 +1,9 @@
 // For tests: materials compared by what they do.
 #pragma once
-#include <gtest/gtest.h>
-
-#include <sstream>
-#include <string>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
-#include "base/log.h"
 #include "scene/bsdf.h"
 #include "scene/material.h"
 
@@ -45,31 +42,6 @@ inline bool alike(const Material& a, const Material& b) {
     for (size_t i = 0; i < x.size(); ++i)
         if (!(std::abs(x[i] - y[i]) <= 1e-4f * std::max({1e-3f, std::abs(x[i]), std::abs(y[i])}))) return false;
     return true;
-}
-
-// A material's parameters: others are always given; of the scalars and colours, names with a space between, one.
-struct ParameterCase {
-    const char *type, *others, *scalars, *colors;
-};
-// Each has an effect, and the same one from a texture. load(parameters) makes the material where the textures "t" are
-// 0.7 and the colour 0.6 0.35 0.7.
-template <typename Load>
-void checkParameters(const ParameterCase& c, const Load& load) {
-    const MaterialPtr plain = load(c.others);
-    const auto check = [&](const std::string& names, const std::string& type, const std::string& value) {
-        std::istringstream stream(names);
-        for (std::string name; stream >> name;) {
-            const std::string others = std::string(c.others) + " ";
-            const MaterialPtr constant = load(others + "\"" + type + " " + name + "\" " + value);
-            EXPECT_FALSE(alike(*plain, *constant)) << c.type << " " << name;
-            const int before = warningCount();
-            const MaterialPtr textured = load(others + "\"texture " + name + "\" \"t\"");
-            EXPECT_EQ(warningCount(), before) << c.type << " " << name;
-            EXPECT_TRUE(alike(*constant, *textured)) << c.type << " " << name;
-        }
-    };
-    check(c.scalars, "float", ".7");
-    check(c.colors, "rgb", "[.6 .35 .7]");
 }
 
 }  // namespace drc::pbrt

@@ -1,7 +1,6 @@
 #include "pbrt/material_factory.h"
 
 #include "pbrt/material_common.h"
-#include "pbrt/registry.h"
 #include "scene/material_disney.h"
 #include "scene/material_glass.h"
 #include "scene/material_matte.h"
@@ -155,53 +154,24 @@ constexpr Registered<MaterialMaker> kMaterials[] = {
     {"uber", uber},
 };
 
-bool isNone(const std::string& type) { return type.empty() || type == "none"; }
-
-MaterialMaker makerOf(const std::string& type, const SourcePos& pos) {
-    return findMaker<MaterialMaker>(kMaterials, "material", type, pos, "grey matte is used");
-}
+constexpr std::string_view kNone[] = {"none"};
+constexpr MaterialTable kTable{kMaterials, kNone, "matte", {}};
 
 }  // namespace
 
 std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
                                                      const NamedTextures& textures, const NamedMaterials& materials) {
-    auto instance = std::make_shared<MaterialInstance>();
-    instance->type = type;
-    instance->params = std::move(params);
-    const ParamSet& own = instance->params;
-    own.ignore({"type"});  // MakeNamedMaterial's
-    if (isNone(type)) {
-        own.ignoreAll();
-        return instance;
-    }
-    const MaterialMaker make = makerOf(type, own.pos());
-    if (make == nullptr) {
-        own.ignoreAll();
-        instance->type = "matte";
-        instance->params = ParamSet("material 'matte'", own.pos());
-        instance->material = makeMatte({});
-        return instance;
-    }
-    const TextureParams textureParams(own, textures);
-    instance->material = make({textureParams, materials});
-    own.warnUnused();
-    return instance;
+    return makeMaterialOf(kTable, type, std::move(params), textures, materials);
 }
 
 MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const NamedTextures& textures,
                              const NamedMaterials& materials) {
     const size_t unused = shape.unusedCount();
-    if (unused == 0 || isNone(instance.type)) return instance.material;
+    if (unused == 0 || isNone(kTable, instance.type)) return instance.material;
     // Whatever the shape itself has not looked up may be the material's; making it tells.
     const TextureParams params(instance.params, textures, &shape);
-    MaterialPtr own = makerOf(instance.type, instance.params.pos())({params, materials});
+    MaterialPtr own = makerOf(kTable, instance.type, instance.params.pos())({params, materials});
     return shape.unusedCount() < unused ? own : instance.material;
-}
-
-void checkLobes(const Material& material, const SourcePos& pos) {
-    if (material.maxLobes() > Bsdf::kMaxLobes)
-        fail(pos, "the mix has up to " + std::to_string(material.maxLobes()) + " lobes, which is more than the " +
-                      std::to_string(Bsdf::kMaxLobes) + " that one surface may have; mix fewer or simpler materials");
 }
 
 }  // namespace drc::pbrt

@@ -26,7 +26,4 @@ std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, Pa
 MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const NamedTextures& textures,
                              const NamedMaterials& materials);
 
-// Throws Error, at pos, for a material that may have more lobes than a Bsdf takes.
-void checkLobes(const Material& material, const SourcePos& pos);
-
 }  // namespace drc::pbrt

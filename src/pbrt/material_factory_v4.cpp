@@ -1,13 +1,13 @@
 #include "pbrt/material_factory_v4.h"
 
 #include "pbrt/material_common.h"
-#include "pbrt/registry.h"
 #include "scene/material_coated.h"
 #include "scene/material_conductor.h"
 #include "scene/material_dielectric.h"
 #include "scene/material_diffuse_transmission.h"
 #include "scene/material_matte.h"
 #include "scene/material_mix.h"
+#include "scene/texture_convert.h"
 
 namespace drc::pbrt {
 namespace {
@@ -117,17 +117,6 @@ MaterialPtr hair(const MaterialContext& c) {
     return makeHair(hairOf(p, reflectance ? std::move(reflectance) : color, name, bumpOf(p)));
 }
 
-// What a number leaves to one, as a grey.
-class Remainder final : public RgbTexture {
-  public:
-    explicit Remainder(FloatTexturePtr number) : number_(std::move(number)) {}
-    Rgb eval(const TextureContext& at) const override { return Rgb(1 - std::clamp(number_->eval(at), 0.f, 1.f)); }
-    bool isConstant() const override { return number_->isConstant(); }
-
-  private:
-    FloatTexturePtr number_;
-};
-
 // Unlike pbrt-v3's, the amount is a number, and of the second.
 MaterialPtr mix(const MaterialContext& c) {
     const ParamSet& own = c.params.own();
@@ -137,8 +126,8 @@ MaterialPtr mix(const MaterialContext& c) {
         own.failAt(*names, "must have two materials' names, not " + std::to_string(names->count()));
     const MaterialPtr first = namedPart(c, names->strings[0], "first of 'materials'", names->valuePos);
     const MaterialPtr second = namedPart(c, names->strings[1], "second of 'materials'", names->valuePos);
-    MaterialPtr whole = makeMix(
-        {.first = first, .second = second, .amount = std::make_shared<Remainder>(c.params.scalar("amount", 0.5f))});
+    MaterialPtr whole =
+        makeMix({.first = first, .second = second, .amount = makeRemainderTexture(c.params.scalar("amount", 0.5f))});
     checkLobes(*whole, own.pos());
     return whole;
 }
@@ -157,31 +146,15 @@ constexpr Registered<MaterialMaker> kMaterials[] = {
     {"thindielectric", thinDielectric},
 };
 
+constexpr std::string_view kNone[] = {"interface", "none"};
+constexpr std::string_view kNotBuilt[] = {"normalmap"};
+constexpr MaterialTable kTable{kMaterials, kNone, "diffuse", kNotBuilt};
+
 }  // namespace
 
 std::shared_ptr<const MaterialInstance> makeMaterialV4(const std::string& type, ParamSet params,
                                                        const NamedTextures& textures, const NamedMaterials& materials) {
-    auto instance = std::make_shared<MaterialInstance>();
-    instance->type = type;
-    instance->params = std::move(params);
-    const ParamSet& own = instance->params;
-    own.ignore({"type"});  // MakeNamedMaterial's
-    if (type.empty() || type == "interface" || type == "none") {
-        own.ignoreAll();
-        return instance;
-    }
-    const MaterialMaker make =
-        findMaker<MaterialMaker>(kMaterials, "material", type, own.pos(), "grey diffuse is used");
-    if (make == nullptr) {
-        own.ignoreAll();
-        instance->material = makeMatte({});
-        return instance;
-    }
-    own.notBuilt({"normalmap"});
-    const TextureParams textureParams(own, textures);
-    instance->material = make({textureParams, materials});
-    own.warnUnused();
-    return instance;
+    return makeMaterialOf(kTable, type, std::move(params), textures, materials);
 }
 
 }  // namespace drc::pbrt

@@ -2,57 +2,26 @@
 
 #include <gmock/gmock.h>
 
-#include "base/log.h"
-#include "pbrt/material_comparison.h"
-#include "pbrt/param_parser.h"
-#include "pbrt/test_scenes.h"
-#include "scene/material_matte.h"
-#include "scene/material_mirror.h"
+#include "pbrt/material_factory_testing.h"
 
 namespace drc::pbrt {
 namespace {
 
 using testing::HasSubstr;
 
-class MaterialFactoryV4 : public testing::Test {
-  protected:
-    MaterialFactoryV4() {
-        textures_.scalars.set("t", std::make_shared<ConstantTexture<float>>(.7f));
-        textures_.colors.set("t", std::make_shared<ConstantTexture<Rgb>>(Rgb(.6f, .35f, .7f)));
-        const auto name = [&](const std::string& as, MaterialPtr material) {
-            auto instance = std::make_shared<MaterialInstance>();
-            instance->material = std::move(material);
-            materials_.set(as, std::move(instance));
-        };
-        name("a", makeMatte({}));
-        name("b", makeMirror({}));
-        name("gone", nullptr);
-    }
-    MaterialPtr load(const std::string& type, const std::string& parameters) {
-        tokens_ = std::make_unique<TokenStream>(Source::fromText(parameters, "m.pbrt", "."));
-        ParamSet params = parseParams(*tokens_, "material '" + type + "'", {}, files_, {.dialect = Dialect::V4});
-        return makeMaterialV4(type, std::move(params), textures_, materials_)->material;
-    }
-    std::string errorOfLoading(const std::string& type, const std::string& parameters) {
-        return errorOf([&] { load(type, parameters); });
-    }
-    int warningsOf(const std::string& type, const std::string& parameters) {
-        const int before = warningCount();
-        load(type, parameters);
-        return warningCount() - before;
-    }
+const MaterialLoader kLoader(Dialect::V4);
 
-    FileSearch files_{"."};
-    NamedTextures textures_;
-    NamedMaterials materials_;
-    std::unique_ptr<TokenStream> tokens_;
-};
+MaterialPtr load(const std::string& type, const std::string& parameters, const std::string& before = "") {
+    return kLoader.load(type, parameters, before);
+}
+int warningsOf(const std::string& type, const std::string& parameters) { return kLoader.warningsOf(type, parameters); }
+std::string errorOfMaterial(const std::string& type, const std::string& parameters, const std::string& before = "") {
+    return errorOf([&] { load(type, parameters, before); });
+}
 
-TEST_F(MaterialFactoryV4, Defaults) {
+TEST(MaterialFactoryV4, Defaults) {
     const std::string copper = "eta\" [.2004377 .9240334 1.1022120] ", copperK = "k\" [3.9129485 2.4528477 2.1421880] ";
-    const struct {
-        std::string type, defaults;
-    } kAll[] = {
+    const DefaultsCase kAll[] = {
         {"diffuse", "\"rgb reflectance\" [.5 .5 .5]"},
         {"diffusetransmission",
          "\"rgb reflectance\" [.25 .25 .25] \"rgb transmittance\" [.25 .25 .25] \"float scale\" 1"},
@@ -71,19 +40,14 @@ TEST_F(MaterialFactoryV4, Defaults) {
         {"hair",
          "\"float eumelanin\" 1.3 \"float eta\" 1.55 \"float beta_m\" .3 \"float beta_n\" .3 \"float alpha\" 2"},
     };
-    for (const auto& [type, defaults] : kAll) {
-        const MaterialPtr plain = load(type, "");
-        ASSERT_NE(plain, nullptr) << type;
-        EXPECT_EQ(plain->bump(), nullptr) << type;
-        EXPECT_TRUE(alike(*plain, *load(type, defaults))) << type;
-        EXPECT_EQ(warningsOf(type, defaults), 0) << type;
-        EXPECT_NE(load(type, "\"texture displacement\" \"t\"")->bump(), nullptr) << type;
-        EXPECT_EQ(warningsOf(type, "\"string normalmap\" \"n.png\""), 1) << type;
-        EXPECT_EQ(warningsOf(type, "\"float sgima\" 1"), 1) << type;
+    for (const DefaultsCase& c : kAll) {
+        checkDefaults(kLoader, c);
+        checkBump(kLoader, c.type, "displacement");
+        EXPECT_EQ(warningsOf(c.type, "\"string normalmap\" \"n.png\""), 1) << c.type;
     }
 }
 
-TEST_F(MaterialFactoryV4, EveryParameterCountsAndMayBeATexture) {
+TEST(MaterialFactoryV4, EveryParameterCountsAndMayBeATexture) {
     const ParameterCase kCases[] = {
         {"diffuse", "", "", "reflectance"},
         {"diffusetransmission", "", "", "reflectance transmittance"},
@@ -99,11 +63,10 @@ TEST_F(MaterialFactoryV4, EveryParameterCountsAndMayBeATexture) {
         {"coatedconductor", "\"rgb albedo\" [.5 .5 .5]", "g", ""},
         {"hair", "", "eumelanin pheomelanin eta beta_m beta_n alpha", "sigma_a reflectance"},
     };
-    for (const ParameterCase& c : kCases)
-        checkParameters(c, [&](const std::string& parameters) { return load(c.type, parameters); });
+    for (const ParameterCase& c : kCases) checkParameters(kLoader, c);
 }
 
-TEST_F(MaterialFactoryV4, RoughnessIsTheSquareOfAlphaUnlessToldNotTo) {
+TEST(MaterialFactoryV4, RoughnessIsTheSquareOfAlphaUnlessToldNotTo) {
     const struct {
         std::string type, prefix;
     } kAll[] = {{"dielectric", ""}, {"conductor", ""}, {"coateddiffuse", ""}, {"coatedconductor", "conductor."}};
@@ -117,26 +80,31 @@ TEST_F(MaterialFactoryV4, RoughnessIsTheSquareOfAlphaUnlessToldNotTo) {
     }
 }
 
-TEST_F(MaterialFactoryV4, Interfaces) {
+TEST(MaterialFactoryV4, Interfaces) {
     for (const char* type : {"", "none", "interface"}) EXPECT_EQ(load(type, "\"float x\" 1"), nullptr) << type;
 }
 
-TEST_F(MaterialFactoryV4, Mix) {
+TEST(MaterialFactoryV4, Mix) {
+    const std::string parts =
+        "MakeNamedMaterial \"a\" \"string type\" \"diffuse\"\nMakeNamedMaterial \"b\" \"string type\" \"conductor\"\n"
+        "MakeNamedMaterial \"gone\" \"string type\" \"interface\"\n"
+        "Texture \"t\" \"float\" \"constant\" \"float value\" .7\n";
+    const auto mix = [&](const std::string& parameters) { return load("mix", parameters, parts); };
+    const auto error = [&](const std::string& parameters) { return errorOfMaterial("mix", parameters, parts); };
     const std::string names = "\"string materials\" [\"a\" \"b\"] ";
     // The amount is of the second.
-    EXPECT_TRUE(alike(*load("mix", names + "\"float amount\" 0"), *makeMatte({})));
-    EXPECT_TRUE(alike(*load("mix", names + "\"float amount\" 1"), *makeMirror({})));
-    EXPECT_TRUE(alike(*load("mix", names), *load("mix", names + "\"float amount\" .5")));
-    EXPECT_TRUE(alike(*load("mix", names + "\"texture amount\" \"t\""), *load("mix", names + "\"float amount\" .7")));
-    EXPECT_THAT(errorOfLoading("mix", ""), HasSubstr("needs the parameter \"string materials\""));
-    EXPECT_THAT(errorOfLoading("mix", "\"string materials\" [\"a\"]"),
-                HasSubstr("must have two materials' names, not 1"));
-    EXPECT_THAT(errorOfLoading("mix", "\"string materials\" [\"a\" \"c\"]"),
+    EXPECT_TRUE(alike(*mix(names + "\"float amount\" 0"), *load("diffuse", "")));
+    EXPECT_TRUE(alike(*mix(names + "\"float amount\" 1"), *load("conductor", "")));
+    EXPECT_TRUE(alike(*mix(names), *mix(names + "\"float amount\" .5")));
+    EXPECT_TRUE(alike(*mix(names + "\"texture amount\" \"t\""), *mix(names + "\"float amount\" .7")));
+    EXPECT_THAT(error(""), HasSubstr("needs the parameter \"string materials\""));
+    EXPECT_THAT(error("\"string materials\" [\"a\"]"), HasSubstr("must have two materials' names, not 1"));
+    EXPECT_THAT(error("\"string materials\" [\"a\" \"c\"]"),
                 HasSubstr("the mix material's second of 'materials' 'c' has not been defined"));
-    EXPECT_THAT(errorOfLoading("mix", "\"string materials\" [\"gone\" \"a\"]"), HasSubstr("'gone' is 'none'"));
+    EXPECT_THAT(error("\"string materials\" [\"gone\" \"a\"]"), HasSubstr("'gone' is 'none'"));
 }
 
-TEST_F(MaterialFactoryV4, NumbersForGreysAndSpectraForIndices) {
+TEST(MaterialFactoryV4, NumbersForGreysAndSpectraForIndices) {
     EXPECT_TRUE(
         alike(*load("diffuse", "\"float reflectance\" .3"), *load("diffuse", "\"rgb reflectance\" [.3 .3 .3]")));
     EXPECT_TRUE(
@@ -148,11 +116,11 @@ TEST_F(MaterialFactoryV4, NumbersForGreysAndSpectraForIndices) {
     EXPECT_EQ(warningsOf("conductor", "\"spectrum eta\" \"metal-TiO2-eta\" \"spectrum k\" \"metal-TiO2-k\""), 0);
 }
 
-TEST_F(MaterialFactoryV4, Errors) {
-    EXPECT_THAT(errorOfLoading("conductr", ""), HasSubstr("did you mean 'conductor'?"));
-    EXPECT_THAT(errorOfLoading("conductor", "\"rgb eta\" [1 1 1] \"rgb reflectance\" [1 1 1]"),
+TEST(MaterialFactoryV4, Errors) {
+    EXPECT_THAT(errorOfMaterial("conductr", ""), HasSubstr("did you mean 'conductor'?"));
+    EXPECT_THAT(errorOfMaterial("conductor", "\"rgb eta\" [1 1 1] \"rgb reflectance\" [1 1 1]"),
                 HasSubstr("has both 'reflectance' and 'eta' or 'k'"));
-    EXPECT_THAT(errorOfLoading("coatedconductor", "\"rgb conductor.k\" [1 1 1] \"rgb reflectance\" [1 1 1]"),
+    EXPECT_THAT(errorOfMaterial("coatedconductor", "\"rgb conductor.k\" [1 1 1] \"rgb reflectance\" [1 1 1]"),
                 HasSubstr("has both 'reflectance' and 'conductor.eta' or 'conductor.k'"));
     EXPECT_EQ(warningsOf("measured", "\"string filename\" \"a\""), 1);
     EXPECT_EQ(warningsOf("hair", "\"rgb sigma_a\" [1 1 1] \"float eumelanin\" 1"), 1);

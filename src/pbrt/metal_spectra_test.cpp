@@ -4,8 +4,7 @@
 
 #include "base/log.h"
 #include "pbrt/test_scenes.h"
-#include "scene/fresnel.h"
-#include "scene/material_metal.h"
+#include "scene/conductor_textures.h"
 
 namespace drc::pbrt {
 namespace {

@@ -133,6 +133,22 @@ float ParamSet::getFloat(std::string_view name, float fallback) const {
     return param != nullptr ? float(param->numbers[0]) : fallback;
 }
 
+float ParamSet::getPositiveFloat(std::string_view name, float fallback) const {
+    const Param* param = findOne(name, ParamType::Float);
+    if (param == nullptr) return fallback;
+    const float value = float(param->numbers[0]);
+    if (!(value > 0)) failAt(*param, "must be positive");
+    return value;
+}
+
+float ParamSet::getNonNegativeFloat(std::string_view name, float fallback) const {
+    const Param* param = findOne(name, ParamType::Float);
+    if (param == nullptr) return fallback;
+    const float value = float(param->numbers[0]);
+    if (!(value >= 0)) failAt(*param, "must not be negative");
+    return value;
+}
+
 int ParamSet::getInt(std::string_view name, int fallback) const {
     const Param* param = findOne(name, ParamType::Integer);
     return param != nullptr ? int(param->numbers[0]) : fallback;

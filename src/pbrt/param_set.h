@@ -46,6 +46,9 @@ class ParamSet {
     void inherit(const ParamSet& defaults);
 
     float getFloat(std::string_view name, float fallback) const;
+    // Throw Error, at the parameter, for a value below the bound or no number. The fallback must be within it.
+    float getPositiveFloat(std::string_view name, float fallback) const;
+    float getNonNegativeFloat(std::string_view name, float fallback) const;
     int getInt(std::string_view name, int fallback) const;
     bool getBool(std::string_view name, bool fallback) const;
     std::string getString(std::string_view name, const std::string& fallback) const;

@@ -1,7 +1,10 @@
 #include "pbrt/render_settings_params.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
+#include "base/log.h"
 #include "pbrt/suggest.h"
 
 namespace drc::pbrt {
@@ -19,12 +22,6 @@ int positiveOf(const ParamSet& params, std::string_view name, int fallback, int 
     return value;
 }
 
-float positiveOf(const ParamSet& params, std::string_view name, float fallback) {
-    const float value = params.getFloat(name, fallback);
-    if (!(value > 0)) params.failAt(*params.find(name, {ParamType::Float}), "must be positive");
-    return value;
-}
-
 void checkKnown(const std::vector<std::string_view>& known, const std::string& kind, const std::string& name,
                 const SourcePos& pos) {
     if (std::find(known.begin(), known.end(), name) == known.end())
@@ -35,7 +32,7 @@ void applyFrame(const ParamSet& params, RenderSettings& settings) {
     settings.film.width = positiveOf(params, "xresolution", settings.film.width, kMaxResolution);
     settings.film.height = positiveOf(params, "yresolution", settings.film.height, kMaxResolution);
     settings.outputFile = params.getString("filename", settings.outputFile);
-    settings.film.diagonal = positiveOf(params, "diagonal", settings.film.diagonal);
+    settings.film.diagonal = params.getPositiveFloat("diagonal", settings.film.diagonal);
     if (const Param* window = params.find("cropwindow", {ParamType::Float})) {
         if (window->numbers.size() != 4) params.failAt(*window, "must have four values of type 'float'");
         float crop[4];
@@ -55,7 +52,7 @@ void applyPixelBounds(const ParamSet& params, RenderSettings& settings) {
     if (bounds->numbers.size() != 4) params.failAt(*bounds, "must have four values of type 'integer'");
     PixelRegion& r = settings.pixelBounds.emplace();
     r = {int(bounds->numbers[0]), int(bounds->numbers[2]), int(bounds->numbers[1]), int(bounds->numbers[3])};
-    if (r.width() < 1 || r.height() < 1)
+    if (r.x0 >= r.x1 || r.y0 >= r.y1)
         params.failAt(*bounds, "is empty: it must be x0 x1 y0 y1 in pixels, with x0 < x1 and y0 < y1");
 }
 
@@ -68,6 +65,30 @@ int maxDepthOf(const ParamSet& params) {
     const int depth = params.getInt("maxdepth", 5);
     if (depth < 0) params.failAt(*params.find("maxdepth", {ParamType::Integer}), "must not be negative");
     return depth;
+}
+
+void acceptChoiceOfLights(const ParamSet& params, std::string_view name, const std::vector<std::string_view>& known,
+                          const std::string& integrator) {
+    const std::string choice = params.getString(name, "");
+    const Param* param = params.find(name, {ParamType::String});
+    if (param == nullptr) return;
+    checkKnown(known, std::string(name), choice, param->valuePos);
+    logDebug(fmt::format("integrator '{}': lights are chosen by what they can bring to a point, not by '{}'",
+                         integrator, choice));
+}
+
+void acceptKnobs(const IntegratorKnobs& all, const std::string& type, const ParamSet& params) {
+    const auto knobs = all.find(type);
+    if (knobs == all.end()) {
+        params.ignoreAll();
+        return;
+    }
+    for (const std::string_view name : knobs->second) {
+        if (!params.has(name)) continue;
+        params.ignore({name});
+        logDebug(fmt::format("integrator '{}': '{}' has no effect", type, name));
+    }
+    params.warnUnused();
 }
 
 }  // namespace drc::pbrt

@@ -90,7 +90,7 @@ TEST(RenderSettings, IntegratorParametersAreKnownOrNamed) {
     EXPECT_EQ(warnings("\"path\" \"integer maxdeph\" 7"), 1);
     EXPECT_EQ(warnings("\"iispt\" \"integer whatever\" 7"), 0);
     EXPECT_THAT(errorOfOptions("Integrator \"path\" \"string lightsamplestrategy\" \"best\""),
-                HasSubstr("must be 'uniform', 'power' or 'spatial', not 'best'"));
+                HasSubstr("s.pbrt:1:48: unknown lightsamplestrategy 'best'"));
 }
 
 }  // namespace

@@ -1,9 +1,5 @@
 #include "pbrt/render_settings_v4.h"
 
-#include <fmt/core.h>
-
-#include <map>
-
 #include "base/log.h"
 #include "pbrt/render_settings_params.h"
 
@@ -16,7 +12,7 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
     applyFrame(params, settings);
     applyPixelBounds(params, settings);
     // pbrt multiplies by the time that the shutter is open, too: see the camera. Its first versions had that here.
-    settings.filmScale = positiveOf(params, "iso", 100.f) / 100 * positiveOf(params, "exposuretime", 1.f);
+    settings.filmScale = params.getPositiveFloat("iso", 100) / 100 * params.getPositiveFloat("exposuretime", 1);
     const std::string sensor = params.getString("sensor", "cie1931");
     if (sensor != "cie1931")
         warn(params.find("sensor", {ParamType::String})->valuePos,
@@ -25,7 +21,7 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
         warn(params.find("whitebalance", {ParamType::Float})->pos,
              "parameter 'whitebalance' of " + params.owner() + " is not supported yet; the picture is not balanced");
     // White of that value: what is brighter in one channel alone is cut a little later than by pbrt.
-    settings.maxSampleLuminance = positiveOf(params, "maxcomponentvalue", kInfinity);
+    settings.maxSampleLuminance = params.getPositiveFloat("maxcomponentvalue", kInfinity);
     params.ignore({"savefp16"});
     if (type == "gbuffer") params.ignore({"coordinatesystem"});
     if (type == "spectral") params.ignore({"lambdamax", "lambdamin", "nbuckets"});
@@ -46,8 +42,7 @@ void applySamplerV4(const std::string& type, const ParamSet& params, RenderSetti
 
 namespace {
 
-// What is for the integrators' own algorithms.
-const std::map<std::string_view, std::vector<std::string_view>> kKnobs = {
+const IntegratorKnobs kKnobs = {
     {"ambientocclusion", {"cossample", "maxdistance"}},
     {"bdpt", {"visualizestrategies", "visualizeweights"}},
     {"function", {"function", "imagefilename"}},
@@ -66,28 +61,11 @@ const std::map<std::string_view, std::vector<std::string_view>> kKnobs = {
 void applyIntegratorV4(const std::string& type, const ParamSet& params, RenderSettings& settings) {
     settings.integrator = type;
     settings.maxDepth = maxDepthOf(params);
-    if (const Param* sampler = params.find("lightsampler", {ParamType::String})) {
-        const std::string name = params.getString("lightsampler", "");
-        checkKnown({"bvh", "exhaustive", "power", "uniform"}, "light sampler", name, sampler->valuePos);
-        settings.lightStrategy = name;
-        logDebug("integrator '" + type + "': lights are chosen by what they can bring to a point, not by '" + name +
-                 "'");
-    }
+    acceptChoiceOfLights(params, "lightsampler", {"bvh", "exhaustive", "power", "uniform"}, type);
     if (params.getBool("regularize", false))
         warn(params.find("regularize", {ParamType::Bool})->pos,
              "parameter 'regularize' of " + params.owner() + " is not supported yet; no surface is made rougher");
-    const auto knobs = kKnobs.find(type);
-    if (knobs == kKnobs.end()) {
-        // Of an integrator that is not pbrt's own nothing is known.
-        params.ignoreAll();
-        return;
-    }
-    for (const std::string_view name : knobs->second) {
-        if (!params.has(name)) continue;
-        params.ignore({name});
-        logDebug(fmt::format("integrator '{}': '{}' has no effect", type, name));
-    }
-    params.warnUnused();
+    acceptKnobs(kKnobs, type, params);
 }
 
 }  // namespace drc::pbrt

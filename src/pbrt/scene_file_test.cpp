@@ -51,8 +51,6 @@ TEST(SceneFile, SettingsOfTheFile) {
     const RenderSettings& s = scene->settings;
     EXPECT_EQ(s.integrator, "iispt");
     EXPECT_EQ(s.maxDepth, 9);
-    EXPECT_EQ(s.rrThreshold, .5f);
-    EXPECT_EQ(s.lightStrategy, "uniform");
     EXPECT_EQ(s.samplesPerPixel, 15);
     EXPECT_EQ(s.filter->radius(), Vec2(3, 1.5f));
     EXPECT_EQ(s.film.width, 64);

@@ -100,11 +100,13 @@ TEST(SceneFileV4, WhatIsKnownButNotBuiltIsNamed) {
               3);
     EXPECT_EQ(scene->primitives.size(), 1u);
     EXPECT_NE(scene->primitives[0].material, nullptr);
+    // What is left out need not be as pbrt-v3 has it either.
+    EXPECT_EQ(errorOfWorldV4("MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"blackbody Le\" 6500"), "");
     EXPECT_THAT(errorOfOptions("Sampler \"sobl\""), HasSubstr("did you mean 'sobol'?"));
     EXPECT_THAT(errorOfOptions("Camera \"perspective\" \"float shutterclose\" 0"), HasSubstr("shutter"));
     EXPECT_THAT(errorOfOptions("Film \"rgb\" \"float iso\" 0"), HasSubstr("must be positive"));
     EXPECT_THAT(errorOfOptions("Integrator \"path\" \"string lightsampler\" \"best\""),
-                HasSubstr("unknown light sampler 'best'"));
+                HasSubstr("unknown lightsampler 'best'"));
     EXPECT_THAT(errorOfWorldV4("Shape \"hyperboloid\""), HasSubstr("only pbrt-v3 has"));
 }
 

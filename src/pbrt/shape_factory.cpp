@@ -21,22 +21,14 @@ Params placedParams(const ShapeContext& context) {
     Params p;
     p.objectToWorld = context.objectToWorld;
     p.reverseOrientation = context.reverseOrientation;
-    p.phiMax = context.params.getFloat("phimax", 360);
-    if (!(p.phiMax > 0)) fail(context.params.pos(), "'phimax' of " + context.params.owner() + " must be positive");
+    p.phiMax = context.params.getPositiveFloat("phimax", 360);
     return p;
-}
-
-float positive(const ParamSet& params, std::string_view name, float fallback) {
-    const float value = params.getFloat(name, fallback);
-    if (!(value > 0))
-        fail(params.pos(), "parameter '" + std::string(name) + "' of " + params.owner() + " must be positive");
-    return value;
 }
 
 Geometry sphere(const ShapeContext& context) {
     const ParamSet& params = context.params;
     auto p = placedParams<SphereParams>(context);
-    p.radius = positive(params, "radius", 1);
+    p.radius = params.getPositiveFloat("radius", 1);
     p.zMin = params.getFloat("zmin", -p.radius);
     p.zMax = params.getFloat("zmax", p.radius);
     if (std::clamp(p.zMin, -p.radius, p.radius) == std::clamp(p.zMax, -p.radius, p.radius))
@@ -48,7 +40,7 @@ Geometry disk(const ShapeContext& context) {
     const ParamSet& params = context.params;
     auto p = placedParams<DiskParams>(context);
     p.height = params.getFloat("height", 0);
-    p.radius = positive(params, "radius", 1);
+    p.radius = params.getPositiveFloat("radius", 1);
     p.innerRadius = params.getFloat("innerradius", 0);
     if (!(p.innerRadius >= 0 && p.innerRadius < p.radius))
         fail(params.pos(), "the 'innerradius' of a disk must be from 0 to less than its 'radius'");
@@ -58,7 +50,7 @@ Geometry disk(const ShapeContext& context) {
 Geometry cylinder(const ShapeContext& context) {
     const ParamSet& params = context.params;
     auto p = placedParams<CylinderParams>(context);
-    p.radius = positive(params, "radius", 1);
+    p.radius = params.getPositiveFloat("radius", 1);
     p.zMin = params.getFloat("zmin", -1);
     p.zMax = params.getFloat("zmax", 1);
     if (p.zMin == p.zMax) fail(params.pos(), "a cylinder has no height where 'zmin' equals 'zmax'");
@@ -68,7 +60,7 @@ Geometry cylinder(const ShapeContext& context) {
 Geometry cone(const ShapeContext& context) {
     const ParamSet& params = context.params;
     auto p = placedParams<ConeParams>(context);
-    p.radius = positive(params, "radius", 1);
+    p.radius = params.getPositiveFloat("radius", 1);
     p.height = params.getFloat("height", 1);
     if (p.height == 0) fail(params.pos(), "the height of a cone must not be zero: use a disk for a flat one");
     return {.shape = makeCone(p)};
@@ -77,7 +69,7 @@ Geometry cone(const ShapeContext& context) {
 Geometry paraboloid(const ShapeContext& context) {
     const ParamSet& params = context.params;
     auto p = placedParams<ParaboloidParams>(context);
-    p.radius = positive(params, "radius", 1);
+    p.radius = params.getPositiveFloat("radius", 1);
     p.zMin = params.getFloat("zmin", 0);
     p.zMax = params.getFloat("zmax", 1);
     if (!(std::max(p.zMin, p.zMax) > 0) || p.zMin == p.zMax)

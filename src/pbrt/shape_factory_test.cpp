@@ -192,7 +192,7 @@ TEST(ShapeFactory, CurveErrors) {
 
 TEST(ShapeFactory, SaysWhatIsWrong) {
     EXPECT_THAT(errorOfWorld("Shape \"cylinder\" \"float radius\" -1"),
-                HasSubstr("s.pbrt:2:7: parameter 'radius' of shape 'cylinder' must be positive"));
+                HasSubstr("s.pbrt:2:18: parameter 'radius' of shape 'cylinder' must be positive"));
     EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"float zmin\" 2"), HasSubstr("nothing of the sphere is between"));
     EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"float zmin\" .5 \"float zmax\" .5"),
                 HasSubstr("nothing of the sphere"));

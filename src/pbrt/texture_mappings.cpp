@@ -22,8 +22,8 @@ void warnOfOthers(const ParamSet& texture, const std::string& mapping, std::init
     texture.ignore(others);
 }
 
-// pbrt-v4's planes lie in the texture's space, pbrt-v3's in the world's: vs . (M p + t) = (transposed M vs) . p + vs .
-// t.
+// pbrt-v4's planes lie in the texture's space, pbrt-v3's in the world's. With M p + t the texture's point for p,
+// vs . (M p + t) = (transposed M vs) . p + vs . t.
 Mapping2D planarIn(const Transform& worldToTexture, const Vec3& vs, const Vec3& vt, const Vec2& delta) {
     const Vec3 x = worldToTexture.vector(Vec3(1, 0, 0)), y = worldToTexture.vector(Vec3(0, 1, 0)),
                z = worldToTexture.vector(Vec3(0, 0, 1)), t = worldToTexture.point(Vec3(0, 0, 0));

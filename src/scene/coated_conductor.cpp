@@ -55,22 +55,16 @@ LobeValue CoatedConductor::evaluate(const Vec3& wo, const Vec3& wi) const {
 }
 
 LobeSample CoatedConductor::sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
-    LobeSample s;
-    if (wo.z == 0) return s;
+    if (wo.z == 0) return {};
     const Vec3 o = refractIn(wo);
     const Vec3 wh = distribution_.sample(o, u);
-    if (dot(o, wh) <= 0) return s;
+    if (dot(o, wh) <= 0) return {};
     const Vec3 i = reflect(o, wh);
-    if (!sameHemisphere(o, i)) return s;
+    if (!sameHemisphere(o, i)) return {};
     const float x = i.x * coat_.eta(), y = i.y * coat_.eta();
     const float cos2 = 1 - x * x - y * y;
-    if (!(cos2 > 0)) return s;  // totally reflected: comes back
-    s.wi = normalize(Vec3(x, y, std::copysign(std::sqrt(cos2), i.z)));
-    const LobeValue value = evaluate(wo, s.wi);
-    s.f = value.f;
-    s.pdf = value.pdf;
-    s.flags = flags();
-    return s;
+    if (!(cos2 > 0)) return {};  // totally reflected: comes back
+    return sampleTowards(*this, wo, normalize(Vec3(x, y, std::copysign(std::sqrt(cos2), i.z))));
 }
 
 Rgb CoatedConductor::albedo(const Vec3& wo) const {

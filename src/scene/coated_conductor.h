@@ -38,22 +38,10 @@ class CoatedConductor {
 };
 
 // A smooth base under a smooth coat: one mirror, with the coat's own reflection.
-class CoatedMirror {
+class CoatedMirror : public MirrorLobe<CoatedMirror> {
   public:
     CoatedMirror(const DielectricCoat& coat, const Fresnel& base) : coat_(coat), base_(base) {}
 
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Specular; }
-    Rgb f(const Vec3&, const Vec3&) const { return Rgb(0.f); }
-    float pdf(const Vec3&, const Vec3&) const { return 0; }
-    LobeSample sample(const Vec3& wo, float, const Vec2&, TransportMode) const {
-        LobeSample s;
-        if (wo.z == 0) return s;
-        s.wi = Vec3(-wo.x, -wo.y, wo.z);
-        s.f = albedo(wo) * (1 / absCosTheta(wo));
-        s.pdf = 1;
-        s.flags = flags();
-        return s;
-    }
     Rgb albedo(const Vec3& wo) const;  // exact
 
   private:

@@ -6,16 +6,11 @@
 
 namespace drc {
 
-class CoatedDiffuse {
+class CoatedDiffuse : public DiffuseReflectionLobe<CoatedDiffuse> {
   public:
     CoatedDiffuse(const Rgb& reflectance, const DielectricCoat& coat);
 
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
-    float pdf(const Vec3& wo, const Vec3& wi) const { return cosinePdf(wo, wi); }
-    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
-        return sampleByCosine(*this, wo, u);
-    }
     Rgb albedo(const Vec3& wo) const;  // exact
 
   private:

@@ -1,8 +1,7 @@
 #include "scene/disney_clearcoat.h"
 
-#include "math/warp.h"
 #include "scene/fresnel.h"
-#include "scene/local_directions.h"
+#include "scene/lobe_sampling.h"
 
 namespace drc {
 namespace {
@@ -33,20 +32,11 @@ LobeValue DisneyClearcoat::evaluate(const Vec3& wo, const Vec3& wi) const {
 }
 
 LobeSample DisneyClearcoat::sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
-    LobeSample s;
-    if (wo.z == 0) return s;
+    if (wo.z == 0) return {};
     const float cosH = safeSqrt((1 - std::pow(alpha2_, 1 - u.x)) / (1 - alpha2_));
     const float sinH = safeSqrt(1 - cosH * cosH);
     const SinCos phi = sinCosOfTurn(u.y);
-    const Vec3 wh(sinH * phi.cos, sinH * phi.sin, std::copysign(cosH, wo.z));
-    if (dot(wo, wh) <= 0) return s;
-    s.wi = reflect(wo, wh);
-    if (!sameHemisphere(wo, s.wi)) return s;
-    const LobeValue value = evaluate(wo, s.wi);
-    s.f = value.f;
-    s.pdf = value.pdf;
-    s.flags = flags();
-    return s;
+    return sampleOffMicrofacet(*this, wo, Vec3(sinH * phi.cos, sinH * phi.sin, std::copysign(cosH, wo.z)));
 }
 
 Rgb DisneyClearcoat::albedo(const Vec3& wo) const {

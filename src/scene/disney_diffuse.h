@@ -17,16 +17,11 @@ struct DisneyDiffuseColors {
     Rgb sheen{0.f};
 };
 
-class DisneyDiffuse {
+class DisneyDiffuse : public DiffuseReflectionLobe<DisneyDiffuse> {
   public:
     DisneyDiffuse(const DisneyDiffuseColors& colors, float roughness) : colors_(colors), roughness_(roughness) {}
 
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
-    float pdf(const Vec3& wo, const Vec3& wi) const { return cosinePdf(wo, wi); }
-    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
-        return sampleByCosine(*this, wo, u);
-    }
     Rgb albedo(const Vec3& wo) const;
 
   private:

@@ -6,17 +6,12 @@
 
 namespace drc {
 
-class FresnelBlendBase {
+class FresnelBlendBase : public DiffuseReflectionLobe<FresnelBlendBase> {
   public:
     // Both colours decide what the coat leaves to the base.
     FresnelBlendBase(const Rgb& diffuse, const Rgb& specular) : reflectance_(diffuse * (Rgb(1.f) - specular)) {}
 
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
-    float pdf(const Vec3& wo, const Vec3& wi) const { return cosinePdf(wo, wi); }
-    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
-        return sampleByCosine(*this, wo, u);
-    }
     Rgb albedo(const Vec3& wo) const;  // exact
 
   private:

@@ -91,7 +91,8 @@ struct HairScattering::Outgoing {
         }
         float sum = 0;
         for (int p = 0; p < kLobes; ++p) sum += probability[size_t(p)] = luminance(attenuation[size_t(p)]);
-        for (float& p : probability) p /= sum;
+        // Of a fibre that takes everything (an index of 1, and black), none is chosen.
+        for (float& p : probability) p = sum > 0 ? p / sum : 0;
     }
 };
 

@@ -84,6 +84,14 @@ TEST(HairScattering, DensityOfOneDirectionByHand) {
     EXPECT_NEAR(hair(0, 1000, m, n, 0).pdf(w, w), expected, 1e-4 * expected);
 }
 
+TEST(HairScattering, NothingIsScatteredByWhatTakesEverything) {
+    const HairScattering lobe(0.2f, Rgb(1000.f), {.eta = 1});
+    const Vec3 wo = direction(0.6f), wi = direction(0.3f);
+    EXPECT_EQ(lobe.pdf(wo, wi), 0);
+    EXPECT_EQ(lobe.f(wo, wi), Rgb(0.f));
+    EXPECT_EQ(lobe.sample(wo, 0.5f, Vec2(0.5f, 0.5f), TransportMode::Radiance).pdf, 0);
+}
+
 TEST(HairScattering, ExtremesStayFinite) {
     for (const float h : {-1.f, 0.f, 1.f})
         for (const float beta : {0.f, 1.f})

@@ -53,4 +53,11 @@ struct LobeSample {
     float eta = 1;      // relative index of refraction crossed
 };
 
+// What specular lobes have in common: only their own samples have any of their light.
+class SpecularLobe {
+  public:
+    Rgb f(const Vec3&, const Vec3&) const { return Rgb(0.f); }
+    float pdf(const Vec3&, const Vec3&) const { return 0; }
+};
+
 }  // namespace drc

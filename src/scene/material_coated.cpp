@@ -1,7 +1,6 @@
 #include "scene/material_coated.h"
 
-#include "scene/material_metal.h"
-#include "scene/material_params.h"
+#include "scene/conductor_textures.h"
 
 namespace drc {
 namespace {
@@ -93,18 +92,15 @@ class CoatedDiffuseMaterial final : public Material {
 class CoatedConductorMaterial final : public Material {
   public:
     explicit CoatedConductorMaterial(CoatedConductorParams params)
-        : coat_(std::move(params.coat)), params_(std::move(params)) {
-        params_.eta = orConstant(params_.eta, kCopperEta);
-        params_.k = orConstant(params_.k, kCopperK);
+        : coat_(std::move(params.coat)),
+          params_(std::move(params)),
+          index_(params_.eta, params_.k, params_.reflectance) {
         params_.roughness = orConstant(params_.roughness, 0);
         setBump(params_.bump);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Coat coat = coat_.at(at, params_.remapRoughness);
-        const Rgb eta = params_.reflectance ? Rgb(1.f) : params_.eta->eval(at);
-        const Rgb k = params_.reflectance ? conductorK(params_.reflectance->eval(at)) : params_.k->eval(at);
-        // Seen from within the coat.
-        const Fresnel base = Fresnel::conductor(eta * (1 / coat.eta()), k * (1 / coat.eta()));
+        const Fresnel base = index_.at(at, coat.eta());
         const auto distribution = distributionUnlessSmooth(
             {params_.roughness, params_.uRoughness, params_.vRoughness, params_.remapRoughness}, at);
         const bool isHazy = !isBlack(coat.haze);
@@ -123,14 +119,15 @@ class CoatedConductorMaterial final : public Material {
         if (isHazy) bsdf.add(CoatedDiffuse(coat.haze, coat.layer), weight);
     }
     bool isConstant() const override {
-        return coat_.areAllConstant() && areConstant(params_.eta, params_.k, params_.reflectance, params_.roughness,
-                                                     params_.uRoughness, params_.vRoughness);
+        return coat_.areAllConstant() && index_.areAllConstant() &&
+               areConstant(params_.roughness, params_.uRoughness, params_.vRoughness);
     }
     int maxLobes() const override { return 3; }
 
   private:
     CoatTextures coat_;
     CoatedConductorParams params_;
+    ConductorTextures index_;
 };
 
 }  // namespace

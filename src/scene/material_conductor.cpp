@@ -1,23 +1,19 @@
 #include "scene/material_conductor.h"
 
-#include "scene/material_metal.h"
-#include "scene/material_params.h"
+#include "scene/conductor_textures.h"
 
 namespace drc {
 namespace {
 
 class Conductor final : public Material {
   public:
-    explicit Conductor(ConductorParams params) : params_(std::move(params)) {
-        params_.eta = orConstant(params_.eta, kCopperEta);
-        params_.k = orConstant(params_.k, kCopperK);
+    explicit Conductor(ConductorParams params)
+        : params_(std::move(params)), index_(params_.eta, params_.k, params_.reflectance) {
         params_.roughness = orConstant(params_.roughness, 0);
         setBump(params_.bump);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
-        const Fresnel fresnel = params_.reflectance
-                                    ? Fresnel::conductor(Rgb(1.f), conductorK(params_.reflectance->eval(at)))
-                                    : Fresnel::conductor(params_.eta->eval(at), params_.k->eval(at));
+        const Fresnel fresnel = index_.at(at);
         const auto distribution = distributionUnlessSmooth(
             {params_.roughness, params_.uRoughness, params_.vRoughness, params_.remapRoughness}, at);
         if (distribution)
@@ -27,13 +23,13 @@ class Conductor final : public Material {
     }
 
     bool isConstant() const override {
-        return areConstant(params_.eta, params_.k, params_.reflectance, params_.roughness, params_.uRoughness,
-                           params_.vRoughness);
+        return index_.areAllConstant() && areConstant(params_.roughness, params_.uRoughness, params_.vRoughness);
     }
     int maxLobes() const override { return 1; }
 
   private:
     ConductorParams params_;
+    ConductorTextures index_;
 };
 
 }  // namespace

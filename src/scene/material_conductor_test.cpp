@@ -1,6 +1,6 @@
 #include "scene/material_conductor.h"
 
-#include "scene/material_metal.h"
+#include "scene/conductor_textures.h"
 #include "scene/material_testing.h"
 
 namespace drc {

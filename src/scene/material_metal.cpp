@@ -1,15 +1,13 @@
 #include "scene/material_metal.h"
 
-#include "scene/material_params.h"
+#include "scene/conductor_textures.h"
 
 namespace drc {
 namespace {
 
 class Metal final : public Material {
   public:
-    explicit Metal(MetalParams params) : params_(std::move(params)) {
-        params_.eta = orConstant(params_.eta, kCopperEta);
-        params_.k = orConstant(params_.k, kCopperK);
+    explicit Metal(MetalParams params) : params_(std::move(params)), index_(params_.eta, params_.k) {
         params_.roughness = orConstant(params_.roughness, 0.01f);
         setBump(params_.bump);
     }
@@ -17,17 +15,18 @@ class Metal final : public Material {
         const FloatTexture& u = params_.uRoughness ? *params_.uRoughness : *params_.roughness;
         const FloatTexture& v = params_.vRoughness ? *params_.vRoughness : *params_.roughness;
         bsdf.add(MicrofacetReflection(Rgb(1.f), distributionFor(u.eval(at), v.eval(at), params_.remapRoughness),
-                                      Fresnel::conductor(params_.eta->eval(at), params_.k->eval(at))),
+                                      index_.at(at)),
                  weight);
     }
 
     bool isConstant() const override {
-        return areConstant(params_.eta, params_.k, params_.roughness, params_.uRoughness, params_.vRoughness);
+        return index_.areAllConstant() && areConstant(params_.roughness, params_.uRoughness, params_.vRoughness);
     }
     int maxLobes() const override { return 1; }
 
   private:
     MetalParams params_;
+    ConductorTextures index_;
 };
 
 }  // namespace

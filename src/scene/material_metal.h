@@ -4,10 +4,6 @@
 
 namespace drc {
 
-// Copper's index of refraction: measured spectra, integrated to RGB.
-inline const Rgb kCopperEta(0.2004377f, 0.9240334f, 1.1022120f);
-inline const Rgb kCopperK(3.9129485f, 2.4528477f, 2.1421880f);
-
 // Null textures take the values given here, which are pbrt's.
 struct MetalParams {
     RgbTexturePtr eta;           // copper

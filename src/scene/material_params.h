@@ -49,14 +49,4 @@ inline std::optional<TrowbridgeReitz> distributionUnlessSmooth(const RoughnessTe
     return TrowbridgeReitz(u, v);
 }
 
-// Index of refraction of a conductor that reflects this much at normal incidence: eta is 1, k as returned.
-inline Rgb conductorK(const Rgb& reflectance) {
-    Rgb k;
-    for (int c = 0; c < 3; ++c) {
-        const float r = std::clamp(reflectance[c], 0.f, 0.9999f);
-        k[c] = 2 * std::sqrt(r / (1 - r));
-    }
-    return k;
-}
-
 }  // namespace drc

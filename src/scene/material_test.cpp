@@ -1,3 +1,4 @@
+#include "scene/conductor_textures.h"
 #include "scene/material_disney.h"
 #include "scene/material_glass.h"
 #include "scene/material_hair.h"

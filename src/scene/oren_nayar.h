@@ -4,17 +4,12 @@
 
 namespace drc {
 
-class OrenNayar {
+class OrenNayar : public DiffuseReflectionLobe<OrenNayar> {
   public:
     // sigma: standard deviation of the grooves' slope angle, in degrees.
     OrenNayar(const Rgb& reflectance, float sigmaDegrees);
 
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
     Rgb f(const Vec3& wo, const Vec3& wi) const;
-    float pdf(const Vec3& wo, const Vec3& wi) const { return cosinePdf(wo, wi); }
-    LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
-        return sampleByCosine(*this, wo, u);
-    }
     Rgb albedo(const Vec3&) const { return reflectance_; }
 
   private:

@@ -48,10 +48,8 @@ struct PixelRegion {
 struct RenderSettings {
     std::string integrator = "path";  // as the file names it: "path", "directlighting", "iispt", ...
     int maxDepth = 5;
-    float rrThreshold = 1;
     int samplesPerPixel = 16;
     std::string sampler = "halton";
-    std::string lightStrategy = "spatial";
     std::string outputFile = "pbrt.exr";
     FilmGeometry film;
     float cropWindow[4] = {0, 1, 0, 1};      // x0 x1 y0 y1

@@ -4,15 +4,13 @@
 
 namespace drc {
 
-class SpecularTransmission {
+class SpecularTransmission : public SpecularLobe {
   public:
     // etaA: index of refraction on the side of the shading normal; etaB: on the other.
     SpecularTransmission(const Rgb& transmittance, float etaA, float etaB)
         : transmittance_(transmittance), etaA_(etaA), etaB_(etaB) {}
 
     static constexpr LobeFlags flags() { return LobeFlags::Transmission | LobeFlags::Specular; }
-    Rgb f(const Vec3&, const Vec3&) const { return Rgb(0.f); }
-    float pdf(const Vec3&, const Vec3&) const { return 0; }
     LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
     Rgb albedo(const Vec3& wo) const;
 

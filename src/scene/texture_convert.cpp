@@ -29,6 +29,16 @@ class GreyTexture final : public RgbTexture {
     FloatTexturePtr number_;
 };
 
+class RemainderTexture final : public RgbTexture {
+  public:
+    explicit RemainderTexture(FloatTexturePtr share) : share_(std::move(share)) {}
+    Rgb eval(const TextureContext& at) const override { return Rgb(1 - std::clamp(share_->eval(at), 0.f, 1.f)); }
+    bool isConstant() const override { return share_->isConstant(); }
+
+  private:
+    FloatTexturePtr share_;
+};
+
 }  // namespace
 
 template <typename T>
@@ -39,5 +49,9 @@ template FloatTexturePtr makeInvertedTexture<float>(FloatTexturePtr);
 template RgbTexturePtr makeInvertedTexture<Rgb>(RgbTexturePtr);
 
 RgbTexturePtr makeGreyTexture(FloatTexturePtr number) { return std::make_shared<GreyTexture>(std::move(number)); }
+
+RgbTexturePtr makeRemainderTexture(FloatTexturePtr share) {
+    return std::make_shared<RemainderTexture>(std::move(share));
+}
 
 }  // namespace drc

@@ -12,5 +12,7 @@ extern template RgbTexturePtr makeInvertedTexture<Rgb>(RgbTexturePtr);
 
 // Numbers as greys.
 RgbTexturePtr makeGreyTexture(FloatTexturePtr number);
+// What a share leaves to one, as a grey; shares below 0 count as 0, above 1 as 1.
+RgbTexturePtr makeRemainderTexture(FloatTexturePtr share);
 
 }  // namespace drc

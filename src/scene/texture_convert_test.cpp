@@ -16,6 +16,15 @@ TEST(TextureConvert, Inverts) {
     EXPECT_FALSE(makeInvertedTexture<Rgb>(makeUvTexture({}))->isConstant());
 }
 
+TEST(TextureConvert, Remainders) {
+    const auto remainder = [](float share) {
+        return makeRemainderTexture(std::make_shared<ConstantTexture<float>>(share))->eval({});
+    };
+    EXPECT_EQ(remainder(0.25f), Rgb(0.75f));
+    EXPECT_EQ(remainder(-1), Rgb(1.f));
+    EXPECT_EQ(remainder(3), Rgb(0.f));
+}
+
 TEST(TextureConvert, Greys) {
     EXPECT_EQ(makeGreyTexture(std::make_shared<ConstantTexture<float>>(0.25f))->eval({}), Rgb(0.25f));
 }

@@ -5,13 +5,11 @@
 
 namespace drc {
 
-class ThinDielectric {
+class ThinDielectric : public SpecularLobe {
   public:
     explicit ThinDielectric(float eta) : eta_(eta) {}
 
     static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Specular; }
-    Rgb f(const Vec3&, const Vec3&) const { return Rgb(0.f); }
-    float pdf(const Vec3&, const Vec3&) const { return 0; }
     LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
     // Nothing is absorbed.
     Rgb albedo(const Vec3&) const { return Rgb(1.f); }
