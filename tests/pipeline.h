@@ -64,6 +64,11 @@ struct Pipeline {
     // spacing.
     Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing,
                             int passes) const {
+        return estimateOf(cachedPasses(enhancer, settings, spacing, passes));
+    }
+    // The pictures of the passes: [pass][pixel].
+    std::vector<std::vector<Rgb>> cachedPasses(const Enhancer& enhancer, const IndirectSettings& settings,
+                                               float spacing, int passes) const {
         const PixelRegion region = scene->settings.region();
         std::vector<std::vector<Rgb>> values(size_t(passes), std::vector<Rgb>(region.count()));
         for (int pass = 0; pass < passes; ++pass) {
@@ -72,8 +77,7 @@ struct Pipeline {
                 values[size_t(pass)][region.index(x, y)] = value * weight;
             });
         }
-        return estimate(int(region.count()), passes, 1,
-                        [&](int pixel, int i) { return values[size_t(i)][size_t(pixel)]; });
+        return values;
     }
 
     std::unique_ptr<Scene> scene;

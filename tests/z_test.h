@@ -54,6 +54,21 @@ inline Estimate estimate(int pixels, int samples, int group, const std::function
     return e;
 }
 
+// Of pictures that are independent of each other: [picture][pixel].
+inline Estimate estimateOf(const std::vector<std::vector<Rgb>>& pictures) {
+    return estimate(int(pictures[0].size()), int(pictures.size()), 1,
+                    [&](int pixel, int i) { return pictures[size_t(i)][size_t(pixel)]; });
+}
+
+// Of their means over all pixels, which tells how sure these are although the pixels depend on each other.
+inline Estimate estimateOfMeans(const std::vector<std::vector<Rgb>>& pictures) {
+    return estimate(1, int(pictures.size()), 1, [&](int, int i) {
+        Rgb sum(0.f);
+        for (const Rgb& value : pictures[size_t(i)]) sum += value;
+        return sum * (1.f / float(pictures[size_t(i)].size()));
+    });
+}
+
 struct ZResult {
     double worst = 0;           // largest |z| of a pixel and channel
     double meanSquare = 0;      // of z: 1 if the variances are right and the expectations the same

@@ -5,6 +5,10 @@
 namespace drc {
 namespace {
 
+// Cosine between two normals below which the part of a pixel's hemisphere that the map does not see counts: at this
+// one it is a twentieth of a per cent of the irradiance.
+constexpr float kParallel = 0.999f;
+
 struct Sides {
     const RadianceMap* front = nullptr;
     const RadianceMap* back = nullptr;  // null: the pixel does not transmit
@@ -23,14 +27,16 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
     for (const WeightedSite& s : sites) total += s.weight;
 
     // The maps' density follows what a diffuse surface integrates: there the BSDF's own samples would add but noise.
+    // They are needed for glossy lobes, and for directions below the horizon of a map that is turned away, which the
+    // map's samples never take. What light comes from there, the map's horizon tells best.
     const bool glossy = hit.bsdf.has(LobeFlags::Glossy);
     const BsdfView view(hit.bsdf, at.wo, LobeFlags::Wide);
-    const auto contribution = [&](const Sides& sides, const Vec3& d, float mapPdf, const LobeValue& bsdf) {
+    const auto contribution = [&](const Sides& sides, const Vec3& d, float pdf, const LobeValue& bsdf) {
         const RadianceMap* map = dot(d, normal) >= 0 ? sides.front : sides.back;
         if (map == nullptr) return Rgb(0.f);
         // Directions between the shading and the geometric horizon, which paths never sample, are none of ours either.
         if (bsdf.pdf <= 0) return Rgb(0.f);
-        return bsdf.f * map->radianceAt(at.p, d) * (absDot(d, shading) / (mapPdf + (glossy ? bsdf.pdf : 0)));
+        return bsdf.f * map->radianceAt(at.p, d) * (absDot(d, shading) / pdf);
     };
 
     Rgb sum(0.f);
@@ -43,16 +49,18 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
         const MapSite& site = *sites[k].site;
         const Sides sides{&site.front, transmits ? &site.back : nullptr};
 
+        const bool both = glossy || dot(normal, site.n) < kParallel;
         const float uSide = sampler.get1D();
         const auto fromMap = (transmits && uSide < 0.5f ? site.back : site.front).sample(sampler.get2D());
         if (fromMap.pdf > 0) {
             const float mapPdf = transmits ? sides.pdf(fromMap.d) : fromMap.pdf;
-            sum += contribution(sides, fromMap.d, mapPdf, view.evaluate(fromMap.d));
+            const LobeValue bsdf = view.evaluate(fromMap.d);
+            sum += contribution(sides, fromMap.d, mapPdf + (both ? bsdf.pdf : 0), bsdf);
         }
-        if (!glossy) continue;
+        if (!both) continue;
         const float uLobe = sampler.get1D();
-        const auto fromBsdf = view.sample(uLobe, sampler.get2D());
-        if (fromBsdf) sum += contribution(sides, fromBsdf->wi, sides.pdf(fromBsdf->wi), {fromBsdf->f, fromBsdf->pdf});
+        const auto s = view.sample(uLobe, sampler.get2D());
+        if (s) sum += contribution(sides, s->wi, sides.pdf(s->wi) + s->pdf, {s->f, s->pdf});
     }
     sum *= 1.f / float(samples);
     return isFinite(sum) ? sum : Rgb(0.f);

@@ -14,8 +14,9 @@ struct WeightedSite {
 
 // Estimate of the integral over the sphere of f R cos, f the wide lobes (narrow ones are traced: see
 // PathTracer::indirectNarrow), R the mean of the maps by weight.
-// samples: directions from the maps, each with one from the BSDF if it has a glossy lobe (balance heuristic). Sample s
-// of pixel `stream` has the index firstIndex + s, so that passes continue one sequence. `sites` must not be empty.
+// samples: directions from the maps, each with one from the BSDF if that has a glossy lobe or the map is turned away
+// from the surface (balance heuristic). Sample s of pixel `stream` has the index firstIndex + s, so that passes
+// continue one sequence. `sites` must not be empty.
 Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int samples, uint64_t stream,
            uint32_t firstIndex);
 

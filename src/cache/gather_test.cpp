@@ -44,6 +44,7 @@ void makeCase(const MaterialPtr& material, F&& radiance, Case& s) {
     s.hit.surface.dpdv = Vec3(0, 1, 0);
     s.hit.surface.wo = normalize(Vec3(0.5f, 0.2f, 1));
     s.hit.bsdf = s.hit.surface.bsdf();
+    s.site.n = Vec3(0, 0, 1);
     s.site.front = mapOf(Vec3(0, 0, 1), radiance);
     s.site.back = mapOf(Vec3(0, 0, -1), radiance);
     s.site.hasFront = s.site.hasBack = true;
@@ -79,6 +80,25 @@ double integrate(const PrimaryHit& hit, F&& radiance) {
             sum += double((hit.bsdf.f(hit.surface.wo, d, LobeFlags::NonSpecular) * radiance(d)).y) * std::abs(z);
         }
     return sum * 4 * std::numbers::pi / (double(n) * n);
+}
+
+// On a curved surface no map sees the whole hemisphere of its neighbours; a twelfth of the irradiance is missed here.
+TEST(Gather, MapsThatAreTurnedAwayLoseNoLight) {
+    const Vec3 tilted = normalize(Vec3(std::sin(0.6f), 0, std::cos(0.6f)));
+    for (const bool transmits : {false, true}) {
+        const auto half = std::make_shared<ConstantTexture<Rgb>>(Rgb(0.5f));
+        Case s;
+        makeCase(
+            transmits ? makeTranslucent({})
+                      : makeMatte({half, nullptr, nullptr}),
+            [](Vec3) { return Rgb(3.f); }, s);
+        const double expected = integrate(s.hit, [](Vec3) { return Rgb(3.f); });
+        s.site.n = tilted;
+        s.site.front = mapOf(tilted, [](Vec3) { return Rgb(3.f); });
+        s.site.back = mapOf(-tilted, [](Vec3) { return Rgb(3.f); });
+        const Mean m = gatherMean(s, 8);
+        EXPECT_NEAR(m.value, expected, 4 * m.sigma + 1e-3) << (transmits ? "translucent" : "matte");
+    }
 }
 
 TEST(Gather, ConstantRadianceOnALambertianSurfaceGivesItsAlbedo) {
