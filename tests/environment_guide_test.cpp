@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline.h"
+#include "test_scenes.h"
 
 namespace drc {
 namespace {
@@ -11,17 +12,16 @@ using test::Pipeline;
 
 // A room under a sky that it sees through one window, and that lights a glossy ball by BSDF samples too.
 std::string roomWithWindow() {
-    const auto quad = [](const char* points) {
-        return std::string("Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [") + points + "]\n";
-    };
+    using test::quad;
     return "LookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70\n"
            "Film \"image\" \"integer xresolution\" 12 \"integer yresolution\" 8\nIntegrator \"path\"\nWorldBegin\n"
            "LightSource \"infinite\" \"rgb L\" [3 4 5]\n"
            "Material \"matte\" \"rgb Kd\" [0.6 0.5 0.4]\n" +
-           quad("-2 -2 0 2 -2 0 2 2 0 -2 2 0") + quad("-2 -2 3 -2 2 3 2 2 3 2 -2 3") +
-           quad("-2 2 0 2 2 0 2 2 3 -2 2 3") + quad("-2 -2 0 -2 -2 3 2 -2 3 2 -2 0") +
-           quad("-2 -2 0 -2 2 0 -2 2 3 -2 -2 3") + quad("2 -2 0 2 -2 3 2 -1 3 2 -1 0") +
-           quad("2 0 0 2 0 3 2 2 3 2 2 0") + quad("2 -1 0 2 -1 1 2 0 1 2 0 0") + quad("2 -1 2 2 -1 3 2 0 3 2 0 2") +
+           quad("-2 -2 0", "2 -2 0", "2 2 0", "-2 2 0") + quad("-2 -2 3", "-2 2 3", "2 2 3", "2 -2 3") +
+           quad("-2 2 0", "2 2 0", "2 2 3", "-2 2 3") + quad("-2 -2 0", "-2 -2 3", "2 -2 3", "2 -2 0") +
+           quad("-2 -2 0", "-2 2 0", "-2 2 3", "-2 -2 3") + quad("2 -2 0", "2 -2 3", "2 -1 3", "2 -1 0") +
+           quad("2 0 0", "2 0 3", "2 2 3", "2 2 0") + quad("2 -1 0", "2 -1 1", "2 0 1", "2 0 0") +
+           quad("2 -1 2", "2 -1 3", "2 0 3", "2 0 2") +
            "Material \"plastic\" \"rgb Kd\" [0.2 0.2 0.2] \"rgb Ks\" [0.5 0.5 0.5] \"float roughness\" 0.2\n"
            "Translate 0.3 0.3 0.6\nShape \"sphere\" \"float radius\" 0.5\nWorldEnd\n";
 }
@@ -36,10 +36,7 @@ TEST(EnvironmentGuide, SamePictureLessNoise) {
             for (int i = 0; i < 4; ++i) guided.path(p, 1000000 + sweep * 4 + i);
         guide.update();
     }
-    const auto estimate = [](const Pipeline& pipeline) {
-        return test::estimate(pipeline.pixels(), 2048, 32, [&](int p, int i) { return pipeline.path(p, i); });
-    };
-    const Estimate a = estimate(plain), b = estimate(guided);
+    const Estimate a = plain.estimate(&Pipeline::path, 2048, 32), b = guided.estimate(&Pipeline::path, 2048, 32);
     const test::ZResult z = test::zTest(a, b);
     EXPECT_LT(z.worst, z.bound);
     EXPECT_LT(z.meanDifference, z.bound);

@@ -53,8 +53,7 @@ TEST_P(Furnace, RadianceIsOneInEveryPixel) {
     settings.gatherSamples = 16;
     settings.primarySamples = 1;
     const auto enhancer = std::string(c.enhancer) == "gaussian" ? makeGaussianEnhancer(1) : makeIdentityEnhancer();
-    const Estimate direct =
-        test::estimate(pipeline.pixels(), 1024, 16, [&](int p, int i) { return pipeline.direct(p, i); });
+    const Estimate direct = pipeline.estimate(&Pipeline::direct, 1024, 16);
     const auto passes = pipeline.cachedPasses(*enhancer, settings, c.spacing, c.spacing > 1 ? 128 : 48);
     const Estimate sum = direct + test::estimateOf(passes);
     expectSame(sum, constantEstimate(sum.mean.size(), 1), c.name, c.spacing > 1);
@@ -70,13 +69,10 @@ TEST(Invariant1, RadianceIsOneAmongLightsOfEveryShape) {
     std::string text = test::furnace(0.5f, 16, 12);
     text.insert(text.rfind("WorldEnd"), "Translate 0 0 -0.9\n" + test::everyShape());
     const Pipeline pipeline(text);
-    const Estimate path =
-        test::estimate(pipeline.pixels(), 2048, 16, [&](int p, int i) { return pipeline.path(p, i); });
+    const Estimate path = pipeline.estimate(&Pipeline::path, 2048, 16);
     expectSame(path, constantEstimate(path.mean.size(), 1), "path");
-    const Estimate direct =
-        test::estimate(pipeline.pixels(), 2048, 16, [&](int p, int i) { return pipeline.direct(p, i); });
-    const Estimate indirect =
-        test::estimate(pipeline.pixels(), 2048, 16, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    const Estimate direct = pipeline.estimate(&Pipeline::direct, 2048, 16);
+    const Estimate indirect = pipeline.estimate(&Pipeline::tracedIndirect, 2048, 16);
     expectSame(direct + indirect, constantEstimate(path.mean.size(), 1), "direct and indirect");
 }
 
@@ -87,12 +83,9 @@ TEST(Invariants2And3, LightsOfEveryShape) {
                                            "AttributeEnd\nMaterial \"matte\" \"rgb Kd\" [0.7 0.4 0.3]",
                                        9, 6));
     const int samples = 4096, group = 64;
-    const Estimate path =
-        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.path(p, i); });
-    const Estimate direct =
-        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.direct(p, i); });
-    const Estimate indirect =
-        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    const Estimate path = pipeline.estimate(&Pipeline::path, samples, group);
+    const Estimate direct = pipeline.estimate(&Pipeline::direct, samples, group);
+    const Estimate indirect = pipeline.estimate(&Pipeline::tracedIndirect, samples, group);
     expectSame(direct + indirect, path, "direct and indirect");
     IndirectSettings settings;
     settings.gatherSamples = 64;
@@ -110,22 +103,17 @@ TEST_P(EveryMaterial, DirectPlusTracedIndirectIsThePathTracer) {
     const auto [name, material] = test::allMaterials()[GetParam()];
     const Pipeline pipeline(test::room(material, 12, 8));
     const int samples = 4096, group = 64;
-    const Estimate path =
-        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.path(p, i); });
-    const Estimate direct =
-        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.direct(p, i); });
-    const Estimate indirect =
-        test::estimate(pipeline.pixels(), samples, group, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    const Estimate path = pipeline.estimate(&Pipeline::path, samples, group);
+    const Estimate direct = pipeline.estimate(&Pipeline::direct, samples, group);
+    const Estimate indirect = pipeline.estimate(&Pipeline::tracedIndirect, samples, group);
     expectSame(direct + indirect, path, name);
 }
 
 TEST_P(EveryMaterial, IndirectLightAlongWithDirectIsTheTracedIndirect) {
     const auto [name, material] = test::allMaterials()[GetParam()];
     const Pipeline pipeline(test::room(material, 12, 8));
-    const Estimate along =
-        test::estimate(pipeline.pixels(), 4096, 64, [&](int p, int i) { return pipeline.indirectAlong(p, i); });
-    const Estimate traced =
-        test::estimate(pipeline.pixels(), 4096, 64, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
+    const Estimate along = pipeline.estimate(&Pipeline::indirectAlong, 4096, 64);
+    const Estimate traced = pipeline.estimate(&Pipeline::tracedIndirect, 4096, 64);
     expectSame(along, traced, name);
 }
 
@@ -140,10 +128,8 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
     const bool roughGlass = name == "rough_glass";
     if (roughGlass) settings.capture.layout = MapLayout(Projection::EqualArea, 64);
     const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, roughGlass ? 24 : 16);
-    const Estimate traced =
-        test::estimate(pipeline.pixels(), 8192, 64, [&](int p, int i) { return pipeline.tracedIndirect(p, i); });
-    const Estimate narrow =
-        test::estimate(pipeline.pixels(), 4096, 64, [&](int p, int i) { return pipeline.narrowIndirect(p, i); });
+    const Estimate traced = pipeline.estimate(&Pipeline::tracedIndirect, 8192, 64);
+    const Estimate narrow = pipeline.estimate(&Pipeline::narrowIndirect, 4096, 64);
     expectSame(oracle + narrow, traced, name);
 }
 

@@ -60,6 +60,10 @@ struct Pipeline {
         tracer.direct(ray, s, &along);
         return along.narrow + along.wide;
     }
+    // Of every pixel, by one of the ways above.
+    Estimate estimate(Rgb (Pipeline::*way)(int pixel, int i) const, int samples, int group) const {
+        return test::estimate(pixels(), samples, group, [&](int p, int i) { return (this->*way)(p, i); });
+    }
     // The indirect layer by radiance maps, wide lobes alone: the mean and variance over independent passes of the same
     // spacing.
     Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing,

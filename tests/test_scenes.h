@@ -6,7 +6,7 @@
 
 namespace drc::test {
 
-// Materials that cover every lobe, by name, as pbrt-v3 statements.
+// Materials that cover every lobe of pbrt-v3's, by name.
 inline std::vector<std::pair<std::string, std::string>> allMaterials() {
     return {
         {"matte", R"(Material "matte" "rgb Kd" [0.7 0.4 0.3])"},
@@ -29,6 +29,10 @@ inline std::vector<std::pair<std::string, std::string>> allMaterials() {
         {"mix", R"(MakeNamedMaterial "a" "string type" "mirror" "rgb Kr" [0.9 0.9 0.9]
                    MakeNamedMaterial "b" "string type" "matte" "rgb Kd" [0.5 0.2 0.2]
                    Material "mix" "string namedmaterial1" "a" "string namedmaterial2" "b" "rgb amount" [0.3 0.3 0.3])"},
+        {"disney", R"(Material "disney" "rgb color" [0.5 0.4 0.6] "float metallic" 0.3 "float roughness" 0.5
+                      "float sheen" 0.5 "float clearcoat" 0.5 "bool thin" "true" "float flatness" 0.3
+                      "float difftrans" 0.6)"},
+        {"hair", R"(Material "hair" "float eumelanin" 0.3 "float beta_m" 0.4 "float beta_n" 0.5)"},
     };
 }
 

@@ -9,7 +9,6 @@
 #include <sys/resource.h>
 
 #include <bit>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 
@@ -97,22 +96,17 @@ TEST_F(ImageIoTest, ExrRefusesLayersThatDoNotFit) {
     EXPECT_TRUE(fs::is_empty(dir_));
 }
 
-// A limit on the size of files stands for a full disk.
 TEST_F(ImageIoTest, AFullDiskGivesOneErrorAndKeepsTheOldFile) {
     const Image small = makeImage(2, 2, 0);
     Image large(200, 200);
     for (size_t i = 0; i < large.data().size(); ++i) large.data()[i] = std::sin(float(i * i));
     writeExr(path("a.exr"), small);
-    rlimit before;
-    getrlimit(RLIMIT_FSIZE, &before);
-    rlimit limit = before;
-    limit.rlim_cur = 8192;
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    setrlimit(RLIMIT_FSIZE, &limit);
-    const std::string exr = errorOf([&] { writeExr(path("a.exr"), large); });
-    const std::string png = errorOf([&] { writePng(path("a.png"), large); });
-    setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
+    std::string exr, png;
+    {
+        const FileSizeLimit fullDisk(8192);
+        exr = errorOf([&] { writeExr(path("a.exr"), large); });
+        png = errorOf([&] { writePng(path("a.png"), large); });
+    }
     EXPECT_EQ(exr, "cannot write " + path("a.exr") + ": File too large");
     EXPECT_EQ(png, "cannot write " + path("a.png") + ": File too large");
     EXPECT_EQ(readImage(path("a.exr")).width(), 2);

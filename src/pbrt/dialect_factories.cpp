@@ -7,13 +7,38 @@
 namespace drc::pbrt {
 
 const DialectFactories& factoriesOf(Dialect dialect) {
-    static constexpr DialectFactories kV3{
-        makeMaterial, materialForShape, makeLight, makeAreaLight, makeShape, makeCamera, makeFilter, applyFilm,
-        applySampler, applyIntegrator,  "matte",   "image",       "box",     "halton",   "path",     true};
-    static constexpr DialectFactories kV4{makeMaterialV4, materialForShapeV4, makeLightV4,  makeAreaLightV4,
-                                          makeShapeV4,    makeCameraV4,       makeFilterV4, applyFilmV4,
-                                          applySamplerV4, applyIntegratorV4,  "diffuse",    "rgb",
-                                          "gaussian",     "zsobol",           "volpath",    false};
+    static constexpr DialectFactories kV3{.material = makeMaterial,
+                                          .materialOfShape = materialForShape,
+                                          .light = makeLight,
+                                          .areaLight = makeAreaLight,
+                                          .shape = makeShape,
+                                          .camera = makeCamera,
+                                          .filter = makeFilter,
+                                          .film = applyFilm,
+                                          .sampler = applySampler,
+                                          .integrator = applyIntegrator,
+                                          .defaultMaterial = "matte",
+                                          .defaultFilm = "image",
+                                          .defaultFilter = "box",
+                                          .defaultSampler = "halton",
+                                          .defaultIntegrator = "path",
+                                          .needsWorldEnd = true};
+    static constexpr DialectFactories kV4{.material = makeMaterialV4,
+                                          .materialOfShape = materialForShapeV4,
+                                          .light = makeLightV4,
+                                          .areaLight = makeAreaLightV4,
+                                          .shape = makeShapeV4,
+                                          .camera = makeCameraV4,
+                                          .filter = makeFilterV4,
+                                          .film = applyFilmV4,
+                                          .sampler = applySamplerV4,
+                                          .integrator = applyIntegratorV4,
+                                          .defaultMaterial = "diffuse",
+                                          .defaultFilm = "rgb",
+                                          .defaultFilter = "gaussian",
+                                          .defaultSampler = "zsobol",
+                                          .defaultIntegrator = "volpath",
+                                          .needsWorldEnd = false};
     return dialect == Dialect::V3 ? kV3 : kV4;
 }
 
