@@ -30,7 +30,8 @@ struct Group {
 
 void fill(const ShapeHit& found, const Ray& ray, SurfaceInteraction& hit) {
     hit.p = ray.o + ray.d * found.t;
-    hit.ng = hit.ns = found.ng;
+    hit.ng = found.ng;
+    hit.ns = found.ns == Vec3(0.f) ? found.ng : found.ns;
     hit.uv = found.uv;
     hit.dpdu = found.dpdu;
     hit.dpdv = found.dpdv;
