@@ -35,6 +35,8 @@ void fill(const ShapeHit& found, const Ray& ray, SurfaceInteraction& hit) {
     hit.uv = found.uv;
     hit.dpdu = found.dpdu;
     hit.dpdv = found.dpdv;
+    hit.tangent = found.dpdu;
+    hit.bumpTangents = BumpTangents::Derivatives;
     hit.triangle = found.part;
 }
 
@@ -311,6 +313,7 @@ bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
         hit.ns = normalize(t.normal(hit.ns));
         hit.dpdu = t.vector(hit.dpdu);
         hit.dpdv = t.vector(hit.dpdv);
+        hit.tangent = t.vector(hit.tangent);
     }
     hit.wo = -ray.d;
     hit.t = found.t;

@@ -25,15 +25,24 @@ TextureContext SurfaceInteraction::textureContext() const {
     return c;
 }
 
+Frame SurfaceInteraction::bumped(const Frame& shading, const FloatTexture& displacement, TextureContext at) const {
+    if (bumpTangents == BumpTangents::OppositeUnit) {
+        at.dpdu = -shading.s;
+        // In the order of dpdu and dpdv that the normal asks for, whichever the texture's is.
+        at.dpdv = -shading.t;
+    }
+    return bumpFrame(at, shading, displacement);
+}
+
 Bsdf SurfaceInteraction::bsdf() const {
-    Bsdf bsdf(Frame::fromNormalAndTangent(ns, dpdu), ng);
+    Bsdf bsdf(Frame::fromNormalAndTangent(ns, tangent), ng);
     const Material* material = primitive->material.get();
     if (material == nullptr) return bsdf;
     const FloatTexture* bump = material->bump();
     if (lobes) bsdf.copyLobes(*lobes);
     if (lobes && bump == nullptr) return bsdf;
     const TextureContext context = textureContext();
-    if (bump) bsdf.setFrame(bumpFrame(context, bsdf.frame(), *bump));
+    if (bump) bsdf.setFrame(bumped(bsdf.frame(), *bump, context));
     if (lobes == nullptr) material->addLobes(context, Rgb(1.f), bsdf);
     return bsdf;
 }
