@@ -26,5 +26,27 @@ TEST(SurfaceInteraction, BumpsGoAlongTheTangentsOfTheMesh) {
     EXPECT_LT(length(inverted - normalize(Vec3(0.6f, -0.8f, 1))), 1e-4f);
 }
 
+// What a texture is that is averaged away within a footprint.
+class FineSlope final : public FloatTexture {
+  public:
+    float eval(const TextureContext& at) const override {
+        const bool sharp = at.footprint == 0 && at.duvdx == Vec2(0, 0) && at.dpdy == Vec3(0, 0, 0);
+        return sharp ? at.uv.x : 0;
+    }
+};
+
+TEST(SurfaceInteraction, BumpsAreNotAveragedOverWideCones) {
+    SurfaceInteraction hit;
+    hit.ng = hit.ns = hit.wo = Vec3(0, 0, 1);
+    hit.dpdu = hit.tangent = Vec3(1, 0, 0);
+    hit.dpdv = Vec3(0, 1, 0);
+    hit.footprint = 0.3f;
+    const Frame shading;
+    hit.coneSpread = 0.01f;
+    EXPECT_EQ(hit.bumped(shading, FineSlope(), hit.textureContext()).n, shading.n);
+    hit.coneSpread = 0.1f;
+    EXPECT_LT(length(hit.bumped(shading, FineSlope(), hit.textureContext()).n - normalize(Vec3(-1, 0, 1))), 1e-3f);
+}
+
 }  // namespace
 }  // namespace drc
