@@ -30,10 +30,13 @@ struct Group {
 
 void fill(const ShapeHit& found, const Ray& ray, SurfaceInteraction& hit) {
     hit.p = ray.o + ray.d * found.t;
-    hit.ng = hit.ns = found.ng;
+    hit.ng = found.ng;
+    hit.ns = found.ns == Vec3(0.f) ? found.ng : found.ns;
     hit.uv = found.uv;
     hit.dpdu = found.dpdu;
     hit.dpdv = found.dpdv;
+    hit.tangent = found.dpdu;
+    hit.bumpTangents = BumpTangents::Derivatives;
     hit.triangle = found.part;
 }
 
@@ -310,6 +313,7 @@ bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
         hit.ns = normalize(t.normal(hit.ns));
         hit.dpdu = t.vector(hit.dpdu);
         hit.dpdv = t.vector(hit.dpdv);
+        hit.tangent = t.vector(hit.tangent);
     }
     hit.wo = -ray.d;
     hit.t = found.t;

@@ -12,6 +12,11 @@ namespace {
 // pbrt divides by the square root of their number; this is what it does with 16.
 constexpr float kSampleShare = 0.25f;
 
+// Cones that spread by more than this, in radians, come from diffuse reflection or fill a map's texel. Bumps that were
+// averaged over their width would be flat, and reflect more than bumps do: they are looked up as they are. (pbrt
+// follows no cones after such a reflection.)
+constexpr float kWidestForBumps = 0.04f;
+
 }  // namespace
 
 TextureContext SurfaceInteraction::textureContext() const {
@@ -25,15 +30,29 @@ TextureContext SurfaceInteraction::textureContext() const {
     return c;
 }
 
+Frame SurfaceInteraction::bumped(const Frame& shading, const FloatTexture& displacement, TextureContext at) const {
+    if (bumpTangents == BumpTangents::OppositeUnit) {
+        at.dpdu = -shading.s;
+        // In the order of dpdu and dpdv that the normal asks for, whichever the texture's is.
+        at.dpdv = -shading.t;
+    }
+    if (coneSpread > kWidestForBumps) {
+        at.footprint = at.uvFootprint = 0;
+        at.dpdx = at.dpdy = Vec3(0.f);
+        at.duvdx = at.duvdy = Vec2(0.f);
+    }
+    return bumpFrame(at, shading, displacement);
+}
+
 Bsdf SurfaceInteraction::bsdf() const {
-    Bsdf bsdf(Frame::fromNormalAndTangent(ns, dpdu), ng);
+    Bsdf bsdf(Frame::fromNormalAndTangent(ns, tangent), ng);
     const Material* material = primitive->material.get();
     if (material == nullptr) return bsdf;
     const FloatTexture* bump = material->bump();
     if (lobes) bsdf.borrowLobes(*lobes);
     if (lobes && bump == nullptr) return bsdf;
     const TextureContext context = textureContext();
-    if (bump) bsdf.setFrame(bumpFrame(context, bsdf.frame(), *bump));
+    if (bump) bsdf.setFrame(bumped(bsdf.frame(), *bump, context));
     if (lobes == nullptr) material->addLobes(context, Rgb(1.f), bsdf);
     return bsdf;
 }

@@ -13,6 +13,8 @@ struct SurfaceInteraction {
     Vec3 ns{0.f};  // shading normal, unit, on the side of ng; not bump-mapped
     Vec2 uv{0.f};
     Vec3 dpdu{0.f}, dpdv{0.f};
+    Vec3 tangent{0.f};  // that the shading frame's s goes along: dpdu, unless a mesh has its own
+    BumpTangents bumpTangents = BumpTangents::Derivatives;
     float t = 0;          // distance along the ray
     float footprint = 0;  // width of the ray's cone at p
     float coneSpread = 0;
@@ -22,6 +24,8 @@ struct SurfaceInteraction {
     const Bsdf* lobes = nullptr;
 
     TextureContext textureContext() const;
+    // The shading frame that a bump map makes of another.
+    Frame bumped(const Frame& shading, const FloatTexture& displacement, TextureContext at) const;
     // The material's lobes at this point; without lobes if the material is null or black.
     Bsdf bsdf() const;
     // Radiance emitted from here towards wo.

@@ -9,7 +9,11 @@ constexpr int kGrain = 4096;
 
 }  // namespace
 
-PackedMesh::PackedMesh(const TriangleMesh& mesh) : hasNormals_(!mesh.normals.empty()), hasUvs_(!mesh.uvs.empty()) {
+PackedMesh::PackedMesh(const TriangleMesh& mesh)
+    : tangents_(mesh.tangents),
+      hasNormals_(!mesh.normals.empty()),
+      hasUvs_(!mesh.uvs.empty()),
+      bumpTangents_(hasNormals_ || !tangents_.empty() ? mesh.bumpTangents : BumpTangents::Derivatives) {
     vertices_.resize(mesh.positions.size());
     parallelFor(0, int(vertices_.size()), kGrain, [&](int begin, int end) {
         for (auto i = size_t(begin); i < size_t(end); ++i)
@@ -46,6 +50,13 @@ void PackedMesh::fill(uint32_t triangle, float b1, float b2, SurfaceInteraction&
         const Frame f = Frame::fromNormal(hit.ng);
         hit.dpdu = f.s;
         hit.dpdv = f.t;
+    }
+
+    hit.bumpTangents = bumpTangents_;
+    hit.tangent = hit.dpdu;
+    if (!tangents_.empty()) {
+        const Vec3 s = tangents_[face.v[0]] * b0 + tangents_[face.v[1]] * b1 + tangents_[face.v[2]] * b2;
+        if (lengthSquared(s) > 0) hit.tangent = s;
     }
 
     hit.ns = hit.ng;

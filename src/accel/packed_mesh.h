@@ -35,7 +35,9 @@ class PackedMesh {
   private:
     std::vector<Vertex> vertices_;
     std::vector<Face> faces_;
+    std::vector<Vec3> tangents_;  // of vertices; empty if the mesh has none
     bool hasNormals_, hasUvs_;
+    BumpTangents bumpTangents_;
 };
 
 }  // namespace drc

@@ -48,6 +48,20 @@ TEST(PackedMesh, ShadingNormalIsInterpolated) {
     EXPECT_EQ(hit.ns, hit.ng);
 }
 
+TEST(PackedMesh, TangentsAreTheMeshesOwnOrDpdu) {
+    TriangleMesh m = mesh();
+    m.bumpTangents = BumpTangents::OppositeUnit;
+    EXPECT_EQ(at(m, 0, 0.5f, 0).tangent, at(m, 0, 0.5f, 0).dpdu);
+    EXPECT_EQ(at(m, 0, 0.5f, 0).bumpTangents, BumpTangents::Derivatives) << "it has no normals";
+    m.tangents = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, 0)};
+    expectNear(at(m, 0, 0.5f, 0.25f).tangent, Vec3(0.25f, 0.5f, 0.25f));
+    EXPECT_EQ(at(m, 1, 0, 1).tangent, at(m, 1, 0, 1).dpdu) << "where they vanish";
+    EXPECT_EQ(at(m, 0, 0.5f, 0).bumpTangents, BumpTangents::OppositeUnit);
+    m.tangents.clear();
+    m.normals = {Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0, 0, 1)};
+    EXPECT_EQ(at(m, 0, 0.5f, 0).bumpTangents, BumpTangents::OppositeUnit);
+}
+
 TEST(PackedMesh, CoordinatesAndDerivatives) {
     TriangleMesh m = mesh();
     // Those of pbrt where there are none.

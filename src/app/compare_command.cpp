@@ -39,6 +39,7 @@ std::string toJson(const Metrics& m) {
     json["ssim"] = number(m.ssim);
     json["flip"] = number(m.flip);
     json["relmse"] = number(m.relmse);
+    json["block_relmse"] = number(m.blockRelmse);
     json["mse"] = number(m.mse);
     json["l1"] = number(m.l1);
     json["mean_ratio"] = {number(m.meanRatio[0]), number(m.meanRatio[1]), number(m.meanRatio[2])};
@@ -51,6 +52,7 @@ std::string toTable(const Metrics& m) {
     table += fmt::format("SSIM        {:.6f}   1 is equal\n", m.ssim);
     table += fmt::format("FLIP        {:.6f}   0 is equal\n", m.flip);
     table += fmt::format("relMSE      {:.6g}\n", m.relmse);
+    table += fmt::format("  of blocks {:.6g}   means of 8x8 pixels\n", m.blockRelmse);
     table += fmt::format("MSE         {:.6g}\n", m.mse);
     table += fmt::format("L1          {:.6g}\n", m.l1);
     table += fmt::format("mean ratio  {:.4f} {:.4f} {:.4f}   R G B, test / reference\n", m.meanRatio[0], m.meanRatio[1],
@@ -79,7 +81,8 @@ void addCompareCommand(CLI::App& app) {
     command->add_option("REF", options->reference, "Reference image (EXR, PFM, PNG, JPEG, HDR, TGA)")->required();
     command->add_option("TEST", options->test, "Image to judge, of the same size")->required();
     command->add_flag("--json", options->json,
-                      "Print one JSON object: ssim, flip, relmse, mse, l1, mean_ratio [R, G, B], png_kb [REF, TEST]");
+                      "Print one JSON object: ssim, flip, relmse, block_relmse, mse, l1, mean_ratio [R, G, B], png_kb "
+                      "[REF, TEST]");
     command->add_option("--diff", options->diff,
                         "Write a PNG: reference | test | 4 |difference| | red where brighter, blue where darker");
     command->add_option("--exposure", options->exposure, "Stops by which both are brightened for SSIM, FLIP and PNGs")
@@ -87,7 +90,7 @@ void addCompareCommand(CLI::App& app) {
         ->check(CLI::Range(-100.f, 100.f));
     command->footer(
         "SSIM and FLIP compare displayed colours; relMSE (without the worst 0.1 % of pixels), MSE and L1 compare\n"
-        "linear radiance.\n\n"
+        "linear radiance. The relMSE of the means of 8x8 pixels shows errors that noise hides.\n\n"
         "Example:\n"
         "  drc compare reference.exr drc.exr --diff difference.png");
     command->callback([options] { run(*options); });

@@ -49,10 +49,12 @@ TEST_F(CompareCommandTest, Json) {
     const auto json = nlohmann::ordered_json::parse(run({"compare", path("a.exr"), path("b.exr"), "--json"}));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) keys.push_back(key);
-    EXPECT_THAT(keys, testing::ElementsAre("ssim", "flip", "relmse", "mse", "l1", "mean_ratio", "png_kb"));
+    EXPECT_THAT(keys,
+                testing::ElementsAre("ssim", "flip", "relmse", "block_relmse", "mse", "l1", "mean_ratio", "png_kb"));
     EXPECT_NEAR(json["mse"].get<double>(), 0.0625, 1e-9);
     EXPECT_NEAR(json["l1"].get<double>(), 0.25, 1e-9);
     EXPECT_NEAR(json["relmse"].get<double>(), 0.0625 / 0.0725, 1e-9);
+    EXPECT_NEAR(json["block_relmse"].get<double>(), 0.0625 / 0.0725, 1e-9);
     EXPECT_EQ(json["mean_ratio"], nlohmann::json({2.0, 2.0, 2.0}));
     EXPECT_EQ(json["png_kb"].size(), 2u);
     // Too small for SSIM's window.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "image/block_means.h"
 #include "image/flip.h"
 #include "image/image_io.h"
 #include "image/relmse.h"
@@ -24,6 +25,7 @@ Metrics compare(const Image& reference, const Image& test, float exposure) {
     m.relmse = errors.relmse, m.mse = errors.mse, m.l1 = errors.l1;
     m.meanRatio = errors.meanRatio;
     m.nonFiniteReference = errors.nonFiniteReference, m.nonFiniteTest = errors.nonFiniteTest;
+    m.blockRelmse = radianceErrors(blockMeans(reference, kComparedBlock), blockMeans(test, kComparedBlock)).relmse;
     const Image r = exposed(reference, exposure), t = exposed(test, exposure);
     m.ssim = ssim(r, t);
     m.flip = flip(r, t);

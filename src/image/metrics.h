@@ -11,6 +11,7 @@ struct Metrics {
     double ssim = 0;                           // ssim.h; NaN if a side is below 11 pixels
     double flip = 0;                           // flip.h, mean
     double relmse = 0, mse = 0, l1 = 0;        // relmse.h
+    double blockRelmse = 0;                    // relMSE of the means of 8x8 pixels: errors without their noise
     std::array<double, 3> meanRatio{1, 1, 1};  // mean(test) / mean(reference) of R, G and B
     // Size of the sRGB 8-bit PNG of reference and test, in units of 1000 bytes: noise does not compress.
     std::array<double, 2> pngKb{};

@@ -33,6 +33,19 @@ TEST(Metrics, ExposureChangesOnlyWhatIsDisplayed) {
     EXPECT_NE(a.ssim, b.ssim);
 }
 
+// Noise goes, a patch that is too bright stays: 2x2 pixels of 8 and 2 against 5, and one block of 16 that is 6.
+TEST(Metrics, BlocksTellErrorsFromNoise) {
+    Image r(32, 32), t(32, 32);
+    for (float& v : r.data()) v = 5;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) t.setRgb(x, y, Rgb((x + y) % 2 ? 8.f : 2.f));
+    EXPECT_NEAR(compare(r, t).blockRelmse, 0, 1e-9);
+    EXPECT_GT(compare(r, t).relmse, 0.3);
+    for (int y = 8; y < 16; ++y)
+        for (int x = 24; x < 32; ++x) t.setRgb(x, y, Rgb(6.f));
+    EXPECT_NEAR(compare(r, t).blockRelmse, 1 / 25.01 / 16, 1e-9);
+}
+
 TEST(Metrics, DoNotDependOnTheThreadCount) {
     const Image r = testing_images::reference(), t = testing_images::changed();
     setThreadCount(1);

@@ -17,6 +17,14 @@ void samplesNotNeeded(const ParamSet& params) {
     logDebug(params.owner() + ": its number of samples is not needed: lights are sampled by what they bring");
 }
 
+// pbrt-v3 decodes the pictures of textures alone: what a light's picture stores is what it shines, in 8-bit files too.
+// Where it is looked up within half a pixel of its edge, the opposite edge shows.
+LightImage pictureOf(const LightContext& context, const std::string& what) {
+    LightImage image = imageOf(context, "mapname", what, readAsStored);
+    image.repeats = true;
+    return image;
+}
+
 LightPtr makePoint(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
     return makePointLight(context.toWorld.point(context.params.getPoint("from", Vec3(0, 0, 0))), intensity);
@@ -35,19 +43,19 @@ LightPtr makeSpot(const LightContext& context) {
 
 LightPtr makeGoniometric(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
-    return makeGoniometricLight(context.toWorld, intensity, imageOf(context, "mapname", "goniometric diagram"));
+    return makeGoniometricLight(context.toWorld, intensity, pictureOf(context, "goniometric diagram"));
 }
 
 LightPtr makeProjection(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
     const float fov = degreesBetween(context.params, "fov", 45, 0, 180);
-    return makeProjectionLight(context.toWorld, intensity, fov, imageOf(context, "mapname", "picture to project"));
+    return makeProjectionLight(context.toWorld, intensity, fov, pictureOf(context, "picture to project"));
 }
 
 LightPtr makeInfinite(const LightContext& context) {
     const Rgb radiance = context.params.getColor("L", Rgb(1.f)) * scaleOf(context.params);
     samplesNotNeeded(context.params);
-    return makeInfiniteLight(context.toWorld, radiance, imageOf(context, "mapname", "environment map"));
+    return makeInfiniteLight(context.toWorld, radiance, pictureOf(context, "environment map"));
 }
 
 using LightMaker = LightPtr (*)(const LightContext&);

@@ -1,6 +1,7 @@
 // Light sources as scene files write them.
 #include <gmock/gmock.h>
 
+#include "image/color.h"
 #include "image/image_io.h"
 #include "pbrt/test_scenes.h"
 
@@ -50,8 +51,9 @@ TEST(LightFactory, PicturesOfProjectorsAndGoniometricLights) {
     const std::string map = " \"string mapname\" \"map.exr\" ";
     // The projector's left half is red: x < 0 of its space.
     const std::string projector = "LightSource \"projection\" \"rgb I\" [2 2 2] \"float fov\" 60" + map;
-    EXPECT_EQ(arriving(projector, Vec3(-0.8f, 0, 1), folder.path()).y, 0);
-    EXPECT_GT(arriving(projector, Vec3(-0.8f, 0, 1), folder.path()).x, 1);
+    const float centre = -std::tan(kPi / 6);  // of the left pixel
+    EXPECT_NEAR(arriving(projector, Vec3(centre, 0, 1), folder.path()).y, 0, 1e-5f);
+    EXPECT_GT(arriving(projector, Vec3(centre, 0, 1), folder.path()).x, 1);
     EXPECT_GT(arriving(projector, Vec3(0.9f, 0, 1), folder.path()).y, 0);
     EXPECT_TRUE(isBlack(arriving(projector, Vec3(0, 0.7f, 1), folder.path())));
     EXPECT_GT(arriving("LightSource \"projection\"", Vec3(0.41f, 0, 1)).x, 0) << "45 degrees";
@@ -63,6 +65,36 @@ TEST(LightFactory, PicturesOfProjectorsAndGoniometricLights) {
     EXPECT_THAT(errorOfWorld("LightSource \"goniometric\" \"string mapname\" \"none.exr\""),
                 AllOf(StartsWith("s.pbrt:2:44"), HasSubstr("none.exr")));
     EXPECT_THAT(errorOfWorld("LightSource \"projection\" \"float fov\" 0"), HasSubstr("must be between 0 and 180"));
+}
+
+// As pbrt-v3 does, where textures are decoded.
+TEST(LightFactory, PicturesOfIntegersAreTakenAsStored) {
+    const TemporaryFolder folder;
+    Image grey(4, 2);
+    for (float& v : grey.data()) v = srgbDecode(0.5f);
+    writePng(folder.path() + "/grey.png", grey);
+    const std::string map = " \"string mapname\" \"grey.png\"";
+    for (const char* light : {"goniometric", "projection"})
+        EXPECT_NEAR(arriving(std::string("LightSource \"") + light + "\"" + map, Vec3(0, 0, 1), folder.path()).x, 0.5f,
+                    0.002f)
+            << light;
+    const auto scene = loadWorld("LightSource \"infinite\"" + map, folder.path());
+    EXPECT_NEAR(scene->lights.at(0)->escaped(Vec3(0, 0, 1)).x, 0.5f, 0.002f);
+}
+
+TEST(LightFactory, AProjectedPictureRepeatsAtItsEdges) {
+    const TemporaryFolder folder;
+    Image image(2, 2);
+    image.setRgb(0, 0, Rgb(8, 0, 0));  // the lowest x and y
+    writeExr(folder.path() + "/map.exr", {{"", &image}});
+    const std::string projector = "LightSource \"projection\" \"float fov\" 90 \"string mapname\" \"map.exr\"";
+    const auto at = [&](float x, float y) { return arriving(projector, Vec3(x, y, 1), folder.path()).x; };
+    // Half of what the first pixel's centre shows is left at its outer edge, and as much is at the far edge.
+    const float centre = at(-0.5f, -0.5f) * 1.5f;  // times the squared distance
+    EXPECT_NEAR(centre, 8, 0.01f);
+    EXPECT_NEAR(at(-0.999f, -0.5f) * 2.25f, 4, 0.05f);
+    EXPECT_NEAR(at(0.999f, -0.5f) * 2.25f, 4, 0.05f);
+    EXPECT_NEAR(at(-0.5f, 0.999f) * 2.25f, 4, 0.05f);
 }
 
 TEST(LightFactory, ScaleMultipliesEveryLight) {

@@ -31,7 +31,7 @@ double meanLuminance(const LightImage& image) {
 
 // pbrt-v4's pictures of a whole sphere of directions, as the lights here take them; empty if there is none.
 LightImage sphereOf(const LightContext& context, const std::string& what) {
-    LightImage image = imageOf(context, "filename", what);
+    LightImage image = imageOf(context, "filename", what, readLinear);
     if (image.empty()) return image;
     if (image.width != image.height)
         fail(context.params.find("filename", {ParamType::String})->valuePos,
@@ -79,7 +79,7 @@ LightPtr makeGoniometric(const LightContext& context) {
 LightPtr makeProjection(const LightContext& context) {
     const ParamSet& params = context.params;
     const float fov = degreesBetween(params, "fov", 90, 0, 180);
-    LightImage image = imageOf(context, "filename", "picture to project");
+    LightImage image = imageOf(context, "filename", "picture to project", readLinear);
     if (image.empty()) fail(params.pos(), "the projection light needs the parameter \"string filename\"");
     image.mend();
     // The picture stands upright: its upper edge is at the light's +y.

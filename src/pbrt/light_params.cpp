@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "math/frame.h"
-#include "pbrt/decoded_image.h"
 
 namespace drc::pbrt {
 
@@ -15,13 +14,14 @@ float degreesBetween(const ParamSet& params, std::string_view name, float fallba
     return value;
 }
 
-LightImage imageOf(const LightContext& context, std::string_view param, const std::string& what) {
+LightImage imageOf(const LightContext& context, std::string_view param, const std::string& what,
+                   DecodedImage (*read)(const std::string& path)) {
     const std::string name = context.params.getString(param, "");
     if (name.empty()) return {};
     const SourcePos pos = context.params.find(param, {ParamType::String})->valuePos;
     const std::string path = context.files.find(name, pos, what);
     try {
-        DecodedImage image = readLinear(path);
+        DecodedImage image = read(path);
         return {image.width, image.height, std::move(image.texels)};
     } catch (const Error& error) {
         fail(pos, error.what());

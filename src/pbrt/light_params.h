@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "pbrt/decoded_image.h"
 #include "pbrt/file_search.h"
 #include "pbrt/param_set.h"
 #include "scene/light.h"
@@ -17,8 +18,10 @@ struct LightContext {
 // Throws Error unless low < value < high.
 float degreesBetween(const ParamSet& params, std::string_view name, float fallback, float low, float high);
 
-// The picture that the parameter names; empty if there is none. what is for messages: "environment map".
-LightImage imageOf(const LightContext& context, std::string_view param, const std::string& what);
+// The picture that the parameter names; empty if there is none. what is for messages: "environment map". read says what
+// the numbers of the file mean.
+LightImage imageOf(const LightContext& context, std::string_view param, const std::string& what,
+                   DecodedImage (*read)(const std::string& path));
 
 // A space whose origin is `from` and whose +z points to `to`.
 Transform aimed(const ParamSet& params, const Transform& toWorld);

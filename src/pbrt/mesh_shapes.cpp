@@ -9,10 +9,20 @@
 namespace drc::pbrt {
 namespace {
 
-// Takes a mesh in its own space to the world's, with the orientation that pbrt gives it.
-TriangleMeshPtr placed(TriangleMesh mesh, const Transform& objectToWorld, bool reverseOrientation) {
-    mesh.apply(objectToWorld);
-    if (reverseOrientation) {
+// How a mesh goes from its own space to the world's.
+struct Placing {
+    explicit Placing(const ShapeContext& context)
+        : toWorld(context.objectToWorld), reverse(context.reverseOrientation), dialect(context.dialect) {}
+    Transform toWorld;
+    bool reverse;
+    Dialect dialect;
+};
+
+// With the orientation that pbrt gives it.
+TriangleMeshPtr placed(TriangleMesh mesh, const Placing& placing) {
+    mesh.apply(placing.toWorld);
+    if (placing.dialect == Dialect::V3) mesh.bumpTangents = BumpTangents::OppositeUnit;
+    if (placing.reverse) {
         mesh.flipNormal = !mesh.flipNormal;
         for (Vec3& normal : mesh.normals) normal = -normal;
     }
@@ -85,16 +95,19 @@ std::shared_ptr<TriangleMesh> readVertices(const ParamSet& params) {
                                         std::to_string(normals->count()));
         mesh->normals = vectors<Vec3>(*normals);
     }
-    params.notBuilt({"S"});
+    if (const Param* tangents = params.find("S", {ParamType::Vector3})) {
+        if (tangents->count() != count)
+            params.failAt(*tangents, "must have as many values as 'P', " + std::to_string(count) + ", found " +
+                                         std::to_string(tangents->count()));
+        mesh->tangents = vectors<Vec3>(*tangents);
+    }
     params.ignore({"discarddegenerateUVs", "faceIndices"});
     return mesh;
 }
 
 Geometry geometryOf(const ShapeContext& context, std::shared_ptr<TriangleMesh> mesh) {
     Geometry geometry;
-    geometry.loadMesh = [mesh, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
-        return placed(std::move(*mesh), toWorld, reverse);
-    };
+    geometry.loadMesh = [mesh, placing = Placing(context)] { return placed(std::move(*mesh), placing); };
     return geometry;
 }
 
@@ -105,6 +118,7 @@ void giveCornersCoordinates(TriangleMesh& mesh, std::vector<uint32_t>& corners) 
     for (size_t i = 0; i < corners.size(); ++i) {
         separate.positions.push_back(mesh.positions[corners[i]]);
         if (!mesh.normals.empty()) separate.normals.push_back(mesh.normals[corners[i]]);
+        if (!mesh.tangents.empty()) separate.tangents.push_back(mesh.tangents[corners[i]]);
         separate.uvs.push_back(Vec2(i % 2 == 1 ? 1.f : 0.f, i % 4 >= 2 ? 1.f : 0.f));
         corners[i] = uint32_t(i);
     }
@@ -140,8 +154,7 @@ Geometry plyMesh(const ShapeContext& context) {
     if (context.dialect == Dialect::V4) params.notBuilt({"displacement", "displacement.edgelength"});
     Geometry geometry;
     geometry.loadMesh = [path = context.files.find(params.getString("filename", ""), name.valuePos, "PLY file"),
-                         toWorld = context.objectToWorld,
-                         reverse = context.reverseOrientation] { return placed(readPly(path), toWorld, reverse); };
+                         placing = Placing(context)] { return placed(readPly(path), placing); };
     return geometry;
 }
 
@@ -154,8 +167,8 @@ Geometry loopSubdivision(const ShapeContext& context) {
     const int levels = params.getInt("levels", params.getInt("nlevels", 3));
     if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
     params.ignore({"scheme"});  // pbrt knows one alone
-    return {.loadMesh = [=, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
-        return placed(subdivideLoop(*positions, *indices, levels), toWorld, reverse);
+    return {.loadMesh = [=, placing = Placing(context)] {
+        return placed(subdivideLoop(*positions, *indices, levels), placing);
     }};
 }
 
@@ -169,8 +182,8 @@ Geometry heightField(const ShapeContext& context) {
         params.failAt(z, "must have nu times nv values, " + std::to_string(int64_t(nu * nv)) + ", found " +
                              std::to_string(z.numbers.size()));
     const auto heights = std::make_shared<const std::vector<float>>(z.numbers.begin(), z.numbers.end());
-    return {.loadMesh = [=, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
-        return placed(makeHeightField(uint32_t(nu), uint32_t(nv), *heights), toWorld, reverse);
+    return {.loadMesh = [=, placing = Placing(context)] {
+        return placed(makeHeightField(uint32_t(nu), uint32_t(nv), *heights), placing);
     }};
 }
 

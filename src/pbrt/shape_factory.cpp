@@ -87,7 +87,11 @@ Geometry hyperboloid(const ShapeContext& context) {
     if (p.p1.x == 0 && p.p1.y == 0 && p.p2.x == 0 && p.p2.y == 0)
         fail(params.pos(), "'p1' and 'p2' of a hyperboloid must not both lie on the z axis");
     if (p.p2.z == 0) std::swap(p.p1, p.p2);  // as pbrt does, which turns v and the normals
-    return {.shape = makeHyperboloid(p)};
+    ShapePtr shape = makeHyperboloid(p);
+    if (!shape)
+        warn(params.pos(),
+             "the equation that pbrt makes of 'p1' and 'p2' has no points between them; nothing is drawn");
+    return {.shape = std::move(shape)};
 }
 
 // Null: opaque. Only a mask that is zero everywhere needs a texture when it is a number.

@@ -66,6 +66,19 @@ TEST(ShapeFactory, HyperboloidThatEndsAtZeroStartsThere) {
     EXPECT_NEAR(hit("\"point p1\" [2 0 1] \"point p2\" [.9 0 -.1]").uv.y, 0.75 / 1.1, 1e-6);
 }
 
+TEST(ShapeFactory, TangentsOfMeshes) {
+    const std::string triangle = "Shape \"trianglemesh\" \"point P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2] ";
+    const TriangleMeshPtr mesh =
+        onlyPrimitive("Rotate 90 0 0 1\n" + triangle + "\"vector S\" [1 0 0 0 1 0 0 0 2]").mesh;
+    ASSERT_EQ(mesh->tangents.size(), 3u);
+    EXPECT_LT(length(mesh->tangents[0] - Vec3(0, 1, 0)), 1e-6f);
+    EXPECT_LT(length(mesh->tangents[2] - Vec3(0, 0, 2)), 1e-6f);
+    EXPECT_EQ(mesh->bumpTangents, BumpTangents::OppositeUnit);
+    EXPECT_EQ(loadWorldV4(triangle)->primitives.at(0).mesh->bumpTangents, BumpTangents::Derivatives);
+    EXPECT_THAT(errorOfWorld(triangle + "\"vector S\" [1 0 0]"),
+                HasSubstr("must have as many values as 'P', 3, found 1"));
+}
+
 TEST(ShapeFactory, AlphaOfEveryShape) {
     for (const char* shape : {"sphere", "disk", "cylinder", "cone", "paraboloid", "hyperboloid"}) {
         const Primitive p = onlyPrimitive("Texture \"m\" \"float\" \"constant\" \"float value\" .5\nShape \"" +

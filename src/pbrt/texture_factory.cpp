@@ -101,9 +101,11 @@ TexturePtr<T> checkerboard(const TextureRequest& request) {
     return makeCheckerboardTexture<T>(a, b, mapping2DOf(request), edges);
 }
 
+// Both versions of pbrt hand the two over in the wrong order: "inside" is what lies around the dots. Scenes are made to
+// look right that way.
 template <typename T>
 TexturePtr<T> dots(const TextureRequest& request) {
-    return makeDotsTexture<T>(part<T>(request, "inside", 1), part<T>(request, "outside", 0), mapping2DOf(request));
+    return makeDotsTexture<T>(part<T>(request, "outside", 0), part<T>(request, "inside", 1), mapping2DOf(request));
 }
 
 template <typename T>

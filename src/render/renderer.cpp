@@ -205,7 +205,14 @@ RenderedImage Renderer::image() const {
     const float scale = scene_.settings.filmScale;
     RenderedImage result;
     result.beauty = samples_.image(scale);
-    if (params_.integrator != Integrator::Drc) return result;
+    // Filters with negative lobes undershoot beside what is bright. As in pbrt a picture has no light below zero; its
+    // layers may.
+    const auto withoutNegative = [&]() -> RenderedImage& {
+        for (float& v : result.beauty.data())
+            if (v < 0) v = 0;
+        return result;
+    };
+    if (params_.integrator != Integrator::Drc) return withoutNegative();
     result.direct = result.beauty;
     result.indirect = indirect_.image(1);
     if (passesDone_ > 0) correction_.apply(*result.indirect);
@@ -213,7 +220,7 @@ RenderedImage Renderer::image() const {
     const Image narrow = narrow_.image(scale);
     for (size_t i = 0; i < narrow.data().size(); ++i) result.indirect->data()[i] += narrow.data()[i];
     for (size_t i = 0; i < result.beauty.data().size(); ++i) result.beauty.data()[i] += result.indirect->data()[i];
-    return result;
+    return withoutNegative();
 }
 
 }  // namespace drc

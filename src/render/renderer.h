@@ -31,8 +31,8 @@ struct RenderParams {
 };
 
 struct RenderedImage {
-    Image beauty;                           // linear radiance times the film's scale
-    std::optional<Image> direct, indirect;  // layers that sum to it
+    Image beauty;                           // linear radiance times the film's scale, nowhere below zero
+    std::optional<Image> direct, indirect;  // layers that sum to it (or to less than zero)
 };
 
 class Renderer {

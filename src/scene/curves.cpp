@@ -131,8 +131,8 @@ ShapeHit Curves::hitAt(uint32_t piece, float u, const Ray& ray, float t) const {
     hit.dpdv = b * (2 * c.radius);
     if (type_ == CurveType::Cylinder) {
         const float angle = 0.5f * kPi * s, cosine = std::cos(angle), sine = std::sin(angle);
-        hit.ng = n * cosine + b * sine;
-        hit.dpdv = (b * cosine - n * sine) * (2 * c.radius);
+        hit.ng = n * cosine - b * sine;
+        hit.dpdv = (b * cosine + n * sine) * (2 * c.radius);
     }
     if (flipNormal_) hit.ng = -hit.ng;
     return hit;

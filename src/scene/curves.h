@@ -12,14 +12,15 @@ namespace drc {
 
 enum class CurveType {
     Flat,      // turns its broad side to whoever looks
-    Cylinder,  // the same, with the normals of a round tube
+    Cylinder,  // the same, with the normals of the inside of a round tube
     Ribbon,    // broad side along a given normal
 };
 
 // u runs along each curve and v across it, along dpdv. Flat curves and cylinders have dpdv along cross(ray direction,
 // dpdu) as in pbrt, and normals towards the ray, or away from it for flipNormal. (pbrt's point away, where nobody could
-// see what they emit; and its cylinders are shaded as if they were hollow.) The normal of a ribbon is the given one, or
-// its opposite for flipNormal.
+// see what they emit.) Across a cylinder the normals turn the way that pbrt's program turns them, so that it is shaded
+// as if it were hollow and one looked at its far side: pictures made with pbrt look so. The normal of a ribbon is the
+// given one, or its opposite for flipNormal.
 class Curves final : public Shape {
   public:
     Curves(CurveType type, bool flipNormal) : type_(type), flipNormal_(flipNormal) {}

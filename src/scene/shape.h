@@ -33,7 +33,8 @@ struct Bounds {
 
 struct ShapeHit {
     float t = 0;
-    Vec3 ng;  // unit, oriented as pbrt does
+    Vec3 ng;       // unit, oriented as pbrt does
+    Vec3 ns{0.f};  // shading normal, unit, on the side of ng; zero: ng itself
     Vec2 uv;
     Vec3 dpdu, dpdv;
     uint32_t part = 0;  // of shapes that have several

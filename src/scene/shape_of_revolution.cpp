@@ -1,6 +1,7 @@
 #include "scene/shape_of_revolution.h"
 
 #include <array>
+#include <vector>
 
 namespace drc {
 namespace {
@@ -19,21 +20,44 @@ double integralOfArea(const RevolutionProfile& profile, double a, double b) {
     return sum * half;
 }
 
+// vMin, 1, and between them where the curve reaches the axis, beyond which it may have no points.
+std::vector<double> sectionsOf(const RevolutionProfile& profile) {
+    std::vector<double> ends = {profile.vMin};
+    const auto& c = profile.c;
+    const double discriminant = 0.25 * c[1] * c[1] - c[0] * c[2];
+    if (c[2] != 0 && discriminant > 0) {
+        const double middle = -0.5 * c[1] / c[2], away = std::sqrt(discriminant) / std::abs(c[2]);
+        for (const double v : {middle - away, middle + away})
+            if (v > profile.vMin && v < 1) ends.push_back(v);
+    }
+    ends.push_back(1);
+    return ends;
+}
+
 // Draws v with a density in proportion to the area element.
 class AreaTable {
   public:
     explicit AreaTable(const RevolutionProfile& profile) : profile_(profile) {
-        for (int i = 0; i < kCells; ++i)
-            sums_[size_t(i) + 1] = sums_[size_t(i)] + integralOfArea(profile_, edge(i), edge(i + 1));
+        const std::vector<double> ends = sectionsOf(profile);
+        for (size_t s = 0; s + 1 < ends.size(); ++s) {
+            const bool empty = profile.radiusSquared(0.5 * (ends[s] + ends[s + 1])) < 0;
+            const int cells = empty ? 1 : kCells;
+            for (int i = 0; i < cells; ++i) {
+                edges_.push_back(ends[s] + (ends[s + 1] - ends[s]) * i / cells);
+                const double next = ends[s] + (ends[s + 1] - ends[s]) * (i + 1) / cells;
+                sums_.push_back(sums_.back() + (empty ? 0 : integralOfArea(profile_, edges_.back(), next)));
+            }
+        }
+        edges_.push_back(1);
     }
-    double total() const { return sums_[kCells]; }
+    double total() const { return sums_.back(); }
     double sample(double u) const {
         const double target = u * total();
         const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, target);
-        const int cell = int(above - sums_.begin()) - 1;
-        const double a = edge(cell), b = edge(cell + 1), inCell = target - sums_[size_t(cell)];
+        const size_t cell = size_t(above - sums_.begin()) - 1;
+        const double a = edges_[cell], b = edges_[cell + 1], inCell = target - sums_[cell];
         // Newton's method from where the element would be constant.
-        double v = a + (b - a) * inCell / (sums_[size_t(cell) + 1] - sums_[size_t(cell)]);
+        double v = a + (b - a) * inCell / (sums_[cell + 1] - sums_[cell]);
         for (int i = 0; i < 3; ++i) {
             const double element = profile_.areaElement(v);
             if (!(element > 0)) break;
@@ -43,11 +67,11 @@ class AreaTable {
     }
 
   private:
-    static constexpr int kCells = 32;
-    double edge(int i) const { return profile_.vMin + (1 - profile_.vMin) * i / kCells; }
+    static constexpr int kCells = 32;  // of each section
 
     RevolutionProfile profile_;
-    std::array<double, kCells + 1> sums_{};
+    std::vector<double> edges_;     // of cells
+    std::vector<double> sums_{0.};  // of the areas below them
 };
 
 class ShapeOfRevolution final : public Shape {
@@ -165,11 +189,16 @@ class ShapeOfRevolution final : public Shape {
         hit.t = float(t);
         hit.uv = Vec2(float(phi / phiMax_), float(v));
         hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-outward.y, outward.x, 0) * (away * phiMax_)));
-        const Vec3d step =
-            profile_.isLine ? profile_.p2 - profile_.p1 : Vec3d(0.5 * profile_.slope(v) / away, 0, profile_.dz);
-        hit.dpdv =
-            Vec3(space_.vectorToWorld(Vec3d(step.x * cosine - step.y * sine, step.x * sine + step.y * cosine, step.z)));
+        const Vec3d step = profile_.kind == RevolutionProfile::Kind::Parabola
+                               ? Vec3d(0.5 * profile_.slope(v) / away, 0, profile_.dz)
+                               : profile_.p2 - profile_.p1;
+        const Vec3d along(step.x * cosine - step.y * sine, step.x * sine + step.y * cosine, step.z);
+        hit.dpdv = Vec3(space_.vectorToWorld(along));
         hit.ng = space_.normalToWorld(normalAt(p, v));
+        if (profile_.kind == RevolutionProfile::Kind::Hyperbola) {
+            const Vec3d across(-outward.y, outward.x, 0);
+            hit.ns = faceForward(space_.normalToWorld(across.cross(along).normalized()), hit.ng);
+        }
         return hit;
     }
 
@@ -204,11 +233,34 @@ RevolutionProfile RevolutionProfile::parabola(double radius, double zMin, double
     profile.c[1] = perZ * profile.dz;
     profile.c[2] = 0;
     profile.vMin = std::max(0.0, -zMin / profile.dz);
-    profile.isLine = false;
+    profile.kind = Kind::Parabola;
     return profile;
 }
 
-Vec3d RevolutionProfile::at(double v) const { return isLine ? p1 + (p2 - p1) * v : Vec3d(radius(v), 0, z0 + v * dz); }
+RevolutionProfile RevolutionProfile::hyperbola(const Vec3d& p1, const Vec3d& p2, double width, double height) {
+    RevolutionProfile profile = line(p1, p2);
+    profile.c[0] = (1 + height * profile.z0 * profile.z0) / width;
+    profile.c[1] = 2 * height * profile.z0 * profile.dz / width;
+    profile.c[2] = height * profile.dz * profile.dz / width;
+    profile.kind = Kind::Hyperbola;
+    return profile;
+}
+
+double RevolutionProfile::maxRadius() const {
+    const double ends = std::max(radius(vMin), radius(1));
+    const double top = -c[1] / (2 * c[2]);  // where the square of the radius has its one extremum
+    return top > vMin && top < 1 ? std::max(ends, radius(top)) : ends;
+}
+
+Vec3d RevolutionProfile::at(double v) const {
+    if (kind == Kind::Parabola) return Vec3d(radius(v), 0, z0 + v * dz);
+    Vec3d p = p1 + (p2 - p1) * v;
+    if (kind == Kind::Line) return p;
+    const double away = std::hypot(p.x, p.y);
+    if (!(away > 0)) return Vec3d(radius(v), 0, p.z);
+    const double k = radius(v) / away;
+    return Vec3d(p.x * k, p.y * k, p.z);
+}
 
 double RevolutionProfile::areaElement(double v) const {
     // |dp/dphi x dp/dv|, which for a curve turned about an axis is r sqrt(z'^2 + r'^2), with r r' half the slope of
@@ -218,6 +270,7 @@ double RevolutionProfile::areaElement(double v) const {
 
 ShapePtr makeShapeOfRevolution(const Transform& objectToWorld, bool reverseOrientation, float phiMax,
                                const RevolutionProfile& profile) {
+    if (!(AreaTable(profile).total() > 0)) return nullptr;
     return std::make_shared<ShapeOfRevolution>(objectToWorld, reverseOrientation, phiMax, profile);
 }
 

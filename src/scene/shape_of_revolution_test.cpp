@@ -117,6 +117,35 @@ TEST(ShapeOfRevolution, HyperboloidHits) {
     EXPECT_NEAR(makeHyperboloid({})->area(), kPi * std::sqrt(2.f) * std::sqrt(3.f), 1e-4);
 }
 
+// The segment's own points are at x^2 + y^2 = 1 + z + z^2 / 4: pbrt's equation has no term in z. Its surface goes
+// through the circle of p2, of radius 2 at z = 2, and through one of radius 3 at z = 4.
+TEST(ShapeOfRevolution, HyperboloidsAreThoseOfPbrtsEquation) {
+    const ShapePtr cone = makeHyperboloid({.p1 = Vec3(1, 0, 0), .p2 = Vec3(2, 0, 2)});
+    // width 4 - height 4 = 1 and width 9 - height 16 = 1: r^2 = (28 + 5 z^2) / 12.
+    for (const float z : {0.1f, 1.f, 1.9f}) {
+        const float radius = std::sqrt((28 + 5 * z * z) / 12);
+        const auto hit = hitFromOutside(*cone, z, 30);
+        ASSERT_TRUE(hit);
+        EXPECT_NEAR(hit->t, 5 - radius, 1e-5);
+        EXPECT_NEAR(hit->uv.x, 30 / 360.0, 1e-5);
+        EXPECT_NEAR(hit->uv.y, z / 2, 1e-6);
+        const Vec3 outward(std::cos(kPi / 6), 0.5f, 0), up(0, 0, 1);
+        expectNear(hit->ng, normalize(outward * radius - up * (5 * z / 12)), 1e-5f);
+        // Shading is that of the cone which the segment sweeps.
+        expectNear(hit->ns, normalize(outward * 2.f - up), 1e-5f);
+        expectNear(hit->dpdv, outward + up * 2.f, 1e-5f);
+    }
+    EXPECT_FALSE(hitFromOutside(*cone, -0.1f, 30));
+    EXPECT_FALSE(hitFromOutside(*cone, 2.1f, 30));
+    // Of this one, a cone with its apex at p2, the equation has no points before the apex.
+    EXPECT_EQ(makeHyperboloid({.p1 = Vec3(1, 0, 0), .p2 = Vec3(0, 0, 1)}), nullptr);
+    // This one has some above z = 0.39 and some below -0.39, and none between.
+    const ShapePtr two = makeHyperboloid({.p1 = Vec3(1, -0.6f, -0.5f), .p2 = Vec3(0.3f, 0.7f, 1)});
+    EXPECT_TRUE(hitFromOutside(*two, 0.45f, 30) && hitFromOutside(*two, -0.45f, 30));
+    EXPECT_FALSE(hitFromOutside(*two, 0.3f, 30));
+    EXPECT_EQ(hitFromOutside(*two, 0.9f, 30)->ns == Vec3(0.f), false);
+}
+
 TEST(ShapeOfRevolution, IsExactFromAfar) {
     const ShapePtr cylinder = makeCylinder({});
     const auto hit = cylinder->intersect(rayFrom(Vec3(1e5f, 0.75f, 0), Vec3(-1, 0, 0)), 0);
@@ -214,7 +243,11 @@ TEST(ShapeOfRevolution, DirectionsFollowTheDensity) {
 
 TEST(ShapeOfRevolution, Derivatives) {
     const Transform t = tilted() * Transform::scale(1, 1.3f, 0.7f);
-    for (const ShapePtr& shape : shapesIn(t, false, false)) {
+    std::vector<ShapePtr> shapes = shapesIn(t, false, false);
+    // Of hyperboloids only those whose segment lies on the surface have derivatives that do.
+    shapes.resize(3);
+    shapes.push_back(makeHyperboloid({t, false, Vec3(0.6f, -0.7f, -1), Vec3(0.6f, 0.7f, 1)}));
+    for (const ShapePtr& shape : shapes) {
         const Vec3 from = t.point(Vec3(-1, 3, 1.5f)), to = t.point(Vec3(-0.1f, 0, 0.5f));
         checkDerivatives(*shape, rayFrom(from, normalize(to - from)), 1e-3f);
     }

@@ -30,6 +30,7 @@ float TriangleMesh::area(uint32_t triangle) const {
 void TriangleMesh::apply(const Transform& t) {
     for (Vec3& p : positions) p = t.point(p);
     for (Vec3& n : normals) n = normalize(t.normal(n));
+    for (Vec3& s : tangents) s = t.vector(s);
     // Normals transform by the inverse transpose, cross products of edges by that times the determinant.
     flipNormal ^= t.swapsHandedness();
 }

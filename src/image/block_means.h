@@ -1,0 +1,14 @@
+// Means of square blocks of pixels: what is left of a picture when its noise is averaged away, but not its errors.
+#pragma once
+#include "image/image.h"
+
+namespace drc {
+
+// The blocks by which `drc compare` compares.
+inline constexpr int kComparedBlock = 8;
+
+// The mean of each size x size block of pixels, R, G, B; blocks at the right and lower edge may be smaller. Pixels with
+// NaN or an infinity are left out; a block of nothing else is NaN. Throws Error if size is not positive.
+Image blockMeans(const Image& image, int size);
+
+}  // namespace drc
