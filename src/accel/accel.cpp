@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "accel/curve_geometry.h"
+#include "accel/instance_geometry.h"
 #include "accel/packed_mesh.h"
 #include "base/error.h"
 #include "base/log.h"
@@ -161,6 +162,8 @@ struct Accel::Impl {
     Group world;
     std::vector<Group> objects;
     std::vector<const Instance*> instances;  // indexed by the world scene's geometry id; null: not an instance
+    const Instance* firstInstance = nullptr;
+    bool anythingMoves = false;
 
     ~Impl() {
         for (Group& g : objects)
@@ -172,6 +175,11 @@ struct Accel::Impl {
 
     const Bsdf* lobesOf(const Material* material);
     void fill(Group& group, const std::vector<Primitive>& primitives);
+    // Of one that moves.
+    Transform toWorld(const Instance& instance, float time) const {
+        const auto id = world.geometries.size() + size_t(&instance - firstInstance);
+        return instanceToWorld(rtcGetGeometry(world.scene, unsigned(id)), time);
+    }
 };
 
 const Bsdf* Accel::Impl::lobesOf(const Material* material) {
@@ -234,13 +242,11 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
     }
     impl_->fill(impl_->world, scene.primitives);
     impl_->instances.resize(scene.primitives.size(), nullptr);
+    impl_->firstInstance = scene.instances.data();
     for (const Instance& instance : scene.instances) {
-        RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_INSTANCE);
-        rtcSetGeometryInstancedScene(geometry, impl_->objects[size_t(instance.object)].scene);
-        float m[12];
-        for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 3; ++row) m[3 * column + row] = instance.objectToWorld.at(row, column);
-        rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
+        RTCGeometry geometry =
+            makeInstanceGeometry(impl_->device, impl_->objects[size_t(instance.object)].scene, instance.objectToWorld);
+        impl_->anythingMoves |= instance.objectToWorld.isAnimated();
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(impl_->world.scene, geometry, unsigned(impl_->instances.size()));
         rtcReleaseGeometry(geometry);
@@ -295,34 +301,40 @@ bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
     const GeometryData& data = *static_cast<const GeometryData*>(found.geometry);
     hit.primitive = data.primitive;
     hit.lobes = data.lobes;
+    hit.moves = found.instance && found.instance->objectToWorld.isAnimated();
+    const Transform* toWorld = found.instance ? &found.instance->objectToWorld.start() : nullptr;
+    std::optional<Transform> then;
+    if (hit.moves) toWorld = &then.emplace(impl_->toWorld(*found.instance, ray.time));
     if (data.mesh) {
         data.mesh->fill(found.triangle, found.b1, found.b2, hit);
     } else {
         Ray local = ray;
-        if (found.instance) {
-            const Transform inverse = found.instance->objectToWorld.inverse();
+        if (toWorld) {
+            const Transform inverse = toWorld->inverse();
             local.o = inverse.point(ray.o);
             local.d = inverse.vector(ray.d);  // not renormalised: t stays the same in both spaces
         }
         if (!fillAt(data, local, found.t, found.triangle, found.b1, found.b2, 1e-5f, hit)) return false;
     }
-    if (found.instance) {
-        const Transform& t = found.instance->objectToWorld;
-        hit.p = t.point(hit.p);
-        hit.ng = normalize(t.normal(hit.ng));
-        hit.ns = normalize(t.normal(hit.ns));
-        hit.dpdu = t.vector(hit.dpdu);
-        hit.dpdv = t.vector(hit.dpdv);
-        hit.tangent = t.vector(hit.tangent);
+    if (toWorld) {
+        hit.p = toWorld->point(hit.p);
+        hit.ng = normalize(toWorld->normal(hit.ng));
+        hit.ns = normalize(toWorld->normal(hit.ns));
+        hit.dpdu = toWorld->vector(hit.dpdu);
+        hit.dpdv = toWorld->vector(hit.dpdv);
+        hit.tangent = toWorld->vector(hit.tangent);
     }
     hit.wo = -ray.d;
     hit.t = found.t;
+    hit.time = ray.time;
     hit.coneSpread = ray.coneSpread;
     hit.footprint = ray.coneWidth + ray.coneSpread * hit.t;
     return true;
 }
 
-bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax) const {
+bool Accel::anythingMoves() const { return impl_->anythingMoves; }
+
+bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax, float time) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRay r;
@@ -333,7 +345,7 @@ bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax) const {
     r.dir_x = d.x;
     r.dir_y = d.y;
     r.dir_z = d.z;
-    r.time = 0;
+    r.time = time;
     r.tfar = tMax;
     r.mask = ~0u;
     r.id = 0;

@@ -28,8 +28,11 @@ class Accel {
     };
     bool find(const Ray& ray, Found& found) const;
     bool describe(const Ray& ray, const Found& found, SurfaceInteraction& hit) const;
-    // True if anything lies between o and o + tMax * d (d unit). Surfaces without a material do not block.
-    bool occluded(const Vec3& o, const Vec3& d, float tMax) const;
+    // True if anything lies between o and o + tMax * d (d unit) at that time, which is a ray's. Surfaces without a
+    // material do not block.
+    bool occluded(const Vec3& o, const Vec3& d, float tMax, float time = 0) const;
+    // Whether anything is not always where it is.
+    bool anythingMoves() const;
 
   private:
     struct Impl;

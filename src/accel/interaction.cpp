@@ -65,6 +65,7 @@ Ray SurfaceInteraction::spawnRay(const Vec3& d, float spread) const {
     Ray ray;
     ray.o = offsetOrigin(p, ng, d);
     ray.d = d;
+    ray.time = time;
     ray.coneWidth = footprint;
     ray.coneSpread = std::max(spread, coneSpread);
     return ray;

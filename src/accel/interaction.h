@@ -18,6 +18,8 @@ struct SurfaceInteraction {
     float t = 0;          // distance along the ray
     float footprint = 0;  // width of the ray's cone at p
     float coneSpread = 0;
+    float time = 0;      // the ray's
+    bool moves = false;  // whether the surface is elsewhere at another time
     uint32_t triangle = 0;
     const Primitive* primitive = nullptr;
     // The material's lobes, if they are the same everywhere and somebody has them ready.

@@ -56,6 +56,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
         bool back;
         Vec3 ng;
         float footprint;
+        std::optional<float> time;
         uint64_t stream;
     };
     const Scene& scene = tracer_.scene();
@@ -75,10 +76,12 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
                 continue;
             site.p = hit.surface.p;
             site.n = faceForward(hit.surface.ng, hit.surface.wo);
+            const std::optional<float> time = captureTime(hit.surface);
             uint8_t& n = counts[size_t(i)];
-            found[size_t(i)][n++] = {&site, false, hit.surface.ng, hit.surface.footprint, hashCombine(stream, 2)};
+            found[size_t(i)][n++] = {&site, false, hit.surface.ng, hit.surface.footprint, time, hashCombine(stream, 2)};
             if (hit.bsdf.hasWideTransmission())
-                found[size_t(i)][n++] = {&site, true, hit.surface.ng, hit.surface.footprint, hashCombine(stream, 3)};
+                found[size_t(i)][n++] = {
+                    &site, true, hit.surface.ng, hit.surface.footprint, time, hashCombine(stream, 3)};
         }
     });
     std::vector<Request> requests;
@@ -99,7 +102,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
                 const Request& r = requests[size_t(i)];
                 const Frame frame = mapFrame(r.back ? -r.site->n : r.site->n, up);
                 captureMap(tracer_, settings_.capture, r.site->p, r.ng, frame, r.footprint, r.stream,
-                           maps[size_t(i - begin)]);
+                           maps[size_t(i - begin)], r.time);
             }
             const auto captured = Clock::now();
             enhancer_.enhance(maps, layout);
@@ -245,8 +248,9 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
                         site.n = faceForward(hit.surface.ng, hit.surface.wo);
                         const uint64_t stream = hashCombine(pixelStream(x, y, kCapture), uint64_t(index));
                         const auto capture = [&](const Vec3& n, uint64_t side) {
+                            // Of the sample's own moment: no other pixel looks at this map.
                             captureMap(tracer_, settings_.capture, site.p, hit.surface.ng, mapFrame(n, up),
-                                       hit.surface.footprint, hashCombine(stream, side), captured[0]);
+                                       hit.surface.footprint, hashCombine(stream, side), captured[0], hit.surface.time);
                             enhancer_.enhance(captured, layout);
                             maps.fetch_add(1, std::memory_order_relaxed);
                             return RadianceMap(captured[0], layout);

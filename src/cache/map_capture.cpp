@@ -9,8 +9,12 @@ Frame mapFrame(const Vec3& n, const Vec3& up) {
     return Frame(s, cross(n, s), n);
 }
 
+std::optional<float> captureTime(const SurfaceInteraction& at) {
+    return at.moves ? std::optional(at.time) : std::nullopt;
+}
+
 void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const Vec3& origin, const Vec3& ng,
-                const Frame& frame, float footprint, uint64_t stream, CapturedMap& result) {
+                const Frame& frame, float footprint, uint64_t stream, CapturedMap& result, std::optional<float> time) {
     const MapLayout& layout = settings.layout;
     const int n = layout.size();
     const auto texels = size_t(layout.texels());
@@ -22,6 +26,9 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
 
     const float spread = std::sqrt(layout.solidAngle(n / 2));  // a texel's own cone
     const float weight = 1.f / float(settings.samplesPerTexel);
+    // Scenes in which nothing moves need no number for it.
+    const bool drawTime = !time && tracer.anythingMoves();
+    const Shutter shutter = tracer.scene().camera->shutter();
     Sampler sampler(stream, 0);
     for (int row = 0; row < n; ++row) {
         for (int column = 0; column < n; ++column) {
@@ -35,6 +42,7 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
                 Ray ray;
                 ray.d = frame.toWorld(layout.direction(column, row, sampler.get2D()));
                 ray.o = offsetOrigin(origin, ng, ray.d);
+                ray.time = drawTime ? shutter.motion(sampler.get1D()) : time.value_or(0);
                 ray.coneWidth = footprint;
                 ray.coneSpread = spread;
                 FirstHit first;

@@ -1,6 +1,7 @@
 // Tracing of a radiance map: the indirect light that arrives at a point from each direction of a hemisphere, with the
 // distance to and the normal of what is seen there (design, section 4; Jiang and Kainz, section 3).
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "cache/projection.h"
@@ -29,7 +30,14 @@ Frame mapFrame(const Vec3& n, const Vec3& up);
 
 // stream: seed of this map's random numbers. `result`'s buffers are reused. Each texel is the mean of its samples;
 // distance and normal are those of the first.
+// time: of the map's rays. None: each has its own, uniformly while the camera's shutter is open, so that the map is the
+// mean over the exposure. See captureTime.
 void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const Vec3& origin, const Vec3& ng,
-                const Frame& frame, float footprint, uint64_t stream, CapturedMap& result);
+                const Frame& frame, float footprint, uint64_t stream, CapturedMap& result,
+                std::optional<float> time = std::nullopt);
+
+// The time of a map that stands on this surface: none, but where the surface moves. At other times than that of the hit
+// it is elsewhere, and the map would look out of its inside, or stand off it.
+std::optional<float> captureTime(const SurfaceInteraction& at);
 
 }  // namespace drc

@@ -32,7 +32,7 @@ Example makeExample(const PathTracer& tracer, const ExampleSettings& settings, i
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
         const CaptureSettings once{settings.layout, samples};
         captureMap(tracer, once, hit.surface.p, hit.surface.ng, frame, hit.surface.footprint,
-                   hashCombine(hashCombine(settings.seed, stream), uint64_t(index)), map);
+                   hashCombine(hashCombine(settings.seed, stream), uint64_t(index)), map, captureTime(hit.surface));
     };
     capture(settings.targetSamples, kTarget, example.target);
     float sum = 0;

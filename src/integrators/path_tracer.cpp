@@ -68,7 +68,7 @@ Rgb PathTracer::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, i
 
 bool PathTracer::shadowed(const SurfaceInteraction& at, const LightSample& light) const {
     const Vec3 o = offsetOrigin(at.p, at.ng, light.wi);
-    if (std::isinf(light.distance)) return accel_.occluded(o, light.wi, kInfinity);
+    if (std::isinf(light.distance)) return accel_.occluded(o, light.wi, kInfinity, at.time);
     // From the origin as it was moved, and short of the light, whose own surface must not hide it: by a share of the
     // distance, and by what rounding can move its position.
     const Vec3 target = at.p + light.wi * light.distance;
@@ -76,7 +76,7 @@ bool PathTracer::shadowed(const SurfaceInteraction& at, const LightSample& light
     const float distance = length(d);
     const float rounding = 1e-6f * std::max({std::abs(target.x), std::abs(target.y), std::abs(target.z)});
     const float tMax = distance * 0.9999f - rounding;
-    return tMax > 0 && accel_.occluded(o, d * (1 / distance), tMax);
+    return tMax > 0 && accel_.occluded(o, d * (1 / distance), tMax, at.time);
 }
 
 PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group,

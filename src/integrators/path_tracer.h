@@ -81,6 +81,8 @@ class PathTracer {
     Rgb indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobes = LobeFlags::NonSpecular) const;
 
     const Scene& scene() const { return scene_; }
+    // Whether a path's time makes a difference.
+    bool anythingMoves() const { return accel_.anythingMoves(); }
     const PathSettings& settings() const { return settings_; }
 
   private:

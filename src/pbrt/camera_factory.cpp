@@ -1,6 +1,5 @@
 #include "pbrt/camera_factory.h"
 
-#include <tuple>
 #include <utility>
 
 #include "base/log.h"
@@ -12,16 +11,18 @@ namespace {
 
 struct CameraContext {
     const ParamSet& params;
-    const Transform& worldToCamera;
+    const CameraMotion& motion;
     const FilmGeometry& film;
     const FileSearch& files;
 };
 
-std::pair<float, float> shutterOf(const ParamSet& params) {
-    std::pair<float, float> shutter(params.getFloat("shutteropen", 0), params.getFloat("shutterclose", 1));
-    if (shutter.second < shutter.first) {
+Shutter shutterOf(const CameraContext& context) {
+    const ParamSet& params = context.params;
+    const auto [start, end] = context.motion.transformTimes;
+    Shutter shutter{params.getFloat("shutteropen", 0), params.getFloat("shutterclose", 1), start, end};
+    if (shutter.close < shutter.open) {
         warn(params.pos(), "the camera's shutter closes before it opens; the two times are swapped");
-        std::swap(shutter.first, shutter.second);
+        std::swap(shutter.open, shutter.close);
     }
     return shutter;
 }
@@ -30,12 +31,12 @@ std::pair<float, float> shutterOf(const ParamSet& params) {
 ProjectiveCameraParams projectiveParams(const CameraContext& context) {
     const ParamSet& params = context.params;
     ProjectiveCameraParams p;
-    p.worldToCamera = context.worldToCamera;
+    p.worldToCamera = context.motion.worldToCamera;
     p.lensRadius = params.getFloat("lensradius", 0);
     p.focalDistance = params.getFloat("focaldistance", 1e6f);
     if (!(p.lensRadius >= 0)) fail(params.pos(), "the camera's lens radius must not be negative");
     if (p.lensRadius > 0 && !(p.focalDistance > 0)) fail(params.pos(), "the camera's focal distance must be positive");
-    std::tie(p.shutterOpen, p.shutterClose) = shutterOf(params);
+    p.shutter = shutterOf(context);
     p.frameAspectRatio = params.getFloat("frameaspectratio", 0);
     if (!(p.frameAspectRatio >= 0)) fail(params.pos(), "the camera's frame aspect ratio must be positive");
     if (const Param* window = params.find("screenwindow", {ParamType::Float})) {
@@ -64,8 +65,8 @@ std::unique_ptr<Camera> makeOrthographic(const CameraContext& context) {
 
 std::unique_ptr<Camera> makeEnvironment(const CameraContext& context) {
     EnvironmentCameraParams p;
-    p.worldToCamera = context.worldToCamera;
-    std::tie(p.shutterOpen, p.shutterClose) = shutterOf(context.params);
+    p.worldToCamera = context.motion.worldToCamera;
+    p.shutter = shutterOf(context);
     for (const char* name : {"lensradius", "focaldistance", "frameaspectratio", "screenwindow"}) {
         if (!context.params.has(name)) continue;
         context.params.ignore({name});
@@ -91,8 +92,8 @@ std::unique_ptr<Camera> makeSpherical(const CameraContext& context) {
 std::unique_ptr<Camera> makeLensCamera(const CameraContext& context, bool simpleWeighting) {
     const ParamSet& params = context.params;
     RealisticCameraParams p;
-    p.worldToCamera = context.worldToCamera;
-    std::tie(p.shutterOpen, p.shutterClose) = shutterOf(params);
+    p.worldToCamera = context.motion.worldToCamera;
+    p.shutter = shutterOf(context);
     const float stop = params.getFloat("aperturediameter", 1);
     if (!(stop > 0)) params.failAt(*params.find("aperturediameter", {ParamType::Float}), "must be positive");
     p.focusDistance = params.getFloat("focusdistance", 10);
@@ -144,14 +145,14 @@ std::unique_ptr<Camera> make(std::span<const Registered<CameraMaker>> table, con
 
 }  // namespace
 
-std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
+std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const CameraMotion& motion,
                                    const FilmGeometry& film, const FileSearch& files) {
-    return make(kCameras, type, {params, worldToCamera, film, files});
+    return make(kCameras, type, {params, motion, film, files});
 }
 
-std::unique_ptr<Camera> makeCameraV4(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
+std::unique_ptr<Camera> makeCameraV4(const std::string& type, const ParamSet& params, const CameraMotion& motion,
                                      const FilmGeometry& film, const FileSearch& files) {
-    return make(kCamerasV4, type, {params, worldToCamera, film, files});
+    return make(kCamerasV4, type, {params, motion, film, files});
 }
 
 float exposureTimeV4(const ParamSet& camera) {

@@ -1,5 +1,6 @@
 // Camera. A new camera is one entry in the table of camera_factory.cpp.
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 
@@ -9,11 +10,17 @@
 
 namespace drc::pbrt {
 
+// Where a camera is, and the two times between which it and all else moves.
+struct CameraMotion {
+    AnimatedTransform worldToCamera;
+    std::array<float, 2> transformTimes{0, 1};
+};
+
 // Throws Error for an unknown type or wrong parameters.
-std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
+std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const CameraMotion& motion,
                                    const FilmGeometry& film, const FileSearch& files);
 // pbrt-v4's.
-std::unique_ptr<Camera> makeCameraV4(const std::string& type, const ParamSet& params, const Transform& worldToCamera,
+std::unique_ptr<Camera> makeCameraV4(const std::string& type, const ParamSet& params, const CameraMotion& motion,
                                      const FilmGeometry& film, const FileSearch& files);
 // By which pbrt-v4 multiplies the picture: how long the camera's shutter is open. Throws Error if it is not.
 float exposureTimeV4(const ParamSet& camera);

@@ -27,9 +27,9 @@ TEST(CameraFactory, Perspective) {
     EXPECT_LT(length(rayOf("\"perspective\" \"float halffov\" 45", Vec2(0, 50)).d - normalize(Vec3(-1, 0, 1))), 1e-5f);
     const Ray r = rayOf(
         "\"perspective\" \"float screenwindow\" [0 2 0 1] \"float lensradius\" 1 \"float focaldistance\" 2 "
-        "\"float shutteropen\" 4 \"float shutterclose\" 8",
+        "\"float shutteropen\" .5 \"float shutterclose\" 1",
         Vec2(100, 0), Vec2(1, 0.5f));
-    EXPECT_EQ(r.time, 6);
+    EXPECT_EQ(r.time, 0.75f);
     EXPECT_LT(length(r.o - Vec3(1, 0, 0)), 1e-5f);
     EXPECT_LT(length(r.o + r.d * (2 / r.d.z) - Vec3(4, 2, 2)), 1e-4f);
     EXPECT_THAT(errorOfCamera("\"perspective\" \"float fov\" 180"), HasSubstr("between 0 and 180"));

@@ -105,8 +105,9 @@ Geometry curve(const ShapeContext& context) {
     params.ignore({"splitdepth"});  // how finely pbrt cuts curves for its own tree
 
     // What faces whoever looks has no side that a mirroring transformation could swap.
-    const bool swaps = type == CurveType::Ribbon && context.objectToWorld.swapsHandedness();
-    auto curves = std::make_shared<Curves>(type, context.reverseOrientation != swaps);
+    const bool mirrored = context.objectToWorld.swapsHandedness();
+    const bool turned = mirrored && type == CurveType::Ribbon;
+    auto curves = std::make_shared<Curves>(type, context.reverseOrientation != turned, mirrored);
     const float scale = widthScale(context);
     for (size_t i = 0; i < segments.size(); ++i) {
         Segment segment = segments[i];

@@ -91,6 +91,11 @@ void activeTransform(Context c) {
         fail(which.pos, "expected All, StartTime or EndTime after ActiveTransform, found " + which.describe());
 }
 
+void transformTimes(Context c) {
+    const auto times = numbers<2>(c);
+    c.builder.transformTimes(float(times[0]), float(times[1]), c.pos);
+}
+
 void include(Context c) {
     const Token name = c.tokens.expectString("the file of " + std::string(c.name));
     c.tokens.include(c.files.find(name.value(), name.pos, "file to include"), name.pos);
@@ -231,8 +236,7 @@ constexpr Directive kDirectives[] = {
     {"Transform", Any, [](Context c) { c.builder.setTransform(matrix(c), c.pos); }},
     {"TransformBegin", World, [](Context c) { c.builder.beginBlock("Transform", c.pos); }},
     {"TransformEnd", World, [](Context c) { c.builder.endBlock("Transform", c.pos); }},
-    // When the two transformations hold; while nothing moves, nothing depends on it.
-    {"TransformTimes", Options, [](Context c) { numbers<2>(c); }},
+    {"TransformTimes", Options, transformTimes},
     {"Translate", Any, translate},
     {"WorldBegin", Options, [](Context c) { c.builder.worldBegin(c.pos); }},
     {"WorldEnd", World, [](Context c) { c.builder.worldEnd(c.pos); }},

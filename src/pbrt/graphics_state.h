@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "math/transform.h"
+#include "math/animated_transform.h"
 #include "pbrt/color_space.h"
 #include "pbrt/light_factory.h"
 #include "pbrt/material_factory.h"
@@ -13,13 +13,15 @@
 
 namespace drc::pbrt {
 
-// The current transformation at the start and at the end of the shutter's time.
+// The current transformation at the first and at the second of the two TransformTimes.
 struct TransformSet {
     std::array<Transform, 2> at;
 
     const Transform& start() const { return at[0]; }
     bool isAnimated() const { return !(at[0] == at[1]); }
+    AnimatedTransform animated() const { return {at[0], at[1]}; }
     TransformSet inverse() const { return {{at[0].inverse(), at[1].inverse()}}; }
+    bool operator==(const TransformSet&) const = default;
 };
 
 struct GraphicsState {

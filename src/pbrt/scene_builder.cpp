@@ -52,6 +52,11 @@ void SceneBuilder::setTransform(const Transform& t, const SourcePos& pos) {
 
 void SceneBuilder::setActiveTransforms(bool start, bool end) { state_.active = {start, end}; }
 
+void SceneBuilder::transformTimes(float start, float end, const SourcePos& pos) {
+    if (end < start) warn(pos, "the second of the TransformTimes comes before the first; what moves will jump");
+    transformTimes_ = {start, end};
+}
+
 void SceneBuilder::nameCoordinateSystem(const std::string& name) { coordinateSystems_[name] = state_.ctm; }
 
 void SceneBuilder::useCoordinateSystem(const std::string& name, const SourcePos& pos) {
@@ -134,7 +139,10 @@ void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos)
         for (const auto& entry : objects_) names.push_back(entry.first);
         fail(pos, "no object '" + name + "' has been defined" + suggestion(name, names));
     }
-    scene_->instances.push_back({int(found->second), staticTransform(pos)});
+    const AnimatedTransform toWorld = state_.ctm.animated();
+    scene_->instances.push_back({int(found->second), toWorld});
+    for (const MovingPart& part : movingParts_[found->second])
+        scene_->instances.push_back({int(part.object), toWorld * part.motion});
 }
 
 void SceneBuilder::reverseOrientation() { state_.reverseOrientation = !state_.reverseOrientation; }
@@ -187,7 +195,8 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
                            ParamSet params) {
     params = completed("texture", std::move(params));
     const TextureParams textureParams(params, state_.textures);
-    const TextureRequest request{textureParams, staticTransform(params.pos()), files_, textureFiles_, dialect_};
+    const TextureRequest request{textureParams, staticTransform("textures", params.pos()), files_, textureFiles_,
+                                 dialect_};
     if (valueType == "float")
         state_.textures.scalars.set(name, makeFloatTexture(type, request));
     else if (valueType == "spectrum" || valueType == "color")
@@ -199,7 +208,7 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
 
 void SceneBuilder::light(const std::string& type, ParamSet params) {
     params = completed("light", std::move(params));
-    if (LightPtr light = make_.light(type, params, staticTransform(params.pos()), files_))
+    if (LightPtr light = make_.light(type, params, staticTransform("lights", params.pos()), files_))
         scene_->lights.push_back(std::move(light));
 }
 
@@ -209,13 +218,14 @@ void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
 
 void SceneBuilder::shape(const std::string& type, ParamSet params) {
     params = completed("shape", std::move(params));
+    const bool moves = state_.ctm.isAnimated();  // then its instance has the transformation
     const ShapeContext context{
-        params, state_.textures, files_, staticTransform(params.pos()), state_.reverseOrientation, dialect_};
+        params, state_.textures, files_, moves ? Transform() : state_.ctm.start(), state_.reverseOrientation, dialect_};
     auto geometry = make_.shape(type, context);
     if (!geometry) return;
     PendingPrimitive pending;
     pending.pos = params.pos();
-    pending.object = openObject_;
+    pending.object = moves ? movingObject() : openObject_;
     pending.geometry = std::move(*geometry);
     pending.primitive.shape = pending.geometry.shape;
     pending.primitive.alpha = pending.geometry.alpha;
@@ -226,6 +236,8 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     if (joinCurves(pending)) return;
     if (state_.areaLight && openObject_) {
         warn(params.pos(), "shapes of an instanced object cannot be area lights; it does not emit");
+    } else if (state_.areaLight && moves) {
+        warn(params.pos(), "shapes that move cannot be area lights; it does not emit");
     } else if (state_.areaLight) {
         pending.areaLight = state_.areaLight;
         pending.lightSlot = scene_->lights.size();
@@ -247,10 +259,22 @@ bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
     return true;
 }
 
-const Transform& SceneBuilder::staticTransform(const SourcePos& pos) const {
-    if (state_.ctm.isAnimated())
-        warn(pos, "moving transformations are not supported yet; that of the start time is used");
+const Transform& SceneBuilder::staticTransform(const std::string& what, const SourcePos& pos) const {
+    if (state_.ctm.isAnimated()) warn(pos, what + " cannot move; the transformation of the start time is used");
     return state_.ctm.start();
+}
+
+size_t SceneBuilder::movingObject() {
+    if (movingObject_ && movingObject_->within == openObject_ && movingObject_->ctm == state_.ctm)
+        return movingObject_->object;
+    const size_t object = scene_->objects.size();
+    scene_->objects.push_back({"", {}});
+    if (openObject_)
+        movingParts_[*openObject_].push_back({object, state_.ctm.animated()});
+    else
+        scene_->instances.push_back({int(object), state_.ctm.animated()});
+    movingObject_ = {object, openObject_, state_.ctm};
+    return object;
 }
 
 void SceneBuilder::checkComplete(const SourcePos& end) const {
@@ -302,9 +326,8 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
         settings.film.width = options.resolution->width;
         settings.film.height = options.resolution->height;
     }
-    if (worldToCamera_.isAnimated())
-        warn(camera_.params.pos(), "moving cameras are not supported yet; that of the start time is used");
-    scene_->camera = make_.camera(camera_.type, camera_.params, worldToCamera_.start(), settings.film, files_);
+    scene_->camera =
+        make_.camera(camera_.type, camera_.params, {worldToCamera_.animated(), transformTimes_}, settings.film, files_);
 
     loadMeshes();
     for (PendingPrimitive& p : pending_) {
@@ -316,6 +339,8 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
         primitives.push_back(std::move(p.primitive));
     }
     pending_.clear();
+    std::erase_if(scene_->instances,
+                  [&](const Instance& i) { return scene_->objects[size_t(i.object)].primitives.empty(); });
     return std::move(scene_);
 }
 

@@ -25,6 +25,8 @@ class SceneBuilder {
     void apply(const Transform& t, const SourcePos& pos);
     void setTransform(const Transform& t, const SourcePos& pos);
     void setActiveTransforms(bool start, bool end);
+    // When the two current transformations hold.
+    void transformTimes(float start, float end, const SourcePos& pos);
     void nameCoordinateSystem(const std::string& name);
     void useCoordinateSystem(const std::string& name, const SourcePos& pos);
 
@@ -87,8 +89,17 @@ class SceneBuilder {
         SourcePos pos;
     };
 
-    // The transformation for what cannot move: pos is that of what is being placed.
-    const Transform& staticTransform(const SourcePos& pos) const;
+    // What moves within an object, in the object's space.
+    struct MovingPart {
+        size_t object;
+        AnimatedTransform motion;
+    };
+
+    // The transformation for what cannot move: `what` and pos are those of what is being placed.
+    const Transform& staticTransform(const std::string& what, const SourcePos& pos) const;
+    // The object for shapes that move with the current transformation, of which there is one instance: shapes that come
+    // after each other and move alike share it.
+    size_t movingObject();
     // Adds curves to the ones just before them if they look alike: hair comes as a shape for each.
     bool joinCurves(const PendingPrimitive& next);
     void pop(const std::string& kind, const SourcePos& pos);
@@ -107,11 +118,20 @@ class SceneBuilder {
 
     Setting camera_, film_, filter_, sampler_, integrator_;
     TransformSet worldToCamera_;
+    std::array<float, 2> transformTimes_{0, 1};
 
     std::optional<SourcePos> worldBegin_;
     bool worldEnded_ = false;
     std::optional<size_t> openObject_;
     std::map<std::string, size_t> objects_;
+    std::map<size_t, std::vector<MovingPart>> movingParts_;  // by index into Scene::objects
+    // The latest movingObject, the object that was open then, and the transformation.
+    struct MovingObject {
+        size_t object;
+        std::optional<size_t> within;
+        TransformSet ctm;
+    };
+    std::optional<MovingObject> movingObject_;
     std::vector<PendingPrimitive> pending_;
     std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();
 };

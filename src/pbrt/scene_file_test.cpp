@@ -112,8 +112,8 @@ TEST(SceneFile, Instances) {
     ASSERT_EQ(scene->instances.size(), 2u);
     const Vec3 p = scene->objects[0].primitives.at(0).mesh->positions[0];
     EXPECT_EQ(p, Vec3(1, 2, 0));
-    EXPECT_EQ(scene->instances[0].objectToWorld.point(p), Vec3(2, 2, 3));
-    EXPECT_EQ(scene->instances[1].objectToWorld.point(p), Vec3(1, 2, 0));
+    EXPECT_EQ(scene->instances[0].objectToWorld.start().point(p), Vec3(2, 2, 3));
+    EXPECT_EQ(scene->instances[1].objectToWorld.start().point(p), Vec3(1, 2, 0));
     EXPECT_EQ(scene->triangleCount(), 2u);
     EXPECT_THAT(errorOfWorld("ObjectInstance \"p\""), HasSubstr("s.pbrt:2:16: no object 'p' has been defined"));
     EXPECT_THAT(errorOfWorld("ObjectBegin \"p\" ObjectBegin \"q\""), HasSubstr("ObjectBegin inside of another object"));

@@ -60,11 +60,6 @@ TEST(TransformDirectives, BlocksRestore) {
     EXPECT_TRUE(scene->primitives[0].mesh->flipNormal) << "TransformEnd must restore transformations alone";
 }
 
-TEST(TransformDirectives, EndTimeDoesNotMoveWhatStandsStill) {
-    expectNear(placed("ActiveTransform EndTime Translate 1 0 0 ActiveTransform All"), Vec3(1, 2, 3));
-    expectNear(placed("ActiveTransform StartTime Translate 1 0 0 ActiveTransform All"), Vec3(2, 2, 3));
-}
-
 TEST(TransformDirectives, OrientationOfMeshes) {
     const auto flip = [](const std::string& directives) {
         const auto mesh = loadWorld(directives + "\n" + kTriangle)->primitives.at(0).mesh;

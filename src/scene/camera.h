@@ -3,8 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "math/transform.h"
+#include "math/animated_transform.h"
 #include "scene/ray.h"
+#include "scene/shutter.h"
 
 namespace drc {
 
@@ -26,21 +27,22 @@ class Camera {
     virtual ~Camera() = default;
     // Ray through a film position; uLens in [0,1)^2 chooses the point on the lens, uTime in [0,1) the time.
     virtual CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const = 0;
-    // World-space position and viewing direction, for frames and bounds.
+    // World space, for frames and bounds. Of a camera that moves: in the middle of the exposure.
     virtual Vec3 position() const = 0;
     // The same camera for a film of another size: pbrt's rule for the screen window is applied to the new aspect.
     virtual std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const = 0;
     // Direction of the scene's "up", unit, world space.
     virtual Vec3 up() const = 0;
+    virtual const Shutter& shutter() const = 0;
 };
 
 // Of the perspective and the orthographic camera.
 struct ProjectiveCameraParams {
-    Transform worldToCamera;
+    AnimatedTransform worldToCamera;
     float fov = 90;  // degrees, of the shorter axis; perspective alone
     float lensRadius = 0;
     float focalDistance = 1e6f;
-    float shutterOpen = 0, shutterClose = 1;
+    Shutter shutter{};
     float frameAspectRatio = 0;  // 0: from the film
     bool hasScreenWindow = false;
     float screenWindow[4] = {-1, 1, -1, 1};  // xmin xmax ymin ymax
@@ -50,8 +52,8 @@ std::unique_ptr<Camera> makeOrthographicCamera(const ProjectiveCameraParams& par
 
 // All directions from one point: the film's width is a full turn, its height goes from the camera's +y to -y.
 struct EnvironmentCameraParams {
-    Transform worldToCamera;
-    float shutterOpen = 0, shutterClose = 1;
+    AnimatedTransform worldToCamera;
+    Shutter shutter{};
 };
 std::unique_ptr<Camera> makeEnvironmentCamera(const EnvironmentCameraParams& params, const FilmGeometry& film);
 
@@ -63,13 +65,13 @@ struct LensElement {
     float aperture = 0;   // half of its diameter
 };
 struct RealisticCameraParams {
-    Transform worldToCamera;
+    AnimatedTransform worldToCamera;
     std::vector<LensElement> lens;  // from the scene to the film; not empty
     float focusDistance = 10;       // from the film, which moves away from the lens until this is sharp
     // Weights of rays: as if the film's middle had all the light that the lens lets through, whatever the aperture; or
     // else as the irradiance on the film, times the time that the shutter is open.
     bool simpleWeighting = true;
-    float shutterOpen = 0, shutterClose = 1;
+    Shutter shutter{};
 };
 // Throws Error if the lens cannot be focused so near.
 std::unique_ptr<Camera> makeRealisticCamera(const RealisticCameraParams& params, const FilmGeometry& film);

@@ -2,6 +2,7 @@
 // camera space. With a thin lens each of them spreads over a disk and meets again at the focal distance.
 #include "math/warp.h"
 #include "scene/camera.h"
+#include "scene/camera_placement.h"
 #include "scene/screen_window.h"
 
 namespace drc {
@@ -10,8 +11,9 @@ namespace {
 class OrthographicCamera final : public Camera {
   public:
     OrthographicCamera(const ProjectiveCameraParams& params, const FilmGeometry& film)
-        : params_(params), cameraToWorld_(params.worldToCamera.inverse()), window_(params, film) {
-        const Vec3 x = cameraToWorld_.vector(Vec3(1, 0, 0)), y = cameraToWorld_.vector(Vec3(0, 1, 0));
+        : params_(params), placement_(params.worldToCamera, params.shutter), window_(params, film) {
+        const Transform& toWorld = placement_.inTheMiddle();
+        const Vec3 x = toWorld.vector(Vec3(1, 0, 0)), y = toWorld.vector(Vec3(0, 1, 0));
         pixelWidth_ = std::sqrt(window_.pixelArea() * length(cross(x, y)));
     }
 
@@ -23,23 +25,21 @@ class OrthographicCamera final : public Camera {
             o += Vec3(lens.x, lens.y, 0);
             d -= Vec3(lens.x, lens.y, 0) / params_.focalDistance;
         }
-        Ray ray;
-        ray.o = cameraToWorld_.point(o);
-        ray.d = normalize(cameraToWorld_.vector(d));
-        ray.time = lerp(uTime, params_.shutterOpen, params_.shutterClose);
+        Ray ray = placement_.ray(o, d, uTime);
         ray.coneWidth = pixelWidth_;
         return {ray};
     }
 
-    Vec3 position() const override { return cameraToWorld_.point(Vec3(0, 0, 0)); }
-    Vec3 up() const override { return normalize(cameraToWorld_.vector(Vec3(0, 1, 0))); }
+    Vec3 position() const override { return placement_.position(); }
+    Vec3 up() const override { return placement_.up(); }
+    const Shutter& shutter() const override { return placement_.shutter(); }
     std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const override {
         return std::make_unique<OrthographicCamera>(params_, film);
     }
 
   private:
     ProjectiveCameraParams params_;
-    Transform cameraToWorld_;
+    CameraPlacement placement_;
     ScreenWindow window_;
     float pixelWidth_ = 0;  // world units
 };

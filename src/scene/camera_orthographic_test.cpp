@@ -56,9 +56,8 @@ TEST(OrthographicCamera, ThinLensFocusesAtItsDistance) {
 
 TEST(OrthographicCamera, Shutter) {
     ProjectiveCameraParams p;
-    p.shutterOpen = 2;
-    p.shutterClose = 6;
-    EXPECT_EQ(makeOrthographicCamera(p, {10, 10})->generateRay(Vec2(5, 5), Vec2(0, 0), 0.25f).ray.time, 3);
+    p.shutter = {2, 6, 1, 5};
+    EXPECT_EQ(makeOrthographicCamera(p, {10, 10})->generateRay(Vec2(5, 5), Vec2(0, 0), 0.25f).ray.time, 0.5f);
 }
 
 }  // namespace

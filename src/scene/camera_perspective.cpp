@@ -2,6 +2,7 @@
 // looking along +z.
 #include "math/warp.h"
 #include "scene/camera.h"
+#include "scene/camera_placement.h"
 #include "scene/screen_window.h"
 
 namespace drc {
@@ -10,7 +11,7 @@ namespace {
 class PerspectiveCamera final : public Camera {
   public:
     PerspectiveCamera(const ProjectiveCameraParams& params, const FilmGeometry& film)
-        : params_(params), cameraToWorld_(params.worldToCamera.inverse()), window_(params, film) {
+        : params_(params), placement_(params.worldToCamera, params.shutter), window_(params, film) {
         const double tangent = std::tan(params.fov * std::numbers::pi / 360);
         window_.left *= tangent;
         window_.top *= tangent;
@@ -28,25 +29,23 @@ class PerspectiveCamera final : public Camera {
             // Towards focalDistance * (x, y, 1), scaled down, so that a focus at infinity does not overflow.
             d -= o / params_.focalDistance;
         }
-        Ray ray;
-        ray.o = cameraToWorld_.point(o);
-        ray.d = normalize(cameraToWorld_.vector(d));
-        ray.time = lerp(uTime, params_.shutterOpen, params_.shutterClose);
+        Ray ray = placement_.ray(o, d, uTime);
         // The pixel as seen along the ray: its solid angle is its area at z = 1 times cos^3.
         const float cosine2 = 1 / (1 + at.x * at.x + at.y * at.y);
         ray.coneSpread = std::sqrt(window_.pixelArea() * cosine2 * std::sqrt(cosine2));
         return {ray};
     }
 
-    Vec3 position() const override { return cameraToWorld_.point(Vec3(0, 0, 0)); }
-    Vec3 up() const override { return normalize(cameraToWorld_.vector(Vec3(0, 1, 0))); }
+    Vec3 position() const override { return placement_.position(); }
+    Vec3 up() const override { return placement_.up(); }
+    const Shutter& shutter() const override { return placement_.shutter(); }
     std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const override {
         return std::make_unique<PerspectiveCamera>(params_, film);
     }
 
   private:
     ProjectiveCameraParams params_;
-    Transform cameraToWorld_;
+    CameraPlacement placement_;
     ScreenWindow window_;  // on the plane z = 1 of camera space
 };
 

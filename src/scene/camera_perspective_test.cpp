@@ -103,9 +103,8 @@ TEST(PerspectiveCamera, ThinLensFocuses) {
 }
 
 TEST(PerspectiveCamera, Shutter) {
-    const auto camera =
-        makePerspectiveCamera({.worldToCamera = Transform(), .shutterOpen = 2, .shutterClose = 6}, {10, 10});
-    EXPECT_EQ(camera->generateRay(Vec2(5, 5), Vec2(0, 0), 0.25f).ray.time, 3);
+    const auto camera = makePerspectiveCamera({.worldToCamera = Transform(), .shutter = {2, 6, 1, 5}}, {10, 10});
+    EXPECT_EQ(camera->generateRay(Vec2(5, 5), Vec2(0, 0), 0.25f).ray.time, 0.5f);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "math/sampler.h"
 #include "scene/camera.h"
+#include "scene/camera_placement.h"
 #include "scene/lens_system.h"
 
 namespace drc {
@@ -35,7 +36,7 @@ struct PupilBox {
 class RealisticCamera final : public Camera {
   public:
     RealisticCamera(const RealisticCameraParams& params, const FilmGeometry& film)
-        : params_(params), cameraToWorld_(params.worldToCamera.inverse()), lens_(params.lens) {
+        : params_(params), placement_(params.worldToCamera, params.shutter), lens_(params.lens) {
         lens_.focus(params.focusDistance);
         const float diagonal = film.diagonal * 1e-3f;
         const float aspect = float(film.height) / float(film.width);
@@ -69,19 +70,18 @@ class RealisticCamera final : public Camera {
         const float cos4 = sqr(sqr(d.z));
         result.weight = params_.simpleWeighting
                             ? cos4 * pupil.area() / pupils_.front().area()
-                            : cos4 * pupil.area() / sqr(lens_.rearZ()) * (params_.shutterClose - params_.shutterOpen);
+                            : cos4 * pupil.area() / sqr(lens_.rearZ()) * (params_.shutter.close - params_.shutter.open);
         Ray& ray = result.ray;
-        ray.o = cameraToWorld_.point(line->o);
-        ray.d = normalize(cameraToWorld_.vector(line->d));
-        ray.time = lerp(uTime, params_.shutterOpen, params_.shutterClose);
+        ray = placement_.ray(line->o, line->d, uTime);
         // As a pinhole in the rear principal plane would have it.
         const float cosine = line->d.z;
         ray.coneSpread = coneSpread_ * cosine * std::sqrt(cosine);
         return result;
     }
 
-    Vec3 position() const override { return cameraToWorld_.point(Vec3(0, 0, 0)); }
-    Vec3 up() const override { return normalize(cameraToWorld_.vector(Vec3(0, 1, 0))); }
+    Vec3 position() const override { return placement_.position(); }
+    Vec3 up() const override { return placement_.up(); }
+    const Shutter& shutter() const override { return placement_.shutter(); }
     std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const override {
         return std::make_unique<RealisticCamera>(params_, film);
     }
@@ -110,7 +110,7 @@ class RealisticCamera final : public Camera {
     }
 
     RealisticCameraParams params_;
-    Transform cameraToWorld_;
+    CameraPlacement placement_;
     LensSystem lens_;
     Vec2 size_;             // of the film, metres
     float radius_ = 0;      // from its centre to its corners

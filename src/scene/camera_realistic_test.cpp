@@ -65,8 +65,7 @@ void checkPupils(std::vector<LensElement> elements, float half) {
     p.lens = std::move(elements);
     p.focusDistance = 3;
     p.simpleWeighting = false;
-    p.shutterOpen = 1;
-    p.shutterClose = 3;
+    p.shutter = {1, 3};
     const auto camera = makeRealisticCamera(p, {100, 100, 40});
     LensSystem lens(p.lens);
     lens.focus(p.focusDistance);

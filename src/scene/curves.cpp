@@ -135,6 +135,10 @@ ShapeHit Curves::hitAt(uint32_t piece, float u, const Ray& ray, float t) const {
         hit.dpdv = (b * cosine + n * sine) * (2 * c.radius);
     }
     if (flipNormal_) hit.ng = -hit.ng;
+    if (mirrored_) {
+        hit.uv.y = 1 - hit.uv.y;
+        hit.dpdv = -hit.dpdv;
+    }
     return hit;
 }
 
@@ -233,7 +237,8 @@ float Curves::pdfFrom(const Vec3& p, const Vec3&, const ShapePoint& hit) const {
     const Vec2 range = ranges_[hit.part];
     const float u = std::clamp((hit.uv.x - range.x) / (range.y - range.x), 0.f, kOneMinusEpsilon);
     const int step = int(hit.part) * kStepsPerPiece + int(u * kStepsPerPiece);
-    return density(p, {hit.part, u, lengths().probability(step) * kStepsPerPiece}, 2 * hit.uv.y - 1);
+    return density(p, {hit.part, u, lengths().probability(step) * kStepsPerPiece},
+                   (mirrored_ ? -1.f : 1.f) * (2 * hit.uv.y - 1));
 }
 
 float Curves::density(const Vec3& p, const Chosen& chosen, float s) const {

@@ -20,15 +20,19 @@ enum class CurveType {
 // dpdu) as in pbrt, and normals towards the ray, or away from it for flipNormal. (pbrt's point away, where nobody could
 // see what they emit.) Across a cylinder the normals turn the way that pbrt's program turns them, so that it is shaded
 // as if it were hollow and one looked at its far side: pictures made with pbrt look so. The normal of a ribbon is the
-// given one, or its opposite for flipNormal.
+// given one, or its opposite for flipNormal. In pbrt all this is so in the space of the shape: where its transformation
+// mirrors, v runs the other way.
 class Curves final : public Shape {
   public:
-    Curves(CurveType type, bool flipNormal) : type_(type), flipNormal_(flipNormal) {}
+    Curves(CurveType type, bool flipNormal, bool mirrored = false)
+        : type_(type), flipNormal_(flipNormal), mirrored_(mirrored) {}
 
     // Control points, and the widths and (for ribbons) unit normals at both ends. Nothing for a curve without length.
     void add(const std::array<Vec3, 4>& points, const std::array<float, 2>& widths,
              const std::array<Vec3, 2>& normals = {Vec3(0.f), Vec3(0.f)});
-    bool looksLike(const Curves& other) const { return type_ == other.type_ && flipNormal_ == other.flipNormal_; }
+    bool looksLike(const Curves& other) const {
+        return type_ == other.type_ && flipNormal_ == other.flipNormal_ && mirrored_ == other.mirrored_;
+    }
     // Those of another set that looks like this one.
     void append(const Curves& other);
 
@@ -81,7 +85,7 @@ class Curves final : public Shape {
     float density(const Vec3& p, const Chosen& at, float s) const;
 
     CurveType type_;
-    bool flipNormal_;
+    bool flipNormal_, mirrored_;
     std::vector<ControlPoint> points_;
     std::vector<ControlNormal> normals_;
     std::vector<Vec2> ranges_;  // of a piece: the whole curve's u where it begins and ends

@@ -3,18 +3,37 @@
 namespace drc {
 namespace {
 
-void extend(Bounds& bounds, const std::vector<Primitive>& primitives, const Transform* t) {
-    const auto add = [&](const Vec3& p) { bounds.extend(t ? t->point(p) : p); };
+Bounds boundsOf(const std::vector<Primitive>& primitives) {
+    Bounds bounds;
     for (const Primitive& primitive : primitives) {
-        if (primitive.mesh) {
-            for (const Vec3& p : primitive.mesh->positions) add(p);
-        } else {
-            const Bounds b = primitive.shape->bounds();
-            for (int corner = 0; corner < 8; ++corner)
-                add(Vec3(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y,
-                         corner & 4 ? b.max.z : b.min.z));
-        }
+        if (primitive.mesh)
+            for (const Vec3& p : primitive.mesh->positions) bounds.extend(p);
+        else
+            bounds.extend(primitive.shape->bounds());
     }
+    return bounds;
+}
+
+Bounds moved(const Bounds& b, const Transform& t) {
+    Bounds result;
+    for (int corner = 0; corner < 8; ++corner)
+        result.extend(t.point(
+            Vec3(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z)));
+    return result;
+}
+
+Bounds moved(const Bounds& b, const AnimatedTransform& t) {
+    if (!t.isAnimated()) return moved(b, t.start());
+    // A point that turns leaves the straight line between two of these times by less than a thousandth of its way, even
+    // where one motion of half a turn carries another.
+    constexpr int kTimes = 64;
+    Bounds result;
+    for (int i = 0; i <= kTimes; ++i) result.extend(moved(b, t.at(float(i) / kTimes)));
+    const Vec3 margin = (result.max - result.min) * 1e-3f;
+    const float most = std::max({margin.x, margin.y, margin.z});
+    result.extend(result.min - Vec3(most));
+    result.extend(result.max + Vec3(most));
+    return result;
 }
 
 size_t triangles(const std::vector<Primitive>& primitives) {
@@ -43,9 +62,12 @@ PixelRegion RenderSettings::region() const {
 }
 
 Bounds Scene::bounds() const {
-    Bounds b;
-    extend(b, primitives, nullptr);
-    for (const Instance& i : instances) extend(b, objects[size_t(i.object)].primitives, &i.objectToWorld);
+    std::vector<Bounds> ofObjects;
+    for (const ObjectDefinition& object : objects) ofObjects.push_back(boundsOf(object.primitives));
+    Bounds b = boundsOf(primitives);
+    for (const Instance& i : instances)
+        if (const Bounds& object = ofObjects[size_t(i.object)]; !object.empty())
+            b.extend(moved(object, i.objectToWorld));
     return b;
 }
 

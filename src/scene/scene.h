@@ -32,7 +32,7 @@ struct ObjectDefinition {
 
 struct Instance {
     int object = 0;  // index into Scene::objects
-    Transform objectToWorld;
+    AnimatedTransform objectToWorld;
 };
 
 // Pixels [x0, x1) x [y0, y1) of the film.
@@ -70,6 +70,7 @@ struct Scene {
     std::unique_ptr<Camera> camera;
     RenderSettings settings;
 
+    // Of everything, wherever it moves.
     Bounds bounds() const;
     size_t triangleCount() const;  // instances counted each
 };

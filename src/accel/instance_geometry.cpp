@@ -1,0 +1,67 @@
+#include "accel/instance_geometry.h"
+
+#include <Imath/ImathMatrixAlgo.h>
+#include <Imath/ImathQuat.h>
+
+namespace drc {
+namespace {
+
+// Steps that stand for a motion which Embree cannot interpolate as we do. Half a turn of half a turn strays from itself
+// by less than a thousandth of its radius between them.
+constexpr unsigned kManySteps = 65;
+
+void setStill(RTCGeometry instance, const Transform& t) {
+    float m[12];
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) m[3 * column + row] = t.at(row, column);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
+}
+
+// As a translation of a rotation of an upper triangular matrix, each of which Embree interpolates by itself.
+void setStep(RTCGeometry instance, unsigned step, const Transform& t) {
+    Imath::V3d c[3], q[3];
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) c[column][row] = t.at(row, column);
+    // Gram and Schmidt's; the last scale takes the sign, so that q is a rotation.
+    q[0] = c[0].normalized();
+    q[1] = (c[1] - q[0] * q[0].dot(c[1])).normalized();
+    q[2] = q[0].cross(q[1]);
+    Imath::M44d rowVectors;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) rowVectors[i][j] = q[i][j];
+    const Imath::Quatd rotation = Imath::extractQuat(rowVectors);
+
+    RTCQuaternionDecomposition d;
+    rtcInitQuaternionDecomposition(&d);
+    rtcQuaternionDecompositionSetScale(&d, float(q[0].dot(c[0])), float(q[1].dot(c[1])), float(q[2].dot(c[2])));
+    rtcQuaternionDecompositionSetSkew(&d, float(q[0].dot(c[1])), float(q[0].dot(c[2])), float(q[1].dot(c[2])));
+    rtcQuaternionDecompositionSetQuaternion(&d, float(rotation.r), float(rotation.v.x), float(rotation.v.y),
+                                            float(rotation.v.z));
+    rtcQuaternionDecompositionSetTranslation(&d, t.at(0, 3), t.at(1, 3), t.at(2, 3));
+    rtcSetGeometryTransformQuaternion(instance, step, &d);
+}
+
+}  // namespace
+
+RTCGeometry makeInstanceGeometry(RTCDevice device, RTCScene object, const AnimatedTransform& objectToWorld) {
+    RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, object);
+    if (!objectToWorld.isAnimated()) {
+        setStill(instance, objectToWorld.start());
+        return instance;
+    }
+    const unsigned steps = objectToWorld.stretchesAlongAxes() ? 2 : kManySteps;
+    rtcSetGeometryTimeStepCount(instance, steps);
+    for (unsigned i = 0; i < steps; ++i) setStep(instance, i, objectToWorld.at(float(i) / float(steps - 1)));
+    return instance;
+}
+
+Transform instanceToWorld(RTCGeometry instance, float time) {
+    float m[12];
+    rtcGetGeometryTransform(instance, time, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
+    return Transform({m[0], m[3], m[6], m[9],   //
+                      m[1], m[4], m[7], m[10],  //
+                      m[2], m[5], m[8], m[11], 0, 0, 0, 1});
+}
+
+}  // namespace drc

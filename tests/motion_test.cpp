@@ -1,0 +1,115 @@
+// Things and cameras that move, through the whole pipeline.
+#include <gtest/gtest.h>
+
+#include "pipeline.h"
+
+namespace drc {
+namespace {
+
+using test::Estimate;
+using test::Pipeline;
+
+std::string film(int width, int height) {
+    return "Film \"image\" \"integer xresolution\" " + std::to_string(width) + " \"integer yresolution\" " +
+           std::to_string(height) + "\n";
+}
+
+// A ball that flies and an ellipsoid that turns, on a floor by a wall, a lamp above; the camera may move as well.
+std::string scene(bool cameraMoves) {
+    return std::string("LookAt 0 -5 1.5  0 0 0.8  0 0 1\n") +
+           (cameraMoves ? "ActiveTransform EndTime Translate 0.6 0 0 Rotate 8 0 1 0 ActiveTransform All\n" : "") +
+           "Camera \"perspective\" \"float fov\" 45\n" + film(12, 8) +
+           "WorldBegin\nLightSource \"infinite\" \"rgb L\" [0.3 0.3 0.4]\n"
+           "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [12 11 9]\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\n"
+           "Translate 0 0 3 ReverseOrientation Shape \"disk\" \"float radius\" 0.6\nAttributeEnd\n"
+           "Material \"matte\" \"rgb Kd\" [0.7 0.7 0.6]\n"
+           "Shape \"trianglemesh\" \"point P\" [-4 -4 0 4 -4 0 4 4 0 -4 4 0] \"integer indices\" [0 1 2 0 2 3]\n"
+           "Shape \"trianglemesh\" \"point P\" [-4 1.5 0 4 1.5 0 4 1.5 4 -4 1.5 4] \"integer indices\" [0 1 2 0 2 3]\n"
+           "AttributeBegin ActiveTransform EndTime Translate 1.2 0 0.8 ActiveTransform All\n"
+           "Translate -1 0 0.5 Material \"matte\" \"rgb Kd\" [0.8 0.2 0.1] Shape \"sphere\" \"float radius\" 0.5\n"
+           "AttributeEnd\nObjectBegin \"egg\" Material \"plastic\" \"float roughness\" 0.3\n"
+           "Scale 0.9 0.3 0.3 Shape \"sphere\"\nObjectEnd\n"
+           "Translate 1 0 1 ActiveTransform EndTime Rotate 100 0 1 0 ActiveTransform All ObjectInstance \"egg\"\n"
+           "WorldEnd\n";
+}
+
+void expectSame(const Estimate& a, const Estimate& b, const std::string& what) {
+    const test::ZResult z = test::zTest(a, b);
+    EXPECT_GT(z.tests, 100) << what;
+    EXPECT_LT(z.worst, z.bound) << what;
+    EXPECT_LT(z.meanDifference, 4) << what << ": the pictures' means differ";
+    EXPECT_LT(z.meanSquare, 1.5) << what;
+}
+
+class Motion : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Camera, Motion, testing::Values(false, true),
+                         [](const auto& i) { return i.param ? "Moves" : "StandsStill"; });
+
+TEST_P(Motion, DirectAndIndirectAreThePath) {
+    const Pipeline pipeline(scene(GetParam()));
+    const auto of = [&](auto&& sample) { return test::estimate(pipeline.pixels(), 768, 32, sample); };
+    const Estimate path = of([&](int p, int i) { return pipeline.path(p, i); });
+    const Estimate direct = of([&](int p, int i) { return pipeline.direct(p, i); });
+    expectSame(path, direct + of([&](int p, int i) { return pipeline.tracedIndirect(p, i); }), "direct + traced");
+
+    IndirectSettings settings;
+    settings.capture.layout = MapLayout(Projection::EqualArea, 16);  // of fewer texels the map is too coarse
+    settings.primarySamples = 1;
+    const Estimate narrow = of([&](int p, int i) { return pipeline.narrowIndirect(p, i); });
+    const Estimate maps = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, 40);
+    expectSame(path, direct + narrow + maps, "direct + maps at every pixel");
+}
+
+// In a constant sky whatever reflects all light is as bright as the sky, wherever it is and from wherever it is seen. A
+// shadow ray or a bounce at another time than the camera's would find the thing in its own way.
+TEST(MovingFurnace, IsAsBrightAsTheSky) {
+    const Pipeline pipeline(
+        "LookAt 0 -5 0  0 0 0  0 0 1\nActiveTransform EndTime Translate 0.3 0 0 ActiveTransform All\n"
+        "Camera \"perspective\" \"float fov\" 40\n" +
+        film(8, 6) +
+        "WorldBegin\nLightSource \"infinite\"\nMaterial \"matte\" \"rgb Kd\" [1 1 1]\n"
+        "AttributeBegin ActiveTransform EndTime Translate 1 0 0.5 ActiveTransform All\n"
+        "Translate -0.5 0 0 Shape \"sphere\"\nAttributeEnd\n"
+        "ActiveTransform EndTime Rotate 140 0 1 0 ActiveTransform All Translate 1.3 0.2 0 Scale 0.2 0.5 0.4\n"
+        "Shape \"sphere\"\nWorldEnd\n");
+    const Estimate path = test::estimate(pipeline.pixels(), 256, 16, [&](int p, int i) { return pipeline.path(p, i); });
+    double sum = 0;
+    for (size_t i = 0; i < path.mean.size(); ++i) {
+        EXPECT_NEAR(path.mean[i], 1, 0.02 + 5 * std::sqrt(path.variance[i]));
+        sum += path.mean[i] / double(path.mean.size());
+    }
+    EXPECT_NEAR(sum, 1, 0.003);
+}
+
+// A map on a wall is the mean over the exposure of what the wall sees; one on the thing that moves is of the moment.
+TEST(MovingMaps, AverageTheExposureWhereTheyStandStill) {
+    // A black screen between the origin and the sky, away for the second half of the time.
+    const Pipeline pipeline(
+        "TransformTimes 0.5 0.5\n" + film(4, 4) +
+        "WorldBegin\nLightSource \"infinite\" \"rgb L\" [0 0 0]\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\n"
+        "ActiveTransform EndTime Translate 100 0 0 ActiveTransform All\n"
+        "Shape \"trianglemesh\" \"point P\" [-50 -50 1 50 -50 1 50 50 1 -50 50 1] \"integer indices\" [0 1 2 0 2 3]\n"
+        "WorldEnd\n");
+    const CaptureSettings settings{MapLayout(Projection::EqualArea, 32), 1};
+    const auto hitsNearThePole = [&](std::optional<float> time) {
+        CapturedMap map;
+        const Vec3 up(0, 0, 1);
+        captureMap(pipeline.tracer, settings, Vec3(0, 0, 0), up, Frame::fromNormal(up), 0, 7, map, time);
+        int hits = 0, all = 0;
+        for (int row = 8; row < 24; ++row)
+            for (int column = 8; column < 24; ++column, ++all) hits += map.distance[size_t(row * 32 + column)] > 0;
+        return double(hits) / all;
+    };
+    EXPECT_NEAR(hitsNearThePole(std::nullopt), 0.5, 0.05);
+    EXPECT_EQ(hitsNearThePole(0.f), 1);
+    EXPECT_EQ(hitsNearThePole(1.f), 0);
+
+    SurfaceInteraction at;
+    at.time = 0.3f;
+    EXPECT_EQ(captureTime(at), std::nullopt);
+    at.moves = true;
+    EXPECT_EQ(captureTime(at), 0.3f);
+}
+
+}  // namespace
+}  // namespace drc
