@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/limits.h"
 #include "pbrt/ply_reader.h"
 #include "scene/height_field.h"
 #include "scene/loop_subdivision.h"
@@ -17,7 +18,9 @@ TriangleMeshPtr placed(TriangleMesh mesh, const Transform& objectToWorld, bool r
         for (Vec3& normal : mesh.normals) normal = -normal;
     }
     for (const Vec3& p : mesh.positions)
-        if (!std::isfinite(p.x + p.y + p.z)) throw Error("the mesh has a vertex at infinity or at no number");
+        for (const float x : {p.x, p.y, p.z})
+            if (!(std::abs(x) < limits::kCoordinate))
+                throw Error("the mesh has a vertex at no number, or farther from the origin than 1e18");
     return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 
@@ -154,9 +157,11 @@ Geometry loopSubdivision(const ShapeContext& context) {
     const int levels = params.getInt("levels", params.getInt("nlevels", 3));
     if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
     params.ignore({"scheme"});  // pbrt knows one alone
-    return {.loadMesh = [=, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
-        return placed(subdivideLoop(*positions, *indices, levels), toWorld, reverse);
-    }};
+    return {.loadMesh =
+                [=, toWorld = context.objectToWorld, reverse = context.reverseOrientation] {
+                    return placed(subdivideLoop(*positions, *indices, levels), toWorld, reverse);
+                },
+            .subdivided = subdividedTriangles(indices->size() / 3, levels)};
 }
 
 Geometry heightField(const ShapeContext& context) {

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "base/limits.h"
 #include "pbrt/suggest.h"
 
 namespace drc::pbrt {
-namespace {
-
-constexpr int kMaxResolution = 1 << 16;
-
-}  // namespace
-
 int positiveOf(const ParamSet& params, std::string_view name, int fallback, int most) {
     const int value = params.getInt(name, fallback);
     if (value < 1 || value > most)
@@ -32,9 +27,11 @@ void checkKnown(const std::vector<std::string_view>& known, const std::string& k
 }
 
 void applyFrame(const ParamSet& params, RenderSettings& settings) {
-    settings.film.width = positiveOf(params, "xresolution", settings.film.width, kMaxResolution);
-    settings.film.height = positiveOf(params, "yresolution", settings.film.height, kMaxResolution);
+    settings.film.width = positiveOf(params, "xresolution", settings.film.width, limits::kFilmSide);
+    settings.film.height = positiveOf(params, "yresolution", settings.film.height, limits::kFilmSide);
+    settings.filmAt = params.pos().location();
     settings.outputFile = params.getString("filename", settings.outputFile);
+    if (settings.outputFile.empty()) params.failAt(*params.find("filename", {ParamType::String}), "is empty");
     settings.film.diagonal = positiveOf(params, "diagonal", settings.film.diagonal);
     if (const Param* window = params.find("cropwindow", {ParamType::Float})) {
         if (window->numbers.size() != 4) params.failAt(*window, "must have four values of type 'float'");
@@ -55,13 +52,13 @@ void applyPixelBounds(const ParamSet& params, RenderSettings& settings) {
     if (bounds->numbers.size() != 4) params.failAt(*bounds, "must have four values of type 'integer'");
     PixelRegion& r = settings.pixelBounds.emplace();
     r = {int(bounds->numbers[0]), int(bounds->numbers[2]), int(bounds->numbers[1]), int(bounds->numbers[3])};
-    if (r.width() < 1 || r.height() < 1)
+    if (r.x0 >= r.x1 || r.y0 >= r.y1)
         params.failAt(*bounds, "is empty: it must be x0 x1 y0 y1 in pixels, with x0 < x1 and y0 < y1");
 }
 
 int samplesOfStratified(const ParamSet& params) {
     const int64_t samples = int64_t(positiveOf(params, "xsamples", 4, 4096)) * positiveOf(params, "ysamples", 4, 4096);
-    return int(std::min<int64_t>(samples, kMostSamples));
+    return int(std::min<int64_t>(samples, limits::kSamplesPerPixel));
 }
 
 int maxDepthOf(const ParamSet& params) {

@@ -9,8 +9,6 @@
 
 namespace drc::pbrt {
 
-constexpr int kMostSamples = 1 << 24;  // a pixel
-
 // Throw Error for a value that is not positive, or above most.
 int positiveOf(const ParamSet& params, std::string_view name, int fallback, int most);
 float positiveOf(const ParamSet& params, std::string_view name, float fallback);

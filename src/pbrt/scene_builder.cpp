@@ -1,21 +1,19 @@
 #include "pbrt/scene_builder.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
 
+#include "base/limits.h"
 #include "base/parallel.h"
+#include "pbrt/scene_limits.h"
 #include "pbrt/suggest.h"
 
 namespace drc::pbrt {
 namespace {
-
-bool isUsable(const Transform& t) {
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            if (!std::isfinite(t.at(row, column))) return false;
-    return t.isInvertible();
-}
 
 std::string placeOf(const SourcePos& pos) {
     const SourceLocation at = pos.location();
@@ -40,8 +38,12 @@ SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect)
 
 void SceneBuilder::apply(const Transform& t, const SourcePos& pos) {
     if (!isUsable(t)) fail(pos, "this transformation cannot be inverted");
-    for (size_t i = 0; i < 2; ++i)
-        if (state_.active[i]) state_.ctm.at[i] = state_.ctm.at[i] * t;
+    for (size_t i = 0; i < 2; ++i) {
+        if (!state_.active[i]) continue;
+        const Transform product = state_.ctm.at[i] * t;
+        if (!isUsable(product)) fail(pos, "with the transformations before it, this one cannot be inverted");
+        state_.ctm.at[i] = product;
+    }
 }
 
 void SceneBuilder::setTransform(const Transform& t, const SourcePos& pos) {
@@ -88,7 +90,11 @@ void SceneBuilder::worldEnd(const SourcePos& pos) {
     worldEnded_ = true;
 }
 
-void SceneBuilder::beginBlock(const std::string& kind, const SourcePos& pos) { blocks_.push_back({kind, pos, state_}); }
+void SceneBuilder::beginBlock(const std::string& kind, const SourcePos& pos) {
+    if (blocks_.size() >= limits::kBlockDepth)
+        fail(pos, kind + "Begin within more than " + std::to_string(limits::kBlockDepth) + " other blocks");
+    blocks_.push_back({kind, pos, state_});
+}
 
 void SceneBuilder::pop(const std::string& kind, const SourcePos& pos) {
     if (blocks_.empty()) fail(pos, kind + "End without " + kind + "Begin");
@@ -134,7 +140,10 @@ void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos)
         for (const auto& entry : objects_) names.push_back(entry.first);
         fail(pos, "no object '" + name + "' has been defined" + suggestion(name, names));
     }
-    scene_->instances.push_back({int(found->second), staticTransform(pos)});
+    const Transform& toWorld = staticTransform(pos);
+    if (!isInstanceable(toWorld))
+        fail(pos, "an object may be made smaller by a factor of 1e9 at most, and moved by 1e9 times its own size");
+    scene_->instances.push_back({int(found->second), toWorld});
 }
 
 void SceneBuilder::reverseOrientation() { state_.reverseOrientation = !state_.reverseOrientation; }
@@ -145,8 +154,10 @@ void SceneBuilder::attribute(const std::string& target, const ParamSet& params, 
         fail(pos, "unknown target '" + target + "' of Attribute" + suggestion(target, targets));
     // The last of each name counts.
     ParamSet all = params;
-    all.inherit(state_.attributes[target]);
-    state_.attributes[target] = std::move(all);
+    std::shared_ptr<const ParamSet>& shared = state_.attributes[target];
+    if (shared) all.inherit(*shared);
+    checkShared(all, target, pos);
+    shared = std::make_shared<const ParamSet>(std::move(all));
 }
 
 void SceneBuilder::colorSpace(const std::string& name, const SourcePos& pos) {
@@ -159,7 +170,7 @@ ColorRules SceneBuilder::colorRules(bool isLight) const { return {dialect_, stat
 
 ParamSet SceneBuilder::completed(const std::string& target, ParamSet params) const {
     const auto found = state_.attributes.find(target);
-    if (found != state_.attributes.end()) params.inherit(found->second);
+    if (found != state_.attributes.end()) params.inherit(*found->second);
     return params;
 }
 
@@ -188,12 +199,17 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
     params = completed("texture", std::move(params));
     const TextureParams textureParams(params, state_.textures);
     const TextureRequest request{textureParams, staticTransform(params.pos()), files_, textureFiles_, dialect_};
-    if (valueType == "float")
-        state_.textures.scalars.set(name, makeFloatTexture(type, request));
-    else if (valueType == "spectrum" || valueType == "color")
-        state_.textures.colors.set(name, makeRgbTexture(type, request));
-    else
+    if (valueType == "float") {
+        auto texture = makeFloatTexture(type, request);
+        state_.textures.scalarCosts.set(name, costAbove(textureParams.cost(), params));
+        state_.textures.scalars.set(name, std::move(texture));
+    } else if (valueType == "spectrum" || valueType == "color") {
+        auto texture = makeRgbTexture(type, request);
+        state_.textures.colorCosts.set(name, costAbove(textureParams.cost(), params));
+        state_.textures.colors.set(name, std::move(texture));
+    } else {
         fail(params.pos(), "texture '" + name + "' must be of type 'float' or 'spectrum', not '" + valueType + "'");
+    }
     params.warnUnused();
 }
 
@@ -213,6 +229,8 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
         params, state_.textures, files_, staticTransform(params.pos()), state_.reverseOrientation, dialect_};
     auto geometry = make_.shape(type, context);
     if (!geometry) return;
+    if (geometry->shape && !isWithinReach(geometry->shape->bounds()))
+        fail(params.pos(), "the " + params.owner() + " reaches farther from the origin than 1e18");
     PendingPrimitive pending;
     pending.pos = params.pos();
     pending.object = openObject_;
@@ -263,7 +281,15 @@ void SceneBuilder::checkComplete(const SourcePos& end) const {
     fail(end, "the file ends without a WorldBegin");
 }
 
-void SceneBuilder::loadMeshes() {
+void SceneBuilder::loadMeshes(const LoadOptions& options) {
+    double subdivided = 0;
+    for (const PendingPrimitive& p : pending_) {
+        subdivided += p.geometry.subdivided;
+        if (subdivided > options.subdividedTriangles)
+            fail(p.pos, fmt::format("with this one, subdivision surfaces come to {:.3g} triangles, and at most {:.3g} "
+                                    "are made; use fewer levels",
+                                    subdivided, options.subdividedTriangles));
+    }
     // Kept by place, so that of several errors the first in the file is reported whatever thread was first.
     std::vector<std::exception_ptr> errors(pending_.size());
     parallelFor(0, int(pending_.size()), 1, [&](int begin, int end) {
@@ -284,6 +310,8 @@ void SceneBuilder::loadMeshes() {
             std::rethrow_exception(errors[i]);
         } catch (const Error& error) {
             fail(pending_[i].pos, std::string("cannot load the mesh: ") + error.what());
+        } catch (const std::bad_alloc&) {
+            fail(pending_[i].pos, "cannot load the mesh: there is not enough memory");
         }
     }
 }
@@ -301,12 +329,13 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     if (options.resolution) {
         settings.film.width = options.resolution->width;
         settings.film.height = options.resolution->height;
+        settings.filmAt = {};
     }
     if (worldToCamera_.isAnimated())
         warn(camera_.params.pos(), "moving cameras are not supported yet; that of the start time is used");
     scene_->camera = make_.camera(camera_.type, camera_.params, worldToCamera_.start(), settings.film, files_);
 
-    loadMeshes();
+    loadMeshes(options);
     for (PendingPrimitive& p : pending_) {
         if (p.areaLight) {
             p.primitive.areaLight = p.areaLight(p.primitive);

@@ -92,7 +92,7 @@ class SceneBuilder {
     // Adds curves to the ones just before them if they look alike: hair comes as a shape for each.
     bool joinCurves(const PendingPrimitive& next);
     void pop(const std::string& kind, const SourcePos& pos);
-    void loadMeshes();
+    void loadMeshes(const LoadOptions& options);
 
     // With what Attribute gives to things of that kind.
     ParamSet completed(const std::string& target, ParamSet params) const;
