@@ -16,7 +16,7 @@ inline constexpr uint64_t kFileBytes = uint64_t(32) << 30;
 // Of a picture: the most pixels (below) with four floats each take 16 GiB, uncompressed.
 inline constexpr uint64_t kPictureBytes = uint64_t(16) << 30;
 // Of a measured spectrum or a lens: a sample a tenth of a nanometre takes 100 KB, the longest zoom lens 2 KB.
-inline constexpr uint64_t kTableBytes = uint64_t(4) << 20;
+inline constexpr uint64_t kTableBytes = uint64_t(256) << 10;
 // Of a safetensors header: a line of 100 bytes a tensor, and we have less than a hundred. The parsed header takes up to
 // fifty times as much memory.
 inline constexpr uint64_t kSafetensorsHeaderBytes = uint64_t(1) << 20;

@@ -41,10 +41,10 @@ void requireFile(const std::string& path) {
     if (std::filesystem::file_size(path, ec) > limits::kPictureBytes) failReading(path, "File too large");
 }
 
-// For the picture while it is read and turned into what is rendered with: as stored, as floats, as colours with their
-// coarser copies.
+// For the picture while it is read and turned into what is rendered with: the floats, then the colours, a copy of them
+// and their coarser levels.
 MemoryClaim claimFor(const std::string& path, double width, double height, double channels) {
-    constexpr double kBytesPerChannel = 2 * sizeof(float), kBytesPerPixel = 4 * sizeof(Rgb);
+    constexpr double kBytesPerChannel = sizeof(float), kBytesPerPixel = 3 * sizeof(Rgb);
     return MemoryClaim(width * height * (channels * kBytesPerChannel + kBytesPerPixel),
                        fmt::format("the picture {}, of {}x{} pixels,", path, width, height));
 }
