@@ -62,11 +62,13 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
     auto input = OIIO::ImageInput::open(path, &config);
     if (!input) failReading(path, OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1 ||
-        spec.width > limits::kImageSide || spec.height > limits::kImageSide ||
+    const std::string size =
+        fmt::format("its size is {}x{}x{} with {} channels", spec.width, spec.height, spec.depth, spec.nchannels);
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1) failReading(path, size);
+    if (spec.width > limits::kImageSide || spec.height > limits::kImageSide ||
         int64_t(spec.width) * spec.height > limits::kImagePixels || spec.nchannels > limits::kImageChannels)
-        failReading(path, fmt::format("its size is {}x{}x{} with {} channels", spec.width, spec.height, spec.depth,
-                                      spec.nchannels));
+        failReading(path, fmt::format("{}; at most {} a side, {} in all and {} channels are read", size,
+                                      limits::kImageSide, limits::kImagePixels, limits::kImageChannels));
     return input;
 }
 
