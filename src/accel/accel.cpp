@@ -11,6 +11,7 @@
 #include "accel/instance_geometry.h"
 #include "accel/packed_mesh.h"
 #include "base/error.h"
+#include "base/limits.h"
 #include "base/log.h"
 
 namespace drc {
@@ -173,6 +174,15 @@ struct Accel::Impl {
     }
     std::unordered_map<const Material*, std::unique_ptr<const Bsdf>> lobes;  // of the materials without textures
 
+    // Embree ends the program at rays that are not of numbers below 1.8e18, in the world or, where it meets them, in
+    // the instances' own spaces. A scene's own numbers can make such rays: of a camera that is too far away, of normals
+    // that are no numbers.
+    bool isWithinReach(const Vec3& o, const Vec3& d) const {
+        return std::abs(o.x) + std::abs(o.y) + std::abs(o.z) + std::abs(d.x) + std::abs(d.y) + std::abs(d.z) < reach;
+    }
+    void limitReachBy(const Transform& objectToWorld);
+    float reach = limits::kCoordinate;
+
     const Bsdf* lobesOf(const Material* material);
     void fill(Group& group, const std::vector<Primitive>& primitives);
     // Of one that moves.
@@ -191,6 +201,15 @@ const Bsdf* Accel::Impl::lobesOf(const Material* material) {
         known = std::move(bsdf);
     }
     return known.get();
+}
+
+void Accel::Impl::limitReachBy(const Transform& objectToWorld) {
+    const Transform inverse = objectToWorld.inverse();
+    for (int row = 0; row < 3; ++row) {
+        float most = 1;
+        for (int column = 0; column < 3; ++column) most = std::max(most, std::abs(inverse.at(row, column)));
+        reach = std::min(reach, (limits::kCoordinate - std::abs(inverse.at(row, 3))) / most);
+    }
 }
 
 void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
@@ -244,6 +263,8 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
     impl_->instances.resize(scene.primitives.size(), nullptr);
     impl_->firstInstance = scene.instances.data();
     for (const Instance& instance : scene.instances) {
+        impl_->limitReachBy(instance.objectToWorld.start());
+        impl_->limitReachBy(instance.objectToWorld.end());
         RTCGeometry geometry =
             makeInstanceGeometry(impl_->device, impl_->objects[size_t(instance.object)].scene, instance.objectToWorld);
         impl_->anythingMoves |= instance.objectToWorld.isAnimated();
@@ -265,6 +286,7 @@ bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
 }
 
 bool Accel::find(const Ray& ray, Found& found) const {
+    if (!impl_->isWithinReach(ray.o, ray.d)) return false;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit q;
@@ -335,6 +357,7 @@ bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
 bool Accel::anythingMoves() const { return impl_->anythingMoves; }
 
 bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax, float time) const {
+    if (!impl_->isWithinReach(o, d)) return false;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRay r;

@@ -147,5 +147,34 @@ TEST(Accel, InstancedShapesAndCurves) {
     }
 }
 
+// Debian's Embree ends the program at what is no ray.
+TEST(Accel, WhatIsNoRayMeetsNothing) {
+    Scene scene;
+    Primitive sphere;
+    sphere.shape = makeSphere({});
+    sphere.material = makeMatte({});
+    scene.primitives.push_back(sphere);
+    scene.objects.push_back({"small", {sphere}});
+    scene.instances.push_back({0, Transform::translate(Vec3(5, 0, 0)) * Transform::scale(1e-8f, 1e-8f, 1e-8f)});
+    const Accel accel(scene);
+    SurfaceInteraction hit;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const float bad : {nan, kInfinity, -kInfinity, 1e19f, -3e38f})
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 o(0, 0, -3), d(0, 0, 1);
+            EXPECT_TRUE(accel.intersect(rayFrom(o, d), hit));
+            o[axis] = bad;
+            EXPECT_FALSE(accel.intersect(rayFrom(o, d), hit));
+            EXPECT_FALSE(accel.occluded(o, d, 10));
+            o = Vec3(0, 0, -3);
+            d[axis] = bad;
+            EXPECT_FALSE(accel.intersect(rayFrom(o, d), hit));
+            EXPECT_FALSE(accel.occluded(o, d, 10));
+        }
+    // In the space of the instance its origin lies at 1e19.
+    EXPECT_FALSE(accel.intersect(rayFrom(Vec3(5, 0, -1e11f), Vec3(0, 0, 1)), hit));
+    EXPECT_TRUE(accel.intersect(rayFrom(Vec3(5, 0, -1), Vec3(0, 0, 1)), hit));
+}
+
 }  // namespace
 }  // namespace drc

@@ -32,7 +32,7 @@ void printInfo(const std::string& path) {
 
     fmt::print("{}\n", path);
     fmt::print("  film        {} x {} pixels", s.film.width, s.film.height);
-    if (int(region.count()) != s.film.width * s.film.height)
+    if (region.count() != size_t(s.film.width) * size_t(s.film.height))
         fmt::print(", of which [{}, {}) x [{}, {}) is rendered", region.x0, region.x1, region.y0, region.y1);
     fmt::print("\n  integrator  {} (maxdepth {}), {} spp, sampler {}\n", s.integrator, s.maxDepth, s.samplesPerPixel,
                s.sampler);

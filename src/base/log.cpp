@@ -6,6 +6,8 @@
 #include <mutex>
 #include <set>
 
+#include "base/limits.h"
+
 namespace drc {
 namespace {
 
@@ -19,11 +21,20 @@ spdlog::logger& logger() {
     return *instance;
 }
 
+// Texts quote files: what a terminal would obey, among it, is not passed on, nor is a name of megabytes.
+std::string printable(std::string text) {
+    if (text.size() > limits::kMessageBytes) text = text.substr(0, limits::kMessageBytes) + "...";
+    for (char& c : text)
+        if ((static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') || c == 127) c = '?';
+    return text;
+}
+
 std::mutex warningMutex;
 std::set<std::string>& warnings() {
     static std::set<std::string> seen;
     return seen;
 }
+int unseenWarnings = 0;  // after the most that are shown
 
 }  // namespace
 
@@ -33,22 +44,35 @@ void setLogLevel(LogLevel level) {
                                                    : spdlog::level::debug);
 }
 
-void logError(const std::string& message) { logger().error("{}", "error: " + message); }
-void logInfo(const std::string& message) { logger().info("{}", message); }
+void logError(const std::string& message) { logger().error("{}", "error: " + printable(message)); }
+void logInfo(const std::string& message) { logger().info("{}", printable(message)); }
 void logDebug(const std::string& message) { logger().debug("{}", message); }
 
 void logWarning(const SourceLocation& where, const std::string& message) {
-    const std::string text = (where.empty() ? "" : where.str() + ": ") + "warning: " + message;
+    std::string text = printable((where.empty() ? "" : where.str() + ": ") + "warning: " + message);
     {
         const std::lock_guard lock(warningMutex);
-        if (!warnings().insert(text).second) return;
+        std::set<std::string>& seen = warnings();
+        if (seen.contains(text)) return;
+        if (seen.size() < limits::kWarnings)
+            seen.insert(text);
+        else if (unseenWarnings++ > 0)
+            return;
+        else
+            text = "warning: there are more warnings than these; they are not shown";
     }
     logger().warn("{}", text);
 }
 
 int warningCount() {
     const std::lock_guard lock(warningMutex);
-    return int(warnings().size());
+    return int(warnings().size()) + unseenWarnings;
+}
+
+void forgetWarnings() {
+    const std::lock_guard lock(warningMutex);
+    warnings().clear();
+    unseenWarnings = 0;
 }
 
 }  // namespace drc

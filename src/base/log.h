@@ -20,5 +20,7 @@ void logWarning(const SourceLocation& where, const std::string& message);
 inline void logWarning(const std::string& message) { logWarning({}, message); }
 // How many different warnings were given so far, for tests and `drc info`.
 int warningCount();
+// As if there had been none: for tests, and for programs that read many files.
+void forgetWarnings();
 
 }  // namespace drc

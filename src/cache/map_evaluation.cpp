@@ -143,7 +143,14 @@ ExampleFile readExampleFile(const std::string& path) {
             fail(fmt::format("tensor '{}': its shape does not fit 'radiance'", name));
         return file.tensor(name).toFloat();
     };
-    ExampleFile result{.layout = MapLayout(projectionFromName(file.metadata("projection", "")), int(size)),
+    const auto layout = [&] {
+        try {
+            return MapLayout(projectionFromName(file.metadata("projection", "")), int(size));
+        } catch (const Error& error) {
+            throw Error(SourceLocation{path}, error.what());
+        }
+    };
+    ExampleFile result{.layout = layout(),
                        .count = int(n),
                        .inputs = int(inputs),
                        .radiance = read("radiance", shape),

@@ -13,9 +13,12 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <new>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/limits.h"
+#include "base/memory.h"
 #include "image/color.h"
 #include "image/pfm.h"
 
@@ -27,6 +30,25 @@ namespace {
     throw Error(fmt::format("cannot read {}: {}", path, reason.empty() ? "the file is damaged" : reason));
 }
 
+// OpenImageIO's own words for a missing file depend on the format that it guesses from the name. Pipes and devices keep
+// whoever opens them waiting, or have no end.
+void requireFile(const std::string& path) {
+    std::error_code ec;
+    const auto status = std::filesystem::status(path, ec);
+    if (!std::filesystem::exists(status)) failReading(path, "No such file or directory");
+    if (std::filesystem::is_directory(status)) failReading(path, "Is a directory");
+    if (!std::filesystem::is_regular_file(status)) failReading(path, "Not a file but a device");
+    if (std::filesystem::file_size(path, ec) > limits::kPictureBytes) failReading(path, "File too large");
+}
+
+// For the picture while it is read and turned into what is rendered with: the floats, then the colours, a copy of them
+// and their coarser levels.
+MemoryClaim claimFor(const std::string& path, double width, double height, double channels) {
+    constexpr double kBytesPerChannel = sizeof(float), kBytesPerPixel = 3 * sizeof(Rgb);
+    return MemoryClaim(width * height * (channels * kBytesPerChannel + kBytesPerPixel),
+                       fmt::format("the picture {}, of {}x{} pixels,", path, width, height));
+}
+
 bool beginsAsPfm(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     char magic[4] = {};
@@ -35,19 +57,18 @@ bool beginsAsPfm(const std::string& path) {
 }
 
 std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
-    // OpenImageIO's own words for a missing file depend on the format that it guesses from the name.
-    std::error_code ec;
-    const auto status = std::filesystem::status(path, ec);
-    if (!std::filesystem::exists(status)) failReading(path, "No such file or directory");
-    if (std::filesystem::is_directory(status)) failReading(path, "Is a directory");
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);  // the stored colours, not those multiplied by alpha
     auto input = OIIO::ImageInput::open(path, &config);
     if (!input) failReading(path, OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1)
-        failReading(path, fmt::format("its size is {}x{}x{} with {} channels", spec.width, spec.height, spec.depth,
-                                      spec.nchannels));
+    const std::string size =
+        fmt::format("its size is {}x{}x{} with {} channels", spec.width, spec.height, spec.depth, spec.nchannels);
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1) failReading(path, size);
+    if (spec.width > limits::kImageSide || spec.height > limits::kImageSide ||
+        int64_t(spec.width) * spec.height > limits::kImagePixels || spec.nchannels > limits::kImageChannels)
+        failReading(path, fmt::format("{}; at most {} a side, {} in all and {} channels are read", size,
+                                      limits::kImageSide, limits::kImagePixels, limits::kImageChannels));
     return input;
 }
 
@@ -84,14 +105,38 @@ std::string encodePngFor(const Image& linear, const std::string& path) {
 
 }  // namespace
 
-ImageFile readImageFile(const std::string& path) {
-    if (beginsAsPfm(path)) return {decodePfm(readFile(path), path), Encoding::Float};
+namespace {
+
+ImageFile readAnyFormat(const std::string& path) {
+    if (beginsAsPfm(path)) {
+        std::error_code ignored;
+        const double pixels = double(std::filesystem::file_size(path, ignored)) / (3 * sizeof(float));
+        const MemoryClaim memory = claimFor(path, pixels, 1, 3);
+        return {decodePfm(readFile(path), path), Encoding::Float};
+    }
     const auto input = open(path);
     const OIIO::ImageSpec spec = input->spec();
+    const MemoryClaim memory = claimFor(path, spec.width, spec.height, spec.nchannels);
     ImageFile file{Image(spec.width, spec.height, spec.channelnames), encodingOf(spec)};
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, file.image.data().data()))
         failReading(path, input->geterror());
     return file;
+}
+
+}  // namespace
+
+ImageFile readImageFile(const std::string& path) {
+    requireFile(path);
+    try {
+        return readAnyFormat(path);
+    } catch (const std::bad_alloc&) {
+        failReading(path, "there is not enough memory for it");
+    } catch (const Error& error) {
+        if (std::string_view(error.what()).find(path) != std::string_view::npos) throw;
+        failReading(path, error.what());
+    } catch (const std::exception& error) {  // of a format's own library
+        failReading(path, error.what());
+    }
 }
 
 Image readImage(const std::string& path, Encoding* encoding) {

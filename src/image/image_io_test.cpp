@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <bit>
 #include <cstdlib>
@@ -165,6 +166,44 @@ TEST_F(ImageIoTest, DamagedFilesGiveAnError) {
     EXPECT_EQ(errorOf([&] { readImage(path("missing.exr")); }),
               "cannot read " + path("missing.exr") + ": No such file or directory");
     EXPECT_THAT(errorOf([&] { readExrMetadata(path("a.png")); }), StartsWith("cannot read " + path("a.png")));
+}
+
+// Headers that promise what no memory holds: errors before anything is allocated.
+TEST_F(ImageIoTest, HugeClaimsAreErrors) {
+    const auto bigEndian = [](uint32_t v) { return std::string{char(v >> 24), char(v >> 16), char(v >> 8), char(v)}; };
+    const auto chunk = [&](const std::string& data) {
+        uint32_t sum = ~0u;  // CRC-32
+        for (const char c : data) {
+            sum ^= uint8_t(c);
+            for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (sum & 1 ? 0xedb88320u : 0u);
+        }
+        return bigEndian(uint32_t(data.size()) - 4) + data + bigEndian(~sum);
+    };
+    const auto png = [&](uint32_t side) {
+        return "\x89PNG\r\n\x1a\n" +
+               chunk("IHDR" + bigEndian(side) + bigEndian(side) + std::string("\x08\x02\0\0\0", 5)) + chunk("IDAT");
+    };
+    const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1000000 +X 1000000\n";
+    std::string tga("\0\0\2\0\0\0\0\0\0\0\0\0\xff\xff\xff\xff\x18\0", 18);
+    tga += std::string(100, '\0');
+    const std::pair<const char*, std::string> files[] = {
+        {"a.png", png(1000000)}, {"b.png", png(60000)},
+        {"a.hdr", hdr},          {"a.ppm", "P6\n1000000 1000000\n255\n123"},
+        {"a.tga", tga},          {"a.pfm", "PF\n65536 65536\n-1\n1234"}};
+    for (const auto& [name, bytes] : files) {
+        writeFileAtomically(path(name), bytes);
+        EXPECT_THAT(errorOf([&, &file = name] { readImageFile(path(file)); }),
+                    StartsWith("cannot read " + path(name) + ": "))
+            << name;
+    }
+}
+
+TEST_F(ImageIoTest, DevicesAndPipesAreNotOpened) {
+    ASSERT_EQ(mkfifo(path("pipe.png").c_str(), 0600), 0);
+    EXPECT_EQ(errorOf([&] { readImage(path("pipe.png")); }),
+              "cannot read " + path("pipe.png") + ": Not a file but a device");
+    EXPECT_EQ(errorOf([&] { readImage("/dev/zero"); }), "cannot read /dev/zero: Not a file but a device");
+    EXPECT_THAT(errorOf([&] { readImage(dir_.string()); }), HasSubstr("Is a directory"));
 }
 
 }  // namespace

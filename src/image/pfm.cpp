@@ -9,11 +9,10 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/limits.h"
 
 namespace drc {
 namespace {
-
-constexpr int kMaxSize = 1 << 16;
 
 bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
@@ -49,7 +48,7 @@ Image decodePfm(std::string_view bytes, const std::string& path) {
     const bool colour = nextWord(bytes) == "PF";
     const int width = nextNumber<int>(bytes, path, "width"), height = nextNumber<int>(bytes, path, "height");
     const float scale = nextNumber<float>(bytes, path, "scale");
-    if (width <= 0 || height <= 0 || width > kMaxSize || height > kMaxSize)
+    if (width <= 0 || height <= 0 || width > limits::kImageSide || height > limits::kImageSide)
         throw Error(fmt::format("cannot read {}: its size is {}x{}", path, width, height));
     if (scale == 0 || !std::isfinite(scale)) throw Error(fmt::format("cannot read {}: its scale is {}", path, scale));
     if (!bytes.empty()) bytes.remove_prefix(1);  // exactly one white space stands before the data

@@ -17,14 +17,12 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/limits.h"
 
 namespace drc {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "safetensors data are little endian");
-
-// A header of one line a tensor is a few kilobytes; more than this is a file of another kind.
-constexpr uint64_t kMaxHeaderBytes = 16 << 20;
 
 constexpr std::pair<const char*, DType> kTypeNames[] = {
     {"F32", DType::F32}, {"F16", DType::F16}, {"BF16", DType::BF16}};
@@ -85,7 +83,7 @@ std::vector<float> TensorView::toFloat() const {
 }
 
 SafetensorsFile::SafetensorsFile(const std::string& path) : path_(path) {
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0) fail(fmt::format("cannot open: {}", std::strerror(errno)));
     struct stat info = {};
     if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) {
@@ -122,8 +120,9 @@ void SafetensorsFile::parse() {
     if (size_ < 8) fail(fmt::format("truncated: {} bytes are too few for a safetensors file", size_));
     uint64_t headerBytes;
     std::memcpy(&headerBytes, bytes_, 8);
-    if (headerBytes > kMaxHeaderBytes)
-        fail(fmt::format("not a safetensors file: a header of {} bytes (limit {})", headerBytes, kMaxHeaderBytes));
+    if (headerBytes > limits::kSafetensorsHeaderBytes)
+        fail(fmt::format("not a safetensors file: a header of {} bytes (limit {})", headerBytes,
+                         limits::kSafetensorsHeaderBytes));
     if (headerBytes > size_ - 8)
         fail(fmt::format("truncated: the header needs {} bytes, the file has {}", headerBytes + 8, size_));
     const std::byte* data = bytes_ + 8 + headerBytes;
@@ -143,7 +142,9 @@ void SafetensorsFile::parse() {
             }
             continue;
         }
-        const auto malformed = [&](const char* what) { fail(fmt::format("tensor '{}': {}", name, what)); };
+        const auto malformed = [this, &tensor = name](const char* what) {
+            fail(fmt::format("tensor '{}': {}", tensor, what));
+        };
         if (!entry.is_object()) malformed("its description is not an object");
         if (!entry.contains("dtype") || !entry["dtype"].is_string()) malformed("no dtype");
         if (!entry.contains("shape") || !entry["shape"].is_array()) malformed("no shape");

@@ -102,7 +102,8 @@ std::unique_ptr<Camera> makeLensCamera(const CameraContext& context, bool simple
     const std::string lens = params.getString("lensfile", "");
     if (lens.empty()) fail(params.pos(), "the realistic camera needs the parameter \"string lensfile\"");
     const SourcePos pos = params.find("lensfile", {ParamType::String})->valuePos;
-    p.lens = readLensFile(context.files.find(lens, pos, "lens file"), stop);
+    const std::string path = context.files.find(lens, pos, "lens file");
+    p.lens = placedAt(pos, [&] { return readLensFile(path, stop); });
     try {
         return makeRealisticCamera(p, context.film);
     } catch (const Error& error) {

@@ -9,20 +9,27 @@ namespace fs = std::filesystem;
 
 std::string FileSearch::find(const std::string& name, const SourcePos& pos, const std::string& what) const {
     if (name.empty()) fail(pos, "the name of the " + what + " is empty");
+    if (name.find('\0') != std::string::npos) fail(pos, "the name of the " + what + " has a zero byte in it");
     std::vector<fs::path> candidates;
     if (fs::path(name).is_absolute()) {
         candidates.push_back(name);
     } else {
         if (pos.source != nullptr) candidates.push_back(fs::path(pos.source->directory()) / name);
-        const fs::path fromMain = fs::path(mainDirectory_) / name;
-        if (std::find(candidates.begin(), candidates.end(), fromMain) == candidates.end())
-            candidates.push_back(fromMain);
+        candidates.push_back(fs::path(mainDirectory_) / name);
+        // Of a file behind a link, beside the file itself.
+        std::error_code ignored;
+        if (pos.source != nullptr && fs::is_symlink(pos.source->name(), ignored))
+            candidates.push_back(fs::weakly_canonical(pos.source->name(), ignored).parent_path() / name);
+        candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     }
     std::string tried;
     for (const fs::path& path : candidates) {
         std::error_code ignored;
-        if (fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return path.string();
+        const fs::file_status status = fs::status(path, ignored);
+        if (fs::is_regular_file(status)) return path.string();
         tried += (tried.empty() ? "" : " and ") + ("'" + path.string() + "'");
+        // Pipes and devices may have no end, or keep whoever opens them waiting.
+        if (fs::exists(status)) tried += fs::is_directory(status) ? ", a folder" : ", which is no file but a device";
     }
     fail(pos, "cannot find the " + what + " '" + name + "'; tried " + tried);
 }

@@ -34,7 +34,7 @@ struct GraphicsState {
     AreaLightBuilder areaLight;  // empty: shapes do not emit
     // pbrt-v4's: the space of "rgb" colours, and what Attribute gives to all that are made, by its target.
     const ColorSpace* colorSpace = &ColorSpace::srgb();
-    std::map<std::string, ParamSet> attributes;
+    std::map<std::string, std::shared_ptr<const ParamSet>> attributes;
 };
 
 }  // namespace drc::pbrt

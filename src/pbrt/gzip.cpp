@@ -3,8 +3,10 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "base/error.h"
+#include "base/memory.h"
 
 namespace drc::pbrt {
 namespace {
@@ -33,6 +35,7 @@ std::string gunzip(std::string_view bytes, const std::string& path, const Gunzip
     Inflater inflater;
     z_stream& z = inflater.stream;
     std::string result;
+    const auto unpacked = std::make_unique<char[]>(kChunk);
     size_t read = 0;
     const auto failGzip = [&](const std::string& what) { throw Error(path + ": the gzip stream " + what); };
     for (;;) {
@@ -42,12 +45,16 @@ std::string gunzip(std::string_view bytes, const std::string& path, const Gunzip
             z.avail_in = uInt(chunk);
             read += chunk;
         }
-        const size_t before = result.size();
-        result.resize(before + kChunk);
-        z.next_out = reinterpret_cast<Bytef*>(result.data() + before);
+        z.next_out = reinterpret_cast<Bytef*>(unpacked.get());
         z.avail_out = uInt(kChunk);
         const int status = inflate(&z, Z_NO_FLUSH);
-        result.resize(before + kChunk - z.avail_out);
+        const size_t size = kChunk - z.avail_out;
+        if (result.capacity() - result.size() < size) {
+            const size_t more = 2 * result.capacity() + kChunk;
+            const MemoryClaim memory(double(more), path + ", unpacked,");
+            result.reserve(more);
+        }
+        result.append(unpacked.get(), size);
         const bool atEnd = z.avail_in == 0 && read == bytes.size();
         if (result.size() > most)
             failGzip("grows beyond " + std::to_string(most >> 20) + " MiB, from " + std::to_string(bytes.size()) +

@@ -3,16 +3,17 @@
 #include <string>
 #include <string_view>
 
+#include "base/limits.h"
+
 namespace drc::pbrt {
 
 // By the first two bytes, whatever the file's name.
 bool isGzip(std::string_view bytes);
 
-// What a file may grow to: the larger of the two. Meshes and scenes shrink to a tenth, rarely to a fiftieth; what
-// promises far more is damaged, or made to fill the memory.
+// What a file may grow to: the larger of the two. What promises far more is damaged, or made to fill the memory.
 struct GunzipLimit {
-    size_t bytes = size_t(64) << 20;
-    size_t ratio = 250;  // to the compressed size
+    size_t bytes = limits::kGunzipBytes;
+    size_t ratio = limits::kGunzipRatio;  // to the compressed size
 };
 // Throws Error "path: ..." for a stream that is damaged, cut short, or beyond the limit.
 std::string gunzip(std::string_view bytes, const std::string& path, const GunzipLimit& limit = {});

@@ -4,6 +4,7 @@
 
 #include <charconv>
 
+#include "base/limits.h"
 #include "pbrt/source.h"
 
 namespace drc::pbrt {
@@ -47,9 +48,12 @@ std::vector<Number> numbersOf(const Source& source) {
 }  // namespace
 
 std::vector<LensElement> readLensFile(const std::string& path, float stopDiameter) {
-    const auto source = Source::fromFile(path);
+    const auto source = Source::fromFile(path, "lens file", limits::kTableBytes);
     const std::vector<Number> numbers = numbersOf(*source);
     const SourcePos start{source.get(), 0};
+    if (numbers.size() / 4 > limits::kLensSurfaces)
+        fail(numbers[4 * limits::kLensSurfaces].pos, fmt::format("a lens may have at most {} surfaces, this one has {}",
+                                                                 limits::kLensSurfaces, numbers.size() / 4));
     if (numbers.empty() || numbers.size() % 4 != 0)
         fail(numbers.empty() ? start : numbers.back().pos,
              fmt::format("a lens file has four numbers for each surface: this one has {} in all", numbers.size()));

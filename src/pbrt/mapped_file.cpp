@@ -12,11 +12,12 @@
 
 namespace drc::pbrt {
 
-MappedFile::MappedFile(const std::string& path, const std::string& what) {
+MappedFile::MappedFile(const std::string& path, const std::string& what, uint64_t most) {
     const auto failed = [&](int reason) {
         throw Error("cannot read " + what + " '" + path + "': " + std::strerror(reason));
     };
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    // Not to wait for a writer where the path is that of a pipe.
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0) failed(errno);
     struct stat status {};
     int reason = 0;
@@ -24,6 +25,8 @@ MappedFile::MappedFile(const std::string& path, const std::string& what) {
         reason = errno;
     } else if (!S_ISREG(status.st_mode)) {
         reason = S_ISDIR(status.st_mode) ? EISDIR : EINVAL;
+    } else if (uint64_t(status.st_size) > most) {
+        reason = EFBIG;
     } else if (status.st_size > 0) {
         void* memory = ::mmap(nullptr, size_t(status.st_size), PROT_READ, MAP_PRIVATE, file, 0);
         if (memory == MAP_FAILED) {

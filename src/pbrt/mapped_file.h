@@ -3,12 +3,15 @@
 #include <string>
 #include <string_view>
 
+#include "base/limits.h"
+
 namespace drc::pbrt {
 
 class MappedFile {
   public:
-    // Throws Error with the path and the system's reason. `what` names the file in the message ("scene file", ...).
-    MappedFile(const std::string& path, const std::string& what);
+    // Throws Error with the path and the system's reason if the file cannot be read, is no file (but a folder, a pipe,
+    // a device), or has more than most bytes. `what` names it in the message ("scene file", ...).
+    MappedFile(const std::string& path, const std::string& what, uint64_t most = limits::kFileBytes);
     ~MappedFile();
     MappedFile(const MappedFile&) = delete;
     MappedFile& operator=(const MappedFile&) = delete;

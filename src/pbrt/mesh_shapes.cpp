@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/limits.h"
 #include "pbrt/ply_reader.h"
 #include "scene/height_field.h"
 #include "scene/loop_subdivision.h"
@@ -27,7 +28,9 @@ TriangleMeshPtr placed(TriangleMesh mesh, const Placing& placing) {
         for (Vec3& normal : mesh.normals) normal = -normal;
     }
     for (const Vec3& p : mesh.positions)
-        if (!std::isfinite(p.x + p.y + p.z)) throw Error("the mesh has a vertex at infinity or at no number");
+        for (const float x : {p.x, p.y, p.z})
+            if (!(std::abs(x) < limits::kCoordinate))
+                throw Error("the mesh has a vertex at no number, or farther from the origin than 1e18");
     return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 
@@ -167,9 +170,9 @@ Geometry loopSubdivision(const ShapeContext& context) {
     const int levels = params.getInt("levels", params.getInt("nlevels", 3));
     if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
     params.ignore({"scheme"});  // pbrt knows one alone
-    return {.loadMesh = [=, placing = Placing(context)] {
-        return placed(subdivideLoop(*positions, *indices, levels), placing);
-    }};
+    return {.loadMesh = [=, placing = Placing(
+                                context)] { return placed(subdivideLoop(*positions, *indices, levels), placing); },
+            .subdivided = subdividedTriangles(indices->size() / 3, levels)};
 }
 
 Geometry heightField(const ShapeContext& context) {

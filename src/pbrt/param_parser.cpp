@@ -192,7 +192,7 @@ class ParamParser {
                  "cannot find the spectrum file '" + name + "'; measurements of this metal stand in for it");
             return colorOf(*metal);
         }
-        return colorOf(readSpdFile(path));
+        return colorOf(placedAt(param_.valuePos, [&] { return readSpdFile(path); }));
     }
 
     TokenStream& tokens_;

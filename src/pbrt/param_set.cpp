@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/limits.h"
+
 namespace drc::pbrt {
 namespace {
 
@@ -77,6 +79,8 @@ void ParamSet::add(Param param) {
             old = std::move(param);
             return;
         }
+    if (params_.size() >= limits::kParameters)
+        failAt(param, "is one too many: there may be " + std::to_string(limits::kParameters));
     params_.push_back(std::move(param));
 }
 

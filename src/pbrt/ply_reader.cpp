@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "pbrt/gzip.h"
 #include "pbrt/mapped_file.h"
 #include "pbrt/ply_header.h"
@@ -173,6 +174,7 @@ class MeshReader {
         if (element.count > std::numeric_limits<uint32_t>::max()) failPly(path_, "has more than 2^32 vertices");
 
         const size_t count = size_t(element.count);
+        const MemoryClaim memory(double(count) * (sizeof(Vec3) * (normals ? 2 : 1) + (uvs ? sizeof(Vec2) : 0)), path_);
         mesh_.positions.resize(count);
         if (normals) mesh_.normals.resize(count);
         if (uvs) mesh_.uvs.resize(count);
@@ -194,7 +196,7 @@ class MeshReader {
         bool found = false;
         for (const PlyProperty& p : element.properties) found = found || isCorners(p);
         if (!found) failPly(path_, "has faces without a list 'vertex_indices'");
-        mesh_.indices.reserve(size_t(element.count) * 3);
+        reserveIndices(size_t(element.count) * 3);
         for (uint64_t i = 0; i < element.count; ++i)
             for (const PlyProperty& property : element.properties) {
                 if (isCorners(property))
@@ -219,13 +221,25 @@ class MeshReader {
         const uint32_t first = corner(property.type);
         const uint32_t second = corner(property.type);
         uint32_t previous = corner(property.type);
-        mesh_.indices.insert(mesh_.indices.end(), {first, second, previous});
+        addTriangle(first, second, previous);
         for (uint64_t i = 3; i < n; ++i) {
             const uint32_t next = corner(property.type);
             // In pbrt's order of corners: they carry the texture coordinates of a mesh that has none.
-            mesh_.indices.insert(mesh_.indices.end(), {next, first, previous});
+            addTriangle(next, first, previous);
             previous = next;
         }
+    }
+
+    void reserveIndices(size_t count) {
+        const MemoryClaim memory(double(count) * sizeof(uint32_t), path_);
+        mesh_.indices.reserve(count);
+    }
+
+    // A list of small numbers becomes twelve times as many bytes of triangles.
+    void addTriangle(uint32_t a, uint32_t b, uint32_t c) {
+        std::vector<uint32_t>& indices = mesh_.indices;
+        if (indices.capacity() - indices.size() < 3) reserveIndices(2 * indices.capacity() + 3);
+        indices.insert(indices.end(), {a, b, c});
     }
 
     uint32_t corner(PlyType type) {

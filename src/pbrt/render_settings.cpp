@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "base/limits.h"
 #include "base/log.h"
 #include "pbrt/render_settings_params.h"
 
@@ -22,7 +23,8 @@ void applySampler(const std::string& type, const ParamSet& params, RenderSetting
     if (type == "stratified") {
         settings.samplesPerPixel = samplesOfStratified(params);
     } else {
-        settings.samplesPerPixel = positiveOf(params, "pixelsamples", type == "random" ? 4 : 16, kMostSamples);
+        settings.samplesPerPixel =
+            positiveOf(params, "pixelsamples", type == "random" ? 4 : 16, limits::kSamplesPerPixel);
         // As in pbrt: these are good at powers of two alone.
         if (type != "random" && type != "halton")
             settings.samplesPerPixel = int(std::bit_ceil(unsigned(settings.samplesPerPixel)));

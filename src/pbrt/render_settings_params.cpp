@@ -4,16 +4,11 @@
 
 #include <algorithm>
 
+#include "base/limits.h"
 #include "base/log.h"
 #include "pbrt/suggest.h"
 
 namespace drc::pbrt {
-namespace {
-
-constexpr int kMaxResolution = 1 << 16;
-
-}  // namespace
-
 int positiveOf(const ParamSet& params, std::string_view name, int fallback, int most) {
     const int value = params.getInt(name, fallback);
     if (value < 1 || value > most)
@@ -29,9 +24,11 @@ void checkKnown(const std::vector<std::string_view>& known, const std::string& k
 }
 
 void applyFrame(const ParamSet& params, RenderSettings& settings) {
-    settings.film.width = positiveOf(params, "xresolution", settings.film.width, kMaxResolution);
-    settings.film.height = positiveOf(params, "yresolution", settings.film.height, kMaxResolution);
+    settings.film.width = positiveOf(params, "xresolution", settings.film.width, limits::kFilmSide);
+    settings.film.height = positiveOf(params, "yresolution", settings.film.height, limits::kFilmSide);
+    settings.filmAt = params.pos().location();
     settings.outputFile = params.getString("filename", settings.outputFile);
+    if (settings.outputFile.empty()) params.failAt(*params.find("filename", {ParamType::String}), "is empty");
     settings.film.diagonal = params.getPositiveFloat("diagonal", settings.film.diagonal);
     if (const Param* window = params.find("cropwindow", {ParamType::Float})) {
         if (window->numbers.size() != 4) params.failAt(*window, "must have four values of type 'float'");
@@ -58,7 +55,7 @@ void applyPixelBounds(const ParamSet& params, RenderSettings& settings) {
 
 int samplesOfStratified(const ParamSet& params) {
     const int64_t samples = int64_t(positiveOf(params, "xsamples", 4, 4096)) * positiveOf(params, "ysamples", 4, 4096);
-    return int(std::min<int64_t>(samples, kMostSamples));
+    return int(std::min<int64_t>(samples, limits::kSamplesPerPixel));
 }
 
 int maxDepthOf(const ParamSet& params) {

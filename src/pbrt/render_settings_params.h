@@ -10,9 +10,7 @@
 
 namespace drc::pbrt {
 
-constexpr int kMostSamples = 1 << 24;  // a pixel
-
-// Throws Error for a value that is not positive, or above most.
+// Throw Error for a value that is not positive, or above most.
 int positiveOf(const ParamSet& params, std::string_view name, int fallback, int most);
 // Throws Error at pos unless the name is one of those known.
 void checkKnown(const std::vector<std::string_view>& known, const std::string& kind, const std::string& name,

@@ -75,6 +75,12 @@ TEST(RenderSettings, PixelBoundsNarrowTheCropWindow) {
     EXPECT_EQ(r.y1, 30);
     EXPECT_EQ(settingsOf(film).region().width(), 50);
     EXPECT_THAT(errorOfOptions("Integrator \"path\" \"integer pixelbounds\" [10 5 20 30]"), HasSubstr("is empty"));
+    const PixelRegion all = settingsOf(film +
+                                       "Integrator \"path\" \"integer pixelbounds\" "
+                                       "[-2147483647 2147483647 -2147483647 2147483647]")
+                                .region();
+    EXPECT_EQ(all.width(), 50);
+    EXPECT_EQ(all.height(), 50);
 }
 
 TEST(RenderSettings, IntegratorParametersAreKnownOrNamed) {

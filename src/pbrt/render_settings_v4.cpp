@@ -1,5 +1,8 @@
 #include "pbrt/render_settings_v4.h"
 
+#include <fmt/core.h>
+
+#include "base/limits.h"
 #include "base/log.h"
 #include "pbrt/render_settings_params.h"
 
@@ -32,9 +35,9 @@ void applySamplerV4(const std::string& type, const ParamSet& params, RenderSetti
     checkKnown({"halton", "independent", "paddedsobol", "pmj02bn", "sobol", "stratified", "zsobol"}, "sampler", type,
                params.pos());
     settings.sampler = type;
-    settings.samplesPerPixel = type == "stratified"
-                                   ? samplesOfStratified(params)
-                                   : positiveOf(params, "pixelsamples", type == "independent" ? 4 : 16, kMostSamples);
+    settings.samplesPerPixel = type == "stratified" ? samplesOfStratified(params)
+                                                    : positiveOf(params, "pixelsamples", type == "independent" ? 4 : 16,
+                                                                 limits::kSamplesPerPixel);
     params.ignore({"jitter", "randomization", "seed"});
     params.warnUnused();
     logDebug("sampler '" + type + "': Owen-scrambled Sobol points are used, as for every sampler");

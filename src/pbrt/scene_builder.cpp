@@ -1,21 +1,19 @@
 #include "pbrt/scene_builder.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
 
+#include "base/limits.h"
 #include "base/parallel.h"
+#include "pbrt/scene_limits.h"
 #include "pbrt/suggest.h"
 
 namespace drc::pbrt {
 namespace {
-
-bool isUsable(const Transform& t) {
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            if (!std::isfinite(t.at(row, column))) return false;
-    return t.isInvertible();
-}
 
 std::string placeOf(const SourcePos& pos) {
     const SourceLocation at = pos.location();
@@ -40,8 +38,12 @@ SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect)
 
 void SceneBuilder::apply(const Transform& t, const SourcePos& pos) {
     if (!isUsable(t)) fail(pos, "this transformation cannot be inverted");
-    for (size_t i = 0; i < 2; ++i)
-        if (state_.active[i]) state_.ctm.at[i] = state_.ctm.at[i] * t;
+    for (size_t i = 0; i < 2; ++i) {
+        if (!state_.active[i]) continue;
+        const Transform product = state_.ctm.at[i] * t;
+        if (!isUsable(product)) fail(pos, "with the transformations before it, this one cannot be inverted");
+        state_.ctm.at[i] = product;
+    }
 }
 
 void SceneBuilder::setTransform(const Transform& t, const SourcePos& pos) {
@@ -93,7 +95,11 @@ void SceneBuilder::worldEnd(const SourcePos& pos) {
     worldEnded_ = true;
 }
 
-void SceneBuilder::beginBlock(const std::string& kind, const SourcePos& pos) { blocks_.push_back({kind, pos, state_}); }
+void SceneBuilder::beginBlock(const std::string& kind, const SourcePos& pos) {
+    if (blocks_.size() >= limits::kBlockDepth)
+        fail(pos, kind + "Begin within more than " + std::to_string(limits::kBlockDepth) + " other blocks");
+    blocks_.push_back({kind, pos, state_});
+}
 
 void SceneBuilder::pop(const std::string& kind, const SourcePos& pos) {
     if (blocks_.empty()) fail(pos, kind + "End without " + kind + "Begin");
@@ -131,6 +137,14 @@ void SceneBuilder::objectEnd(const SourcePos& pos) {
     openObject_.reset();
 }
 
+void SceneBuilder::addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos) {
+    if (!isInstanceable(toWorld.start()) || !isInstanceable(toWorld.end()))
+        fail(pos, "an object may be made smaller by a factor of 1e9 at most, and moved by 1e9 times its own size");
+    if (scene_->instances.size() == limits::kInstances)
+        fail(pos, "more than " + std::to_string(limits::kInstances) + " instances, moving parts of objects included");
+    scene_->instances.push_back({int(object), toWorld});
+}
+
 void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos) {
     if (openObject_) fail(pos, "ObjectInstance inside of an object: objects cannot be nested");
     const auto found = objects_.find(name);
@@ -140,9 +154,8 @@ void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos)
         fail(pos, "no object '" + name + "' has been defined" + suggestion(name, names));
     }
     const AnimatedTransform toWorld = state_.ctm.animated();
-    scene_->instances.push_back({int(found->second), toWorld});
-    for (const MovingPart& part : movingParts_[found->second])
-        scene_->instances.push_back({int(part.object), toWorld * part.motion});
+    addInstance(found->second, toWorld, pos);
+    for (const MovingPart& part : movingParts_[found->second]) addInstance(part.object, toWorld * part.motion, pos);
 }
 
 void SceneBuilder::reverseOrientation() { state_.reverseOrientation = !state_.reverseOrientation; }
@@ -153,8 +166,10 @@ void SceneBuilder::attribute(const std::string& target, const ParamSet& params, 
         fail(pos, "unknown target '" + target + "' of Attribute" + suggestion(target, targets));
     // The last of each name counts.
     ParamSet all = params;
-    all.inherit(state_.attributes[target]);
-    state_.attributes[target] = std::move(all);
+    std::shared_ptr<const ParamSet>& shared = state_.attributes[target];
+    if (shared) all.inherit(*shared);
+    checkShared(all, target, pos);
+    shared = std::make_shared<const ParamSet>(std::move(all));
 }
 
 void SceneBuilder::colorSpace(const std::string& name, const SourcePos& pos) {
@@ -167,7 +182,7 @@ ColorRules SceneBuilder::colorRules(bool isLight) const { return {dialect_, stat
 
 ParamSet SceneBuilder::completed(const std::string& target, ParamSet params) const {
     const auto found = state_.attributes.find(target);
-    if (found != state_.attributes.end()) params.inherit(found->second);
+    if (found != state_.attributes.end()) params.inherit(*found->second);
     return params;
 }
 
@@ -197,12 +212,17 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
     const TextureParams textureParams(params, state_.textures);
     const TextureRequest request{textureParams, staticTransform("textures", params.pos()), files_, textureFiles_,
                                  dialect_};
-    if (valueType == "float")
-        state_.textures.scalars.set(name, makeFloatTexture(type, request));
-    else if (valueType == "spectrum" || valueType == "color")
-        state_.textures.colors.set(name, makeRgbTexture(type, request));
-    else
+    if (valueType == "float") {
+        auto texture = makeFloatTexture(type, request);
+        state_.textures.scalarCosts.set(name, costAbove(textureParams.cost(), params));
+        state_.textures.scalars.set(name, std::move(texture));
+    } else if (valueType == "spectrum" || valueType == "color") {
+        auto texture = makeRgbTexture(type, request);
+        state_.textures.colorCosts.set(name, costAbove(textureParams.cost(), params));
+        state_.textures.colors.set(name, std::move(texture));
+    } else {
         fail(params.pos(), "texture '" + name + "' must be of type 'float' or 'spectrum', not '" + valueType + "'");
+    }
     params.warnUnused();
 }
 
@@ -223,9 +243,11 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
         params, state_.textures, files_, moves ? Transform() : state_.ctm.start(), state_.reverseOrientation, dialect_};
     auto geometry = make_.shape(type, context);
     if (!geometry) return;
+    if (geometry->shape && !isWithinReach(geometry->shape->bounds()))
+        fail(params.pos(), "the " + params.owner() + " reaches farther from the origin than 1e18");
     PendingPrimitive pending;
     pending.pos = params.pos();
-    pending.object = moves ? movingObject() : openObject_;
+    pending.object = moves ? movingObject(params.pos()) : openObject_;
     pending.geometry = std::move(*geometry);
     pending.primitive.shape = pending.geometry.shape;
     pending.primitive.alpha = pending.geometry.alpha;
@@ -264,7 +286,7 @@ const Transform& SceneBuilder::staticTransform(const std::string& what, const So
     return state_.ctm.start();
 }
 
-size_t SceneBuilder::movingObject() {
+size_t SceneBuilder::movingObject(const SourcePos& pos) {
     if (movingObject_ && movingObject_->within == openObject_ && movingObject_->ctm == state_.ctm)
         return movingObject_->object;
     const size_t object = scene_->objects.size();
@@ -272,7 +294,7 @@ size_t SceneBuilder::movingObject() {
     if (openObject_)
         movingParts_[*openObject_].push_back({object, state_.ctm.animated()});
     else
-        scene_->instances.push_back({int(object), state_.ctm.animated()});
+        addInstance(object, state_.ctm.animated(), pos);
     movingObject_ = {object, openObject_, state_.ctm};
     return object;
 }
@@ -287,7 +309,15 @@ void SceneBuilder::checkComplete(const SourcePos& end) const {
     fail(end, "the file ends without a WorldBegin");
 }
 
-void SceneBuilder::loadMeshes() {
+void SceneBuilder::loadMeshes(const LoadOptions& options) {
+    double subdivided = 0;
+    for (const PendingPrimitive& p : pending_) {
+        subdivided += p.geometry.subdivided;
+        if (subdivided > options.subdividedTriangles)
+            fail(p.pos, fmt::format("with this one, subdivision surfaces come to {:.3g} triangles, and at most {:.3g} "
+                                    "are made; use fewer levels",
+                                    subdivided, options.subdividedTriangles));
+    }
     // Kept by place, so that of several errors the first in the file is reported whatever thread was first.
     std::vector<std::exception_ptr> errors(pending_.size());
     parallelFor(0, int(pending_.size()), 1, [&](int begin, int end) {
@@ -308,6 +338,8 @@ void SceneBuilder::loadMeshes() {
             std::rethrow_exception(errors[i]);
         } catch (const Error& error) {
             fail(pending_[i].pos, std::string("cannot load the mesh: ") + error.what());
+        } catch (const std::bad_alloc&) {
+            fail(pending_[i].pos, "cannot load the mesh: there is not enough memory");
         }
     }
 }
@@ -325,11 +357,12 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     if (options.resolution) {
         settings.film.width = options.resolution->width;
         settings.film.height = options.resolution->height;
+        settings.filmAt = {};
     }
     scene_->camera =
         make_.camera(camera_.type, camera_.params, {worldToCamera_.animated(), transformTimes_}, settings.film, files_);
 
-    loadMeshes();
+    loadMeshes(options);
     for (PendingPrimitive& p : pending_) {
         if (p.areaLight) {
             p.primitive.areaLight = p.areaLight(p.primitive);

@@ -99,11 +99,12 @@ class SceneBuilder {
     const Transform& staticTransform(const std::string& what, const SourcePos& pos) const;
     // The object for shapes that move with the current transformation, of which there is one instance: shapes that come
     // after each other and move alike share it.
-    size_t movingObject();
+    size_t movingObject(const SourcePos& pos);
+    void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
     // Adds curves to the ones just before them if they look alike: hair comes as a shape for each.
     bool joinCurves(const PendingPrimitive& next);
     void pop(const std::string& kind, const SourcePos& pos);
-    void loadMeshes();
+    void loadMeshes(const LoadOptions& options);
 
     // With what Attribute gives to things of that kind.
     ParamSet completed(const std::string& target, ParamSet params) const;

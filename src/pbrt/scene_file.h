@@ -4,12 +4,15 @@
 #include <optional>
 #include <string>
 
+#include "base/limits.h"
 #include "scene/scene.h"
 
 namespace drc::pbrt {
 
 struct LoadOptions {
-    std::optional<FilmGeometry> resolution;  // instead of the file's
+    std::optional<FilmGeometry> resolution{};  // instead of the file's
+    // That all subdivision surfaces together may come to.
+    double subdividedTriangles = limits::kSubdividedTriangles;
 };
 
 // Which of the two a file is written in is found out by its words (dialect_scan.h); -v says which, and by what.

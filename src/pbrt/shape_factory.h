@@ -29,6 +29,7 @@ struct Geometry {
     std::shared_ptr<Curves> curves{};  // if shape is curves, the same: those of several shapes can be made one
     // Reads and transforms the mesh: slow, and to be called once, on any thread. Owns all that it needs.
     std::function<TriangleMeshPtr()> loadMesh{};
+    double subdivided = 0;                   // triangles that the mesh becomes by subdivision
     FloatTexturePtr alpha{}, shadowAlpha{};  // of any shape: filled in by makeShape
 };
 

@@ -1,6 +1,8 @@
 #include "pbrt/source.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "base/log.h"
@@ -14,12 +16,14 @@ constexpr size_t kExcerptWidth = 100;
 
 }  // namespace
 
-std::unique_ptr<Source> Source::fromFile(const std::string& path) {
+std::unique_ptr<Source> Source::fromFile(const std::string& path, const std::string& what, uint64_t most) {
     auto source = std::make_unique<Source>();
-    source->file_ = std::make_unique<MappedFile>(path, "scene file");
+    source->file_ = std::make_unique<MappedFile>(path, what, most);
     if (isGzip(source->file_->text())) {
         source->text_ = gunzip(source->file_->text(), path);
         source->file_ = nullptr;
+        if (source->text_.size() > most)
+            throw Error("cannot read " + what + " '" + path + "': " + std::strerror(EFBIG));
     }
     source->name_ = path;
     source->directory_ = std::filesystem::path(path).parent_path().string();
@@ -34,20 +38,28 @@ std::unique_ptr<Source> Source::fromText(std::string text, std::string name, std
     return source;
 }
 
+Source::Line Source::lineAt(size_t offset) const {
+    std::call_once(linesFound_, [this] {
+        const std::string_view all = text();
+        lineStarts_.push_back(0);
+        for (size_t i = all.find('\n'); i != std::string_view::npos; i = all.find('\n', i + 1))
+            lineStarts_.push_back(i + 1);
+    });
+    const auto after = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), offset);
+    return {size_t(after - lineStarts_.begin()) - 1, after[-1]};
+}
+
 SourceLocation SourcePos::location() const {
     if (source == nullptr) return {};
-    const std::string_view before = source->text().substr(0, offset);
-    const size_t lineBreak = before.rfind('\n');
-    const size_t lineStart = lineBreak == std::string_view::npos ? 0 : lineBreak + 1;
-    return {source->name(), 1 + int(std::count(before.begin(), before.end(), '\n')), 1 + int(offset - lineStart)};
+    const Source::Line line = source->lineAt(offset);
+    return {source->name(), 1 + int(line.number), 1 + int(offset - line.start)};
 }
 
 std::string SourcePos::excerpt() const {
     if (source == nullptr) return "";
     const std::string_view text = source->text();
     const size_t at = std::min(offset, text.size());
-    const size_t lineBreak = text.substr(0, at).rfind('\n');
-    const size_t lineStart = lineBreak == std::string_view::npos ? 0 : lineBreak + 1;
+    const size_t lineStart = source->lineAt(at).start;
     const size_t lineEnd = std::min(text.find('\n', at), text.size());
 
     size_t first = lineStart, last = lineEnd;

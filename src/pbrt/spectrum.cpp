@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/limits.h"
 #include "image/color.h"
 #include "pbrt/cie.h"
 #include "pbrt/illuminants.h"
@@ -80,7 +81,7 @@ Rgb blackbodyToRgb(float kelvin) {
 }
 
 std::vector<SpectrumSample> readSpdFile(const std::string& path) {
-    const auto source = Source::fromFile(path);
+    const auto source = Source::fromFile(path, "spectrum file", limits::kTableBytes);
     Tokenizer tokenizer(*source);
     std::vector<SpectrumSample> samples;
     for (Token token = tokenizer.next(); token.kind != TokenKind::End; token = tokenizer.next()) {

@@ -1,7 +1,10 @@
 #include "pbrt/texture_factory.h"
 
+#include <fmt/core.h>
+
 #include <type_traits>
 
+#include "base/limits.h"
 #include "pbrt/registry.h"
 #include "pbrt/texture_mappings.h"
 #include "scene/texture_bilerp.h"
@@ -42,9 +45,9 @@ Mapping3D mapping3DOf(const TextureRequest& request) { return makeMapping3D(requ
 
 NoiseSum noiseOf(const ParamSet& own) {
     const NoiseSum sum{own.getInt("octaves", 8), own.getFloat("roughness", 0.5f)};
-    // At most as many as there are with features that a float tells apart; more would take time and change nothing.
-    if (sum.octaves < 1 || sum.octaves > 64)
-        fail(own.pos(), own.owner() + " must have 1 to 64 octaves, not " + std::to_string(sum.octaves));
+    if (sum.octaves < 1 || sum.octaves > limits::kOctaves)
+        fail(own.pos(), own.owner() + " must have 1 to " + std::to_string(limits::kOctaves) + " octaves, not " +
+                            std::to_string(sum.octaves));
     return sum;
 }
 
@@ -217,6 +220,11 @@ TexturePtr<T> imageMap(const TextureRequest& request) {
     params.maxAnisotropy = p.getFloat("maxanisotropy", 8);
     if (!(params.maxAnisotropy >= 1))
         fail(p.own().pos(), "the 'maxanisotropy' of " + p.own().owner() + " must be at least 1");
+    if (params.maxAnisotropy > limits::kAnisotropy) {
+        warn(p.own().find("maxanisotropy", {ParamType::Float})->valuePos,
+             fmt::format("a 'maxanisotropy' of more than {:g} is rendered as that", limits::kAnisotropy));
+        params.maxAnisotropy = limits::kAnisotropy;
+    }
     TexturePtr<T> texture;
     if constexpr (std::is_same_v<T, float>)
         texture = makeImageMap(request.images.scalar(path, gamma, name->valuePos), params);

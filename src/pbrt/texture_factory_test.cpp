@@ -151,6 +151,9 @@ TEST_F(TextureFactoryTest, ImageMaps) {
     const auto errorFor = [&](const std::string& params) { return errorOf([&] { valueAt(0, params); }); };
     EXPECT_THAT(errorFor("\"string wrap\" \"repaet\""),
                 HasSubstr("unknown wrap mode 'repaet'; did you mean 'repeat'?"));
+    const int before = warningCount();
+    EXPECT_NEAR(valueAt(0.25f, "\"float maxanisotropy\" 1e30"), 0.2f, 5e-3f);
+    EXPECT_EQ(warningCount(), before + 1);
     EXPECT_THAT(errorFor("\"float maxanisotropy\" 0"), HasSubstr("'maxanisotropy' of texture 't' must be at least 1"));
     EXPECT_THAT(errorOf([&] { color("imagemap"); }), HasSubstr("texture 't' needs the parameter 'filename'"));
 }

@@ -8,9 +8,15 @@
 
 namespace drc::pbrt {
 
+// What one lookup of a texture leads to: how deep textures are looked up by textures, and how many lookups that is.
+struct TextureCost {
+    int depth = 0, lookups = 0;
+};
+
 struct NamedTextures {
     NamedMap<FloatTexture> scalars;
     NamedMap<RgbTexture> colors;
+    NamedMap<TextureCost> scalarCosts, colorCosts;  // by the same names
 };
 
 // As in pbrt-v3, a shape's own parameter goes before the material's one of the same name.
@@ -32,6 +38,8 @@ class TextureParams {
     std::string getString(std::string_view name, const std::string& fallback) const;
 
     const ParamSet& own() const { return own_; }
+    // Of looking up every texture that was asked for: the deepest, and the sum.
+    const TextureCost& cost() const { return cost_; }
 
   private:
     // The set in which a parameter of that name and one of these types is to be looked up.
@@ -40,6 +48,7 @@ class TextureParams {
     const ParamSet& own_;
     const NamedTextures& textures_;
     const ParamSet* shape_;
+    mutable TextureCost cost_;
 };
 
 }  // namespace drc::pbrt

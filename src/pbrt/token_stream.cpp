@@ -14,9 +14,9 @@ std::string canonical(const std::string& path) {
 
 }  // namespace
 
-TokenStream::TokenStream(std::shared_ptr<const Source> main) {
-    stack_.push_back({Tokenizer(*main), canonical(main->name())});
-    sources_.push_back(std::move(main));
+TokenStream::TokenStream(std::shared_ptr<const Source> main, const IncludeLimit& limit)
+    : limit_(limit), main_(std::move(main)) {
+    stack_.push_back({Tokenizer(*main_), canonical(main_->name())});
 }
 
 const Token& TokenStream::peek() {
@@ -41,16 +41,18 @@ void TokenStream::include(const std::string& path, const SourcePos& pos) {
     std::string id = canonical(path);
     for (const Frame& frame : stack_)
         if (frame.canonicalPath == id) fail(pos, "'" + path + "' includes itself");
-    if (stack_.size() >= kMaxIncludeDepth)
-        fail(pos, "Include is nested more than " + std::to_string(kMaxIncludeDepth) + " files deep");
-    std::unique_ptr<Source> source;
-    try {
-        source = Source::fromFile(path);
-    } catch (const Error& error) {
-        fail(pos, error.what());
+    if (stack_.size() >= limits::kIncludeDepth)
+        fail(pos, "Include is nested more than " + std::to_string(limits::kIncludeDepth) + " files deep");
+    std::unique_ptr<const Source>& source = sources_[path];
+    if (!source) {
+        source = placedAt(pos, [&] { return Source::fromFile(path); });
+        differentBytes_ += source->text().size();
     }
+    bytes_ += source->text().size();
+    if (++includes_ > limit_.files || bytes_ > limit_.bytes + limit_.ratio * differentBytes_)
+        fail(pos, "this is the Include number " + std::to_string(includes_) + ", of " + std::to_string(bytes_) +
+                      " bytes in all; so many are read only if files include others again and again");
     stack_.push_back({Tokenizer(*source), std::move(id)});
-    sources_.push_back(std::move(source));
 }
 
 Token TokenStream::expectString(const std::string& purpose) {

@@ -1,13 +1,14 @@
 #include "pbrt/tokenizer.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 
 namespace drc::pbrt {
 namespace {
 
 constexpr bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
-constexpr bool endsWord(char c) { return isSpace(c) || c == '"' || c == '[' || c == ']' || c == '#'; }
+constexpr bool endsWord(char c) { return isSpace(c) || c == '"' || c == '[' || c == ']' || c == '#' || c == '\0'; }
 constexpr bool startsNumber(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
 
 }  // namespace
@@ -66,6 +67,9 @@ double Token::number() const {
     if (kind != TokenKind::Number || end != last || error == std::errc::invalid_argument)
         fail(pos, "expected a number, found " + describe());
     if (error == std::errc::result_out_of_range) result = std::strtod(std::string(first, last).c_str(), nullptr);
+    // Scenes are made of floats: what overflows one, or is no number ("-nan"), would spread over the picture.
+    if (!std::isfinite(static_cast<float>(result)))
+        fail(pos, "expected a number within 3.4e38 of zero, found " + describe());
     return result;
 }
 
@@ -96,6 +100,8 @@ Token Tokenizer::next() {
 
     const size_t start = at_;
     const char c = text_[at_++];
+    // Of binary files, and of sparse ones that would be one word without end.
+    if (c == '\0') fail(token.pos, "found a zero byte where text should be");
     if (c == '"') return string();
     if (c == '[') {
         token.kind = TokenKind::OpenBracket;

@@ -79,9 +79,21 @@ TEST(Tokenizer, Numbers) {
     EXPECT_EQ(numberOf("1e-3"), 1e-3);
     EXPECT_EQ(numberOf("1E3"), 1000);
     EXPECT_EQ(numberOf("1e-999"), 0);
-    EXPECT_EQ(numberOf("1e999"), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(numberOf("-3.4e38"), -3.4e38);
+    for (const char* beyond : {"1e999", "-1e999", "3.5e38", "-nan", "-inf", "+inf"})
+        EXPECT_THAT(errorOf([&] { numberOf(beyond); }),
+                    testing::StartsWith("a:1:1: expected a number within 3.4e38 of zero, found '"))
+            << beyond;
     for (const char* bad : {"1.2.3", "--1", "+-1", "1x", "-", "+", "."})
         EXPECT_THAT(errorOf([&] { numberOf(bad); }), testing::StartsWith("a:1:1: expected a number, found '"));
+}
+
+TEST(Tokenizer, ZeroBytesEndIt) {
+    const auto source = Source::fromText(std::string("Shape\0\0\0", 8), "a", ".");
+    Tokenizer tokenizer(*source);
+    EXPECT_EQ(tokenizer.next().text, "Shape");
+    EXPECT_THAT(errorOf([&] { tokenizer.next(); }),
+                testing::StartsWith("a:1:6: found a zero byte where text should be"));
 }
 
 TEST(Tokenizer, ByteOrderMarkAndCarriageReturns) {

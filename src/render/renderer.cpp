@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include "base/error.h"
+#include "base/memory.h"
+
 namespace drc {
 namespace {
 
@@ -13,11 +16,27 @@ constexpr float kFinestInTime = 3;
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
+// Throws Error if the layers of the picture do not fit into memory: before anything is made.
+const Scene& withinMemory(const Scene& scene) {
+    // The three layers, those of the correction, and what that and the files are made from.
+    constexpr double kBytesPerPixel = 640;
+    const RenderSettings& settings = scene.settings;
+    try {
+        const MemoryClaim memory(
+            double(settings.region().count()) * kBytesPerPixel,
+            fmt::format("a picture of {} x {} pixels", settings.region().width(), settings.region().height()));
+    } catch (const Error& error) {
+        throw Error(settings.filmAt,
+                    std::string(error.what()) + "; choose a smaller --resolution, or a part of it by --crop");
+    }
+    return scene;
+}
+
 }  // namespace
 
 Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer,
                    Stats* stats)
-    : scene_(scene),
+    : scene_(withinMemory(scene)),
       params_(params),
       accel_(scene),
       lights_(scene),

@@ -1,8 +1,12 @@
 #include "scene/loop_subdivision.h"
 
-#include <unordered_map>
+#include <fmt/core.h>
+
+#include <algorithm>
 
 #include "base/error.h"
+#include "base/limits.h"
+#include "base/memory.h"
 
 namespace drc {
 namespace {
@@ -31,8 +35,13 @@ struct HalfEdgeMesh {
 };
 
 std::vector<uint32_t> findTwins(std::span<const uint32_t> indices) {
-    std::unordered_map<uint64_t, uint32_t> byEnds;
-    byEnds.reserve(indices.size());
+    // By their ends, sorted: vertices can be chosen so that a hash table's chains grow with the mesh.
+    struct Edge {
+        uint64_t ends;
+        uint32_t half;
+        bool operator<(const Edge& other) const { return ends < other.ends; }
+    };
+    std::vector<Edge> edges(indices.size());
     const auto key = [](uint32_t from, uint32_t to) { return uint64_t(from) << 32 | to; };
     const auto describe = [](uint32_t a, uint32_t b) {
         return "the edge between vertices " + std::to_string(a) + " and " + std::to_string(b);
@@ -40,15 +49,19 @@ std::vector<uint32_t> findTwins(std::span<const uint32_t> indices) {
     for (uint32_t h = 0; h < indices.size(); ++h) {
         const uint32_t from = indices[h], to = indices[HalfEdgeMesh::next(h)];
         if (from == to) throw Error("a triangle has vertex " + std::to_string(from) + " twice");
-        if (!byEnds.emplace(key(from, to), h).second)
-            throw Error(describe(from, to) +
+        edges[h] = {key(from, to), h};
+    }
+    std::sort(edges.begin(), edges.end());
+    for (size_t i = 1; i < edges.size(); ++i)
+        if (edges[i].ends == edges[i - 1].ends)
+            throw Error(describe(uint32_t(edges[i].ends >> 32), uint32_t(edges[i].ends)) +
                         " is in two triangles in the same direction; neighbours must be wound alike, and no more than "
                         "two triangles may share an edge");
-    }
     std::vector<uint32_t> twin(indices.size(), kNone);
     for (uint32_t h = 0; h < indices.size(); ++h) {
-        const auto found = byEnds.find(key(indices[HalfEdgeMesh::next(h)], indices[h]));
-        if (found != byEnds.end()) twin[h] = found->second;
+        const Edge wanted{key(indices[HalfEdgeMesh::next(h)], indices[h]), 0};
+        const auto found = std::lower_bound(edges.begin(), edges.end(), wanted);
+        if (found != edges.end() && found->ends == wanted.ends) twin[h] = found->half;
     }
     return twin;
 }
@@ -171,11 +184,18 @@ Vec3 limitNormal(const HalfEdgeMesh& mesh, uint32_t start, bool boundary, std::v
 
 }  // namespace
 
+double subdividedTriangles(size_t triangles, int levels) { return double(triangles) * std::pow(4.0, levels); }
+
 TriangleMesh subdivideLoop(std::span<const Vec3> positions, std::span<const uint32_t> indices, int levels) {
-    constexpr double kMaxIndices = 4294967295.0;
-    if (double(indices.size()) * std::pow(4.0, levels) > kMaxIndices)
-        throw Error("subdividing " + std::to_string(indices.size() / 3) + " triangles " + std::to_string(levels) +
-                    " times makes too many; use fewer levels");
+    const double triangles = subdividedTriangles(indices.size() / 3, levels);
+    if (triangles > limits::kSubdividedTriangles)
+        throw Error(
+            fmt::format("subdividing {} triangles {} times makes {:.3g}, and at most {:.3g} are made; use fewer "
+                        "levels",
+                        indices.size() / 3, levels, triangles, limits::kSubdividedTriangles));
+    // Two half-edge meshes, a quarter and the whole, and what the vertices' neighbours sum to.
+    constexpr double kBytesPerTriangle = 80;
+    const MemoryClaim memory(triangles * kBytesPerTriangle, fmt::format("subdividing to {:.3g} triangles", triangles));
     HalfEdgeMesh mesh = makeHalfEdges(positions, indices);
     for (int level = 0; level < levels; ++level) mesh = refine(mesh);
 
@@ -187,10 +207,12 @@ TriangleMesh subdivideLoop(std::span<const Vec3> positions, std::span<const uint
             neighbours[v].blend(mesh.positions[v], limitWeight(neighbours[v].count), kBoundaryLimitWeight);
     result.normals.resize(mesh.positions.size(), Vec3(0.f));
     std::vector<Vec3> ring;
+    std::vector<bool> done(mesh.positions.size());
     for (uint32_t h = 0; h < mesh.origin.size(); ++h) {
         const uint32_t v = mesh.origin[h];
         const bool boundary = neighbours[v].boundary;
-        if (result.normals[v] != Vec3(0.f) || (boundary && mesh.twin[h] != kNone)) continue;
+        if (done[v] || (boundary && mesh.twin[h] != kNone)) continue;
+        done[v] = true;
         result.normals[v] = -normalize(limitNormal(mesh, h, boundary, ring));
     }
     result.indices = std::move(mesh.origin);

@@ -131,7 +131,20 @@ TEST(LoopSubdivision, SaysWhatIsWrong) {
     const std::vector<Vec3> points(5, Vec3(0.f));
     EXPECT_THAT(errorOf({points, {0, 1, 2, 0, 1, 3}}, 1), HasSubstr("the edge between vertices 0 and 1 is in two"));
     EXPECT_THAT(errorOf({points, {0, 1, 1}}, 1), HasSubstr("a triangle has vertex 1 twice"));
-    EXPECT_THAT(errorOf(octahedron(), 20), HasSubstr("use fewer levels"));
+    EXPECT_THAT(errorOf(octahedron(), 20),
+                HasSubstr("subdividing 8 triangles 20 times makes 8.8e+12, and at most 6.71e+07 are made; use fewer"));
+    EXPECT_THAT(errorOf(octahedron(), 2147483647), HasSubstr("use fewer levels"));
+}
+
+// A normal of zero is as good as found: to seek it again at each of a vertex's edges takes the square of their number.
+TEST(LoopSubdivision, ManyTrianglesAboutOnePointInOnePlaceTakeNoTime) {
+    constexpr uint32_t kSides = 50'000;
+    ControlMesh fan{std::vector<Vec3>(kSides + 1, Vec3(0.f)), {}};
+    for (uint32_t i = 0; i < kSides; ++i)
+        for (const uint32_t corner : {0u, 1 + i, 1 + (i + 1) % kSides}) fan.indices.push_back(corner);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(fan.subdivided(0).triangleCount(), kSides);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "scene/camera.h"
 #include "scene/filter.h"
 #include "scene/light.h"
@@ -52,6 +53,7 @@ struct RenderSettings {
     std::string sampler = "halton";
     std::string outputFile = "pbrt.exr";
     FilmGeometry film;
+    SourceLocation filmAt;                   // where the file gives the film's size, for messages; empty: it does not
     float cropWindow[4] = {0, 1, 0, 1};      // x0 x1 y0 y1
     std::optional<PixelRegion> pixelBounds;  // of the film; none: all of it
     // What of the film is rendered: the crop window in whole pixels, by pbrt's rounding, and of it what lies within the

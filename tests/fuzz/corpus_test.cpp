@@ -31,5 +31,10 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus,
                                          std::pair("ply", &ply), std::pair("safetensors", &safetensors)),
                          [](const auto& tested) { return std::string(tested.param.first); });
 
+TEST(Fuzz, ScenesOpenNoFiles) {
+    EXPECT_EQ(confined("Include \"/dev/zero\" Include \"../a\" Include \"\\\n/etc/passwd\""),
+              "Include \"_dev_zero\" Include \".._a\" Include \"\\\n_etc_passwd\"");
+}
+
 }  // namespace
 }  // namespace drc::fuzz

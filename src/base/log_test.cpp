@@ -1,0 +1,41 @@
+#include "base/log.h"
+
+#include <gmock/gmock.h>
+
+namespace drc {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Log, WhatFilesSayCannotCommandATerminal) {
+    testing::internal::CaptureStderr();
+    logError("file \"\x1b[2J\x07\" is\n\tdamaged\x7f");
+    logWarning({"a\rb.pbrt", 1, 2}, "unknown \x1b[31m");
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_THAT(text, HasSubstr("drc: error: file \"?[2J?\" is\n\tdamaged?\n"));
+    EXPECT_THAT(text, HasSubstr("a?b.pbrt:1:2: warning: unknown ?[31m\n"));
+}
+
+TEST(Log, MessagesOfMegabytesAreCut) {
+    testing::internal::CaptureStderr();
+    logError(std::string(1 << 20, 'x'));
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_LT(text.size(), 5000u);
+    EXPECT_THAT(text, HasSubstr("xxx...\n"));
+}
+
+TEST(Log, AThousandWarningsAreEnough) {
+    forgetWarnings();
+    testing::internal::CaptureStderr();
+    for (int i = 0; i < 5000; ++i) logWarning("number " + std::to_string(i));
+    logWarning("number 3");
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(warningCount(), 5000);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1001);
+    EXPECT_THAT(text, HasSubstr("number 999\ndrc: warning: there are more warnings than these; they are not shown\n"));
+    forgetWarnings();
+    EXPECT_EQ(warningCount(), 0);
+}
+
+}  // namespace
+}  // namespace drc

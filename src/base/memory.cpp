@@ -1,0 +1,91 @@
+#include "base/memory.h"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <limits>
+#include <optional>
+
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+constexpr uint64_t kUnlimited = std::numeric_limits<uint64_t>::max();
+// Asking the system takes some 50 us; a thousand claims of that size are no danger either.
+constexpr double kSmallClaim = 1 << 20;
+// Kept for what nobody asks for: the picture's encoding, Embree's and the libraries' own.
+constexpr double kShare = 0.9;
+
+std::atomic<uint64_t> claimed{0};
+
+// The first number of a file; none if there is no such file or it begins with a word ("max").
+std::optional<uint64_t> numberIn(const std::string& path) {
+    std::ifstream in(path);
+    uint64_t value = 0;
+    return in >> value ? std::optional(value) : std::nullopt;
+}
+
+// Of a line "name:   value kB".
+std::optional<uint64_t> kilobytesOf(const std::string& path, const std::string& name) {
+    std::ifstream in(path);
+    std::string word;
+    uint64_t value = 0;
+    while (in >> word) {
+        if (word == name && in >> value) return value << 10;
+        in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    }
+    return std::nullopt;
+}
+
+uint64_t leftOf(std::optional<uint64_t> limit, std::optional<uint64_t> used) {
+    if (!limit || !used) return kUnlimited;
+    return *limit > *used ? *limit - *used : 0;
+}
+
+// Of the process's own group; containers see theirs as the root. Version 2 and, after it, version 1.
+uint64_t leftInControlGroup() {
+    std::string line, own;
+    std::ifstream groups("/proc/self/cgroup");
+    while (std::getline(groups, line))
+        if (line.starts_with("0::")) own = line.substr(3);
+    uint64_t left = kUnlimited;
+    for (const std::string& path : {own, std::string()}) {
+        const std::string folder = "/sys/fs/cgroup" + path;
+        left = std::min(left, leftOf(numberIn(folder + "/memory.max"), numberIn(folder + "/memory.current")));
+    }
+    const std::string old = "/sys/fs/cgroup/memory/memory.";
+    return std::min(left, leftOf(numberIn(old + "limit_in_bytes"), numberIn(old + "usage_in_bytes")));
+}
+
+}  // namespace
+
+uint64_t availableMemory() {
+    uint64_t left = std::min(kilobytesOf("/proc/meminfo", "MemAvailable:").value_or(kUnlimited), leftInControlGroup());
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        left = std::min(left, leftOf(uint64_t(limit.rlim_cur), kilobytesOf("/proc/self/status", "VmSize:")));
+    return left;
+}
+
+MemoryClaim::MemoryClaim(double bytes, const std::string& what) {
+    if (!(bytes > kSmallClaim)) return;
+    const double left = kShare * double(availableMemory()) - double(claimed.load());
+    if (bytes > left)
+        throw Error(fmt::format("{} needs about {} of memory, and {} are available", what, sizeText(bytes),
+                                sizeText(std::max(0.0, left))));
+    bytes_ = uint64_t(bytes);
+    claimed += bytes_;
+}
+
+MemoryClaim::~MemoryClaim() { claimed -= bytes_; }
+
+std::string sizeText(double bytes) {
+    constexpr double kGiB = 1 << 30, kMiB = 1 << 20;
+    return bytes >= kGiB ? fmt::format("{:.1f} GiB", bytes / kGiB) : fmt::format("{:.0f} MiB", bytes / kMiB);
+}
+
+}  // namespace drc
