@@ -19,7 +19,9 @@ void expectSame(const Estimate& a, const Estimate& b, const std::string& what, b
     const test::ZResult z = test::zTest(a, b);
     EXPECT_GT(z.tests, 100) << what << ": nothing was compared";
     EXPECT_LT(z.worst, z.bound) << what;
-    if (!correlated) EXPECT_LT(z.meanDifference, 4) << what << ": the pictures' means differ";
+    if (!correlated) {
+        EXPECT_LT(z.meanDifference, 4) << what << ": the pictures' means differ";
+    }
     EXPECT_LT(z.meanSquare, correlated ? 2.5 : 1.5) << what;
 }
 
