@@ -15,6 +15,11 @@ constexpr float kSmallestAlbedo = 0.02f;
 // over the variance is one), and does not become a blotch.
 constexpr float kCaution = 2.5f;
 
+// Sum of the weights of a pixel's neighbours on its surface, of which its own is 0.14: with less than the first it
+// stands alone, as where it shows an edge, a mixture of two surfaces, and the few paths of its own are no statistics;
+// those that miss a bright spot agree with each other. With more than the second there are enough.
+constexpr float kAlone = 0.15f, kAmongEnough = 0.4f;
+
 struct Feature {
     Vec3 p, n;
     Rgb albedo;
@@ -193,8 +198,9 @@ void IndirectCorrection::apply(Image& indirect) const {
     filter.forEachPixel([&](int x, int y, size_t i) {
         if (!filter.covers(i)) return;
         Rgb value = indirect.rgb(x, y);
-        const Rgb& albedo = filter.feature(i).albedo;
-        for (int c = 0; c < 3; ++c) value[c] = std::max(0.f, value[c] + correction[i][c] * albedo[c]);
+        const float near = filter.forEachNear(x, y, 1, [](size_t, float) {});
+        const Rgb scale = filter.feature(i).albedo * std::clamp((near - kAlone) / (kAmongEnough - kAlone), 0.f, 1.f);
+        for (int c = 0; c < 3; ++c) value[c] = std::max(0.f, value[c] + correction[i][c] * scale[c]);
         indirect.setRgb(x, y, value);
     });
 }

@@ -71,6 +71,26 @@ TEST(Correction, OneBrightPathMakesNoBlotch) {
     EXPECT_LT(relativeError(image), 0.03);
 }
 
+// Nothing is near this pixel, and of its light only one path in many is bright: those that are not prove nothing.
+TEST(Correction, APixelAloneKeepsWhatItHas) {
+    IndirectCorrection correction = traced(0);
+    for (int i = 0; i < 64; ++i)
+        for (int y = kRegion.y0; y < kRegion.y1; ++y)
+            for (int x = kRegion.x0; x < kRegion.x1; ++x) {
+                const bool alone = x == 35 && y == 40;
+                IndirectAlong s;
+                s.albedo = Scene::albedo(x, y);
+                s.wide = s.albedo * Scene::light(x) * (alone ? 0.1f + 0.01f * float(i % 7) : 1.f);
+                s.normal = Vec3(0, 0, 1);
+                s.position = Vec3(float(x), float(y), alone ? 100.f : 0.f);
+                s.pixelSize = 1;
+                correction.add(x, y, i % IndirectCorrection::kGroups, s, 1);
+            }
+    Image image = layer(1);
+    correction.apply(image);
+    EXPECT_LT(relativeError(image), 1e-4);
+}
+
 TEST(Correction, TooFewSamplesChangeNothing) {
     Image image = layer(0.7f);
     traced(3).apply(image);
