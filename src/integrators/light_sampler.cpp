@@ -71,9 +71,7 @@ LightSampler::Choice LightSampler::sample(const Vec3& p, float u) const {
         float before = 0;
         for (size_t b = 0; b < bounds_.size(); ++b) {
             const EightSums sums(probabilities + b * EightSums::kCount, before);
-            size_t i = b * EightSums::kCount + size_t(sums.find(u));
-            // Sums of different order differ by rounding: the place after the last light may seem to hold u.
-            while (i > 0 && i < (b + 1) * EightSums::kCount && !(probabilities[i] > 0)) --i;
+            const size_t i = b * EightSums::kCount + size_t(sums.find(u));
             if (i < (b + 1) * EightSums::kCount) return {lights_[i], probabilities[i]};
             before = sums.total();
         }

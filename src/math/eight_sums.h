@@ -13,6 +13,7 @@ class EightSums {
     // weights: not negative. offset: the sum of what comes before them.
     explicit EightSums(const float* weights, float offset = 0) {
         __m256 s = _mm256_loadu_ps(weights);
+        weighty_ = maskOf(_mm256_cmp_ps(s, _mm256_setzero_ps(), _CMP_GT_OQ));
         s = _mm256_add_ps(s, shiftedUp<4>(s));
         s = _mm256_add_ps(s, shiftedUp<8>(s));
         // So far the sums of four and four: the first four's last belongs to all of the others.
@@ -24,22 +25,26 @@ class EightSums {
     // Of the offset and the first i weights, i in [0, 8].
     float before(int i) const { return sums_[i]; }
     float total() const { return sums_[kCount]; }
-    // The weight whose part of the sum holds target; 8: target is beyond all of them.
-    int find(float target) const { return countUpTo<_CMP_LE_OQ>(target); }
-    // The last weight that makes a difference to the sum.
-    int last() const { return countUpTo<_CMP_LT_OQ>(total()); }
+    // The weight whose part of the sum holds target; 8: target is beyond all of them. Never one of zero: the sums are
+    // added in different orders, and by rounding one of them may grow where nothing was added.
+    int find(float target) const {
+        const __m256 below = _mm256_cmp_ps(_mm256_loadu_ps(sums_ + 1), _mm256_set1_ps(target), _CMP_LE_OQ);
+        const int count = std::popcount(maskOf(below));
+        if (count == kCount) return kCount;
+        const unsigned upTo = weighty_ & ((2u << count) - 1);
+        return upTo != 0 ? int(std::bit_width(upTo)) - 1 : std::countr_zero(weighty_ | 1u << kCount);
+    }
+    // The last that is not zero; -1: all are.
+    int last() const { return int(std::bit_width(weighty_)) - 1; }
 
   private:
     template <int kBytes>
     static __m256 shiftedUp(__m256 s) {
         return _mm256_castsi256_ps(_mm256_slli_si256(_mm256_castps_si256(s), kBytes));
     }
-    template <int kComparison>
-    int countUpTo(float x) const {
-        const __m256 below = _mm256_cmp_ps(_mm256_loadu_ps(sums_ + 1), _mm256_set1_ps(x), kComparison);
-        return std::popcount(unsigned(_mm256_movemask_ps(below)));
-    }
+    static unsigned maskOf(__m256 comparison) { return unsigned(_mm256_movemask_ps(comparison)); }
 
+    unsigned weighty_;  // bit i: weight i is not zero
     float sums_[kCount + 1];
 };
 

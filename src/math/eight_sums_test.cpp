@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "math/rng.h"
+#include "math/vec.h"
+
 namespace drc {
 namespace {
 
@@ -34,6 +41,31 @@ TEST(EightSums, FirstWeightsMayBeZero) {
     const EightSums sums(weights);
     EXPECT_EQ(sums.find(0), 2);
     EXPECT_EQ(sums.last(), 2);
+}
+
+// (a + b) + c and a + (b + c) are not the same, and sums behind the last weight must not make it look as if there were
+// another.
+TEST(EightSums, RoundingNeverFindsAWeightOfZero) {
+    Pcg32 rng(5);
+    int unequal = 0;
+    for (int run = 0; run < 10000; ++run) {
+        float weights[EightSums::kCount] = {};
+        const unsigned present = 1 + rng.nextUint(255);
+        for (int i = 0; i < EightSums::kCount; ++i)
+            if (present >> i & 1) weights[i] = rng.nextFloat() + 1e-6f;
+        const EightSums sums(weights);
+        for (int i = 0; i <= EightSums::kCount; ++i) {
+            if (i > 0 && weights[i - 1] == 0 && sums.before(i) != sums.before(i - 1)) ++unequal;
+            for (const float step : {-kInfinity, 0.f, kInfinity}) {
+                const float target = step == 0 ? sums.before(i) : std::nextafter(sums.before(i), step);
+                const int found = sums.find(std::max(0.f, target));
+                ASSERT_LE(found, EightSums::kCount);
+                ASSERT_TRUE(found == EightSums::kCount || weights[found] > 0) << "run " << run << ", target " << target;
+            }
+        }
+        ASSERT_EQ(sums.last(), int(std::bit_width(present)) - 1);
+    }
+    EXPECT_GT(unequal, 100) << "rounding was not put to the test";
 }
 
 TEST(EightSums, GoOnFromAnOffset) {

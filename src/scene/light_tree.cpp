@@ -155,10 +155,7 @@ LightTree::Choice LightTree::sample(const Vec3& p, float u) const {
         if (!(sums.total() > 0)) return {};
         const float target = choice.uRemapped * sums.total();
         int branch = sums.find(target);
-        // By rounding: beyond all, or in a branch without weight, whose sums are added in another order.
-        if (branch == EightSums::kCount) branch = sums.last();
-        while (branch > 0 && !(weights[branch] > 0)) --branch;
-        if (!(weights[branch] > 0)) return {};
+        if (branch == EightSums::kCount) branch = sums.last();  // by rounding
         choice.probability *= weights[branch] / sums.total();
         choice.uRemapped = std::clamp((target - sums.before(branch)) / weights[branch], 0.f, kOneMinusEpsilon);
         node = nodes_[size_t(node)].child[branch];
