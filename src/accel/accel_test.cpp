@@ -43,17 +43,6 @@ std::vector<ShapePtr> oneOfEach() {
             bentCurves(CurveType::Ribbon)};
 }
 
-// Rays from all around towards somewhere in the unit cube.
-template <typename F>
-void forManyRays(int count, const F& f) {
-    Pcg32 rng(6);
-    for (int i = 0; i < count; ++i) {
-        const Vec3 o = sampleUniformSphere(rng.nextVec2()) * 4.f;
-        const Vec2 a = rng.nextVec2(), b = rng.nextVec2();
-        f(rayFrom(o, normalize(Vec3(2 * a.x - 1, 2 * a.y - 1, 2 * b.x - 1) - o)));
-    }
-}
-
 Primitive primitiveOf(const ShapePtr& shape) {
     Primitive p;
     p.shape = shape;

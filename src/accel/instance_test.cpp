@@ -7,21 +7,11 @@
 
 #include "accel/accel.h"
 #include "base/log.h"
-#include "math/rng.h"
-#include "math/warp.h"
 #include "pbrt/scene_file.h"
+#include "scene/ray_testing.h"
 
 namespace drc {
 namespace {
-
-Ray rayFrom(const Vec3& o, const Vec3& d, float time = 0) {
-    Ray r;
-    r.o = o;
-    r.d = d;
-    r.time = time;
-    r.coneSpread = 0.01f;
-    return r;
-}
 
 // A scene and what finds the hits in it.
 struct Traced {
@@ -95,17 +85,6 @@ const std::vector<Placement>& placements() {
         {"stretched", "Rotate 70 0 1 1 Scale 0.6 1.4 1 Rotate 30 1 0 0\n", false, true},
         {"mirrored and stretched", "Scale 0.6 -1.4 1 Rotate 30 1 0 0\n", true, true}};
     return all;
-}
-
-// Rays from all around towards somewhere in the middle.
-template <typename F>
-void forManyRays(int count, const F& f) {
-    Pcg32 rng(6);
-    for (int i = 0; i < count; ++i) {
-        const Vec3 o = sampleUniformSphere(rng.nextVec2()) * 6.f;
-        const Vec2 a = rng.nextVec2(), b = rng.nextVec2();
-        f(rayFrom(o, normalize(Vec3(2 * a.x - 1, 2 * a.y - 1, 2 * b.x - 1) - o), b.y));
-    }
 }
 
 float relative(const Vec3& a, const Vec3& b) { return length(a - b) / std::max(1e-6f, length(a) + length(b)); }

@@ -19,7 +19,7 @@ class TextureFactoryTest : public testing::Test {
   protected:
     template <typename Make>
     auto request(const std::string& params, const Transform& ctm, const Make& make) {
-        TokenStream tokens(Source::fromText(params, "t.pbrt", "."));
+        TokenStream tokens(Source::fromText(params, "t.pbrt", directory_));
         const ParamSet set = parseParams(tokens, "texture 't'", tokens.peek().pos, files_);
         const TextureParams textureParams(set, textures_);
         const auto texture = make(TextureRequest{textureParams, ctm, files_, images_});
@@ -41,7 +41,8 @@ class TextureFactoryTest : public testing::Test {
     }
 
     NamedTextures textures_;
-    FileSearch files_{"."};
+    std::string directory_ = ".";  // of the file that the parameters stand in
+    FileSearch files_{directory_};
     TextureFiles images_;
 };
 
@@ -130,7 +131,8 @@ TEST_F(TextureFactoryTest, ImageMaps) {
     image.setRgb(1, 0, Rgb(0.8f));
     folder.write("a.png", encodePng(image));
     writeExr(folder.path() + "/a.exr", image);
-    files_ = FileSearch(folder.path());
+    directory_ = folder.path();
+    files_ = FileSearch(directory_);
     const auto valueAt = [&](float u, const std::string& params, const std::string& name = "a.png") {
         const std::string all = "\"string filename\" \"" + name + "\" " + params;
         const float value = color("imagemap", all)->eval(at(Vec2(u, 0.5f))).y;

@@ -76,6 +76,18 @@ class QuadricSpace {
     bool flip_;
 };
 
+// Where a ray meets a quadric at t0 and t1: the nearer hit in (tMin, tMax) that hitAt(t) finds on the part that there
+// is of it.
+template <typename HitAt>
+auto nearerHit(double t0, double t1, double tMin, double tMax, const HitAt& hitAt) -> decltype(hitAt(t0)) {
+    if (t0 > t1) std::swap(t0, t1);
+    for (const double t : {t0, t1}) {
+        if (!(t > tMin && t < tMax)) continue;
+        if (auto hit = hitAt(t)) return hit;
+    }
+    return {};
+}
+
 // A density per unit area at `to`, where the unit normal is ng, as one per solid angle at `from` (PBR 3e,
 // section 5.5.3). Zero edge-on, for nothing can come from there.
 inline float toSolidAngle(float pdf, const Vec3& from, const Vec3& to, const Vec3& ng) {

@@ -4,6 +4,7 @@
 
 #include "math/rng.h"
 #include "math/warp.h"
+#include "scene/ray_testing.h"
 #include "scene/shape.h"
 
 namespace drc {
@@ -28,13 +29,6 @@ class RunningMean {
 // Equal within four standard errors; slack absorbs the rounding of estimates without variance.
 inline void expectSame(const RunningMean& a, const RunningMean& b, double slack, const char* what) {
     EXPECT_NEAR(a.mean(), b.mean(), 4 * std::sqrt(a.variance() + b.variance()) + slack) << what;
-}
-
-inline Ray rayFrom(const Vec3& o, const Vec3& d) {
-    Ray r;
-    r.o = o;
-    r.d = d;
-    return r;
 }
 
 // sampleFrom(p) against uniform directions: the solid angle and first moments of what p sees of the shape. Also that

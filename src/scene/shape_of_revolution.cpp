@@ -129,13 +129,8 @@ class ShapeOfRevolution final : public Shape {
         if (!(discriminant >= 0)) return {};
         // Without a quadratic term one of the two is infinite, and the other right.
         const double q = -(a1 + std::copysign(std::sqrt(discriminant), a1));
-        double t0 = start + q / a2, t1 = start + a0 / q;
-        if (t0 > t1) std::swap(t0, t1);
-        for (const double t : {t0, t1}) {
-            if (!(t > tMin && t < ray.tMax)) continue;
-            if (auto hit = hitAt(origin + d * t, t)) return hit;
-        }
-        return {};
+        return nearerHit(start + q / a2, start + a0 / q, tMin, ray.tMax,
+                         [&](double t) { return hitAt(origin + d * t, t); });
     }
 
     float area() const override { return float(area_); }

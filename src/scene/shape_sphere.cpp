@@ -46,13 +46,8 @@ class Sphere final : public Shape {
         const double discriminant = a * (radius_ * radius_ - (o - d * (b / a)).length2());
         if (!(discriminant >= 0)) return {};
         const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-        double t0 = q / a, t1 = q != 0 ? c / q : t0;
-        if (t0 > t1) std::swap(t0, t1);
-        for (const double t : {t0, t1}) {
-            if (!(t > tMin && t < ray.tMax)) continue;
-            if (auto hit = hitAt(o + d * t, t)) return hit;
-        }
-        return {};
+        const double t0 = q / a, t1 = q != 0 ? c / q : t0;
+        return nearerHit(t0, t1, tMin, ray.tMax, [&](double t) { return hitAt(o + d * t, t); });
     }
 
     float area() const override { return float(area_); }
