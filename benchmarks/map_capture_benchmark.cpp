@@ -4,80 +4,25 @@
 //  - ray_limit: a path tracer whose shading is nearly free. At every surface it finds the normal and samples one
 //    direction by the cosine and one towards a light, with a cheap generator, and then traces the recorded rays.
 //  - bare: the rays and nothing else.
-//
-// DRC_BENCHMARK_SCENE: the pbrt file; by default the repository's quickstart scene.
 #include <benchmark/benchmark.h>
-#include <dlfcn.h>
-#include <embree3/rtcore.h>
-#include <fmt/core.h>
 
-#include <cstdlib>
-#include <ctime>
 #include <numeric>
 #include <vector>
 
 #include "accel/accel.h"
-#include "base/error.h"
 #include "cache/map_capture.h"
 #include "integrators/light_sampler.h"
 #include "integrators/path_tracer.h"
 #include "math/rng.h"
 #include "math/warp.h"
-#include "pbrt/scene_file.h"
+#include "ray_recorder.h"
+#include "scene_benchmark.h"
 
-namespace {
-
-struct RecordedRay {
-    float o[3], d[3];
-    float tMax;
-    bool shadow;
-};
-
-using Intersect1 = void (*)(RTCScene, RTCIntersectContext*, RTCRayHit*);
-using Occluded1 = void (*)(RTCScene, RTCIntersectContext*, RTCRay*);
-std::vector<RecordedRay>* recording = nullptr;
-RTCScene recordedScene = nullptr;
-
-// Embree's own functions, behind those that this program puts in front of them.
-template <typename F>
-F embreeFunction(const char* name) {
-    const auto f = reinterpret_cast<F>(dlsym(RTLD_NEXT, name));
-    if (f == nullptr) std::abort();
-    return f;
-}
-const Intersect1 embreeIntersect1 = embreeFunction<Intersect1>("rtcIntersect1");
-const Occluded1 embreeOccluded1 = embreeFunction<Occluded1>("rtcOccluded1");
-
-void record(RTCScene scene, const RTCRay& r, bool shadow) {
-    recordedScene = scene;
-    recording->push_back({{r.org_x, r.org_y, r.org_z}, {r.dir_x, r.dir_y, r.dir_z}, r.tfar, shadow});
-}
-
-}  // namespace
-
-// The renderer's calls of Embree come here first: the program's own definitions precede those of shared libraries.
-// What that costs, an indirect call a ray, is counted against the capture.
-extern "C" void rtcIntersect1(RTCScene scene, RTCIntersectContext* context, RTCRayHit* rayhit) {
-    if (recording) record(scene, rayhit->ray, false);
-    embreeIntersect1(scene, context, rayhit);
-}
-extern "C" void rtcOccluded1(RTCScene scene, RTCIntersectContext* context, RTCRay* ray) {
-    if (recording) record(scene, *ray, true);
-    embreeOccluded1(scene, context, ray);
-}
-
-namespace drc {
+namespace drc::benchmarks {
 namespace {
 
 constexpr int kMaps = 64;
 constexpr uint64_t kSeed = 1;
-
-// CPU time of this thread: what others do on the machine is not counted but for its effect on the caches.
-double threadSeconds() {
-    timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 struct Site {
     Vec3 p, ng;
@@ -125,29 +70,6 @@ float shadeFreely(const RTCRayHit& q, Pcg32& rng) {
     return dot(next, n) + std::max(0.f, dot(light, n));
 }
 
-// Returns a number that depends on every ray, so that none is optimised away.
-float replay(const std::vector<RecordedRay>& rays, bool shade) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    Pcg32 rng(1);
-    float sum = 0;
-    for (const RecordedRay& r : rays) {
-        RTCRayHit q;
-        q.ray = {r.o[0], r.o[1], r.o[2], 0, r.d[0], r.d[1], r.d[2], 0, r.tMax, ~0u, 0, 0};
-        if (r.shadow) {
-            embreeOccluded1(recordedScene, &context, &q.ray);
-            sum += q.ray.tfar < 0;
-        } else {
-            q.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            q.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-            embreeIntersect1(recordedScene, &context, &q);
-            const bool met = q.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-            sum += met && shade ? shadeFreely(q, rng) : float(met);
-        }
-    }
-    return sum;
-}
-
 // What one of the contestants needed for all maps.
 struct Times {
     explicit Times(size_t maps) : best(maps, 1e30) {}
@@ -173,13 +95,14 @@ void captureAndReplay(benchmark::State& state, const Scene& scene) {
     CapturedMap map;
     double segments = 0, shadows = 0;
     for (Site& site : sites) {
-        recording = &site.rays;
+        recordRays(&site.rays);
         capture(tracer, site, map);
-        recording = nullptr;
+        recordRays(nullptr);
         for (const RecordedRay& r : site.rays) ++(r.shadow ? shadows : segments);
     }
 
     const size_t n = sites.size();
+    Pcg32 rng(1);
     Times captures(n), limit(n), bare(n);
     for (auto _ : state) {
         const double before = captures.total + limit.total + bare.total;
@@ -190,9 +113,10 @@ void captureAndReplay(benchmark::State& state, const Scene& scene) {
             capture(tracer, sites[i], map);
             benchmark::DoNotOptimize(map.radiance.data());
             const double t1 = threadSeconds();
-            benchmark::DoNotOptimize(replay(sites[second].rays, true));
+            benchmark::DoNotOptimize(
+                replay(sites[second].rays, [&](const RTCRayHit& q) { return shadeFreely(q, rng); }));
             const double t2 = threadSeconds();
-            benchmark::DoNotOptimize(replay(sites[third].rays, false));
+            benchmark::DoNotOptimize(replay(sites[third].rays, [](const RTCRayHit&) { return 1.f; }));
             const double t3 = threadSeconds();
             captures.add(i, t1 - t0);
             limit.add(second, t2 - t1);
@@ -214,29 +138,9 @@ void captureAndReplay(benchmark::State& state, const Scene& scene) {
     c["best_share_of_bare"] = bare.fastest() / captures.fastest();
 }
 
-std::string scenePath() {
-    if (const char* path = std::getenv("DRC_BENCHMARK_SCENE")) return path;
-    const std::string here = __FILE__;
-    return here.substr(0, here.rfind("benchmarks/")) + "scenes/quickstart/scene.pbrt";
-}
-
 }  // namespace
-}  // namespace drc
+}  // namespace drc::benchmarks
 
 int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    try {
-        const auto scene = drc::pbrt::loadPbrtFile(drc::scenePath());
-        benchmark::AddCustomContext("scene", drc::scenePath());
-        benchmark::RegisterBenchmark("mapCapture",
-                                     [&](benchmark::State& state) { drc::captureAndReplay(state, *scene); })
-            ->Unit(benchmark::kMillisecond)
-            ->UseManualTime();
-        benchmark::RunSpecifiedBenchmarks();
-    } catch (const drc::Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return 1;
-    }
-    benchmark::Shutdown();
+    return drc::benchmarks::runOnScene(argc, argv, "mapCapture", drc::benchmarks::captureAndReplay);
 }

@@ -1,5 +1,7 @@
 #include "integrators/environment_guide.h"
 
+#include <immintrin.h>
+
 #include <bit>
 
 #include "base/parallel.h"
@@ -40,12 +42,25 @@ int massOf(const std::array<uint16_t, N>& cumulative, int i) {
     return (i + 1 < int(N) ? cumulative[size_t(i) + 1] : kOne) - cumulative[size_t(i)];
 }
 
+// How many of the numbers are at most x, in [0, 2^16): all are compared side by side, without a branch on any.
+int countUpTo(const std::array<uint16_t, 8>& numbers, int x) {
+    const __m128i n = _mm_loadu_si128(reinterpret_cast<const __m128i*>(numbers.data()));
+    const __m128i most = _mm_set1_epi16(int16_t(x));
+    const __m128i upTo = _mm_cmpeq_epi16(_mm_min_epu16(n, most), n);
+    return std::popcount(unsigned(_mm_movemask_epi8(upTo))) / 2;
+}
+int countUpTo(const std::array<uint16_t, 16>& numbers, int x) {
+    const __m256i n = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers.data()));
+    const __m256i most = _mm256_set1_epi16(int16_t(x));
+    const __m256i upTo = _mm256_cmpeq_epi16(_mm256_min_epu16(n, most), n);
+    return std::popcount(unsigned(_mm256_movemask_epi8(upTo))) / 2;
+}
+
+// u in [0, 1). The first of the cumulative numbers is zero.
 template <size_t N>
 Cell choose(const std::array<uint16_t, N>& cumulative, float u) {
     const float x = u * float(kOne);
-    int i = 0;
-    for (int step = int(N) / 2; step > 0; step /= 2)
-        if (float(cumulative[size_t(i + step)]) <= x) i += step;
+    const int i = countUpTo(cumulative, int(x)) - 1;
     const int mass = massOf(cumulative, i);
     return {i, std::min((x - float(cumulative[size_t(i)])) / float(mass), kOneMinusEpsilon), mass};
 }
@@ -54,7 +69,6 @@ Cell choose(const std::array<uint16_t, N>& cumulative, float u) {
 
 EnvironmentGuide::EnvironmentGuide(const Light& light, float size)
     : light_(light), perSize_(1 / std::max(size, 1e-20f)), tables_(kGroups) {
-    static_assert(std::has_single_bit(unsigned(kRows)) && std::has_single_bit(unsigned(kColumns)));
     Table uniform;
     std::array<double, kRows> rows;
     std::array<double, kColumns> columns;
@@ -91,6 +105,7 @@ EnvironmentGuide::Guided EnvironmentGuide::sample(int group, const Vec2& u) cons
     g.u = Vec2((float(column.index) + column.local) / kColumns, (float(row.index) + row.local) / kRows);
     g.density = float(row.mass) * float(column.mass) * (kBlocks * 0x1p-32f);
     g.slot = group * kBlocks + row.index * kColumns + column.index;
+    __builtin_prefetch(&counts_[size_t(g.slot)], 1);  // for learn(), which comes after a ray
     return g;
 }
 

@@ -172,8 +172,8 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
 
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
-        const BsdfView view(bsdf, hit.wo);
         path.group = groupOf(hit, bsdf);
+        const BsdfView view(bsdf, hit.wo);
         const VertexNumbers u(sampler);
         LightProposal light;
         if (bsdf.hasNonSpecular()) light = proposeLight(hit, view, path.group, u);
@@ -238,8 +238,8 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* al
         }
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.hasNonSpecular()) {
-            const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);
             const int group = groupOf(hit, bsdf);
+            const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);
             const VertexNumbers u(sampler);
             sum += throughput * arriving(hit, proposeLight(hit, view, group, u));
             sum += bsdfSample(hit, view, group, throughput, u, sampler, along);

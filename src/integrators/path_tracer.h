@@ -115,7 +115,10 @@ class PathTracer {
     };
     // The guide's group for a point on a surface.
     int groupOf(const SurfaceInteraction& at, const Bsdf& bsdf) const {
-        return guide_ ? guide_->group(at.p, faceForward(bsdf.frame().n, at.wo)) : kNoGroup;
+        if (guide_ == nullptr) return kNoGroup;
+        const int group = guide_->group(at.p, faceForward(bsdf.frame().n, at.wo));
+        guide_->prefetch(group);
+        return group;
     }
     // start: what the ray meets first, if that is known.
     Rgb trace(const Ray& ray, Sampler& sampler, Emission emission, FirstHit* first,

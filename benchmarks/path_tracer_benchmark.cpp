@@ -1,0 +1,56 @@
+// How near the path tracer comes to the speed of its rays, on one thread: sweeps over the film, one path a pixel, take
+// turns with replays of the rays of such a sweep through bare Embree, so that whatever else the machine does slows both
+// alike. The film has the scene's own shape at a size that keeps a sweep short.
+#include "base/parallel.h"
+#include "ray_recorder.h"
+#include "render/renderer.h"
+#include "scene_benchmark.h"
+
+namespace drc::benchmarks {
+namespace {
+
+constexpr double kPixels = 64 * 1024;
+// The guide learns at first, and what a sweep costs changes.
+constexpr int kWarmUpSweeps = 4;
+
+void tracePaths(benchmark::State& state, const Scene& scene) {
+    setThreadCount(1);
+    RenderParams params;
+    params.integrator = Integrator::Path;
+    params.spp = 1 << 30;
+    Renderer renderer(scene, params, nullptr, nullptr);
+    for (int i = 0; i < kWarmUpSweeps; ++i) renderer.step();
+    std::vector<RecordedRay> rays;
+    recordRays(&rays);
+    renderer.step();
+    recordRays(nullptr);
+    double traced = 0, tracing = 0, replaying = 0, shadows = 0;
+    for (const RecordedRay& ray : rays) shadows += ray.shadow;
+    for (auto _ : state) {
+        const uint64_t before = raysTraced();
+        const double t0 = threadSeconds();
+        renderer.step();
+        const double t1 = threadSeconds();
+        benchmark::DoNotOptimize(replay(rays, [](const RTCRayHit&) { return 1.f; }));
+        const double t2 = threadSeconds();
+        traced += double(raysTraced() - before);
+        tracing += t1 - t0;
+        replaying += t2 - t1;
+        state.SetIterationTime(t2 - t0);
+    }
+    const double sweeps = double(state.iterations()), pixels = double(scene.settings.region().count());
+    auto& c = state.counters;
+    c["rays/path"] = double(rays.size()) / pixels;
+    c["shadow_share"] = shadows / double(rays.size());
+    c["paths/s"] = sweeps * pixels / tracing;
+    c["Mrays/s"] = 1e-6 * traced / tracing;
+    c["bare_Mrays/s"] = 1e-6 * double(rays.size()) * sweeps / replaying;
+    c["share_of_bare"] = (traced / tracing) / (double(rays.size()) * sweeps / replaying);
+}
+
+}  // namespace
+}  // namespace drc::benchmarks
+
+int main(int argc, char** argv) {
+    return drc::benchmarks::runOnScene(argc, argv, "pathTracer", drc::benchmarks::tracePaths, drc::benchmarks::kPixels);
+}
