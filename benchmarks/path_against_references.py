@@ -3,10 +3,13 @@
 
     benchmarks/path_against_references.py --spp 1024 --references DIR SCENE.pbrt ...
 
-Renders each scene with several seeds at the reference's size. If both renderers agree, the reference differs from one
-of ours by no more noise than ours differ from each other (times the ratio of their variances, if the reference has
-other spp; --reference-spp NAME=SPP says so). Fireflies make either figure uncertain: with more --seeds the table says
-how much, by the scatter among pictures and among disjoint pairs.
+Renders each scene with several seeds at the reference's size. If both renderers agree and are as noisy as each other,
+the reference differs from one of ours by no more than ours differ from each other, and the ratio of the two is one; if
+the reference's noise has another variance, it is the mean of one and of the ratio of the variances. (If the reference
+has other spp, --reference-spp NAME=SPP says so.) Noise differs from pixel to pixel, errors do not: in the means of 8x8
+pixels noise is 64 times less, and a difference of light that is spread over more than a few pixels stands out.
+Fireflies make all figures uncertain: with more --seeds the table says how much, by the scatter among pictures and among
+disjoint pairs.
 """
 import argparse
 import os
@@ -17,10 +20,10 @@ from common import compare, render, resolution, table
 
 def with_error(values):
     """The mean and, of more than one value, its standard error."""
-    mean = f"{statistics.mean(values):.5f}"
+    mean = f"{statistics.mean(values):.2e}"
     if len(values) < 2:
         return mean
-    return f"{mean} +- {statistics.stdev(values) / len(values) ** 0.5:.5f}"
+    return f"{mean} +- {statistics.stdev(values) / len(values) ** 0.5:.0e}"
 
 
 def main():
@@ -50,14 +53,17 @@ def main():
                        resolution(reference), "-o", picture[:-4] + ".png")
             pictures.append(picture)
         to_reference = [compare(reference, p, "--diff", p[:-4] + "-diff.png") for p in pictures]
-        own = [compare(b, a)["relmse"] for a, b in zip(pictures[::2], pictures[1::2])]
-        theirs = [m["relmse"] for m in to_reference]
+        between = [compare(b, a) for a, b in zip(pictures[::2], pictures[1::2])]
+        figures = []
+        for key in "relmse", "block_relmse":
+            theirs, own = [m[key] for m in to_reference], [m[key] for m in between]
+            figures += [with_error(theirs), with_error(own), f"{statistics.mean(theirs) / statistics.mean(own):.2f}"]
         means = [statistics.mean(m["mean_ratio"][c] for m in to_reference) for c in range(3)]
-        rows.append([name, spp, " ".join(f"{r:.4f}" for r in means), with_error(theirs), with_error(own),
-                     f"{statistics.mean(theirs) / statistics.mean(own):.2f}"])
+        rows.append([name, spp, " ".join(f"{r:.4f}" for r in means), *figures])
         print("  ".join(map(str, rows[-1])), flush=True)
     print()
-    print(table(["scene", "spp", "mean ratio RGB", "relMSE to reference", "relMSE between two of ours", "ratio"], rows))
+    heads = ["to reference", "between two of ours", "ratio"]
+    print(table(["scene", "spp", "mean ratio RGB", *("relMSE " + h for h in heads), *("of 8x8 " + h for h in heads)], rows))
 
 
 main()
