@@ -1,6 +1,7 @@
 #include "scene/curves.h"
 
 #include "math/frame.h"
+#include "scene/chi_square.h"
 #include "scene/shape_check.h"
 
 namespace drc {
@@ -149,6 +150,48 @@ TEST(Curves, PdfIsThatOfSampleFrom) {
         }
         EXPECT_GT(compared, 200);
         EXPECT_LT(different, compared / 40);  // where the curve or the ribbon is seen end-on
+    }
+}
+
+// Chi-square over bands of directions. What the density lets expect of a band is found by random directions in turn,
+// and their variance counts as well: the density of a thin curve has too many edges for a quadrature.
+TEST(Curves, DirectionsFollowTheDensity) {
+    constexpr int kBands = 16, kSamples = 6000, kDirections = 24000;
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon}) {
+        const auto curves = make(type, kBent, 0.08f, 0.16f);
+        const Vec3 p(0.3f, 0.5f, 3);
+        Pcg32 rng(10);
+        const Bounds box = curves->bounds();
+        const Frame frame = Frame::fromNormal(normalize(box.center() - p));
+        const float sine = box.radius() / length(box.center() - p), cosine = std::sqrt(1 - sine * sine);
+        const auto band = [&](const Vec3& w) {
+            return std::clamp(int((w.x / sine + 1) * 0.5f * kBands), 0, kBands - 1);
+        };
+        double observed[kBands] = {}, expected[kBands] = {}, squares[kBands] = {};
+        for (int i = 0; i < kSamples; ++i) {
+            const ShapeSample s = curves->sampleFrom(p, rng.nextVec2());
+            if (s.pdf > 0) ++observed[band(normalize(s.p - p))];
+        }
+        for (int i = 0; i < kDirections; ++i) {
+            const Vec2 u = rng.nextVec2();
+            const float z = lerp(u.x, cosine, 1), r = safeSqrt(1 - z * z);
+            const Vec3 d = frame.toWorld(Vec3(r * std::cos(2 * kPi * u.y), r * std::sin(2 * kPi * u.y), z));
+            const auto hit = curves->intersect(rayFrom(p, d), 0);
+            if (!hit) continue;
+            const double pdf = curves->pdfFrom(p, d, {p + d * hit->t, hit->ng, hit->uv, hit->part});
+            const double share = kSamples * pdf * 2 * kPi * (1 - cosine) / kDirections;
+            expected[band(d)] += share;
+            squares[band(d)] += share * share;
+        }
+        double chiSquare = 0;
+        int counted = 0;
+        for (int i = 0; i < kBands; ++i) {
+            if (expected[i] < 50) continue;
+            chiSquare += std::pow(observed[i] - expected[i], 2) / (expected[i] + squares[i]);
+            ++counted;
+        }
+        EXPECT_GT(counted, 8);
+        EXPECT_GT(test::chiSquareTail(chiSquare, counted), test::kChiSquareLevel) << chiSquare << " of " << counted;
     }
 }
 
