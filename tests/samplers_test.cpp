@@ -7,6 +7,7 @@
 #include "image/image_io.h"
 #include "pbrt/scene_file.h"
 #include "render/renderer.h"
+#include "scene/shape_check.h"
 #include "test_scenes.h"
 
 namespace drc {
@@ -47,22 +48,21 @@ std::string furnaceWith(const SamplerCase& c) {
     return c.v4 ? test::inWordsOfV4(text) : text;
 }
 
-struct Pixels {
-    explicit Pixels(const Image& image) {
-        const double n = kWidth * kHeight;
-        EXPECT_EQ(image.width(), kWidth);
-        EXPECT_EQ(image.height(), kHeight);
-        for (int i = 0; i < int(n); ++i) mean += double(image.rgb(i % kWidth, i / kWidth).y) / n;
-        for (int i = 0; i < int(n); ++i)
-            variance += std::pow(double(image.rgb(i % kWidth, i / kWidth).y) - mean, 2) / (n - 1);
-    }
-    // Pixels are independent of each other.
-    void expectUnbiased() const {
-        EXPECT_NEAR(mean, kRadiance, 4.5 * std::sqrt(variance / (kWidth * kHeight)));
-        EXPECT_GT(variance, 1e-5) << "an estimate has some";
-    }
-    double mean = 0, variance = 0;  // of a pixel
-};
+std::vector<double> greenOf(const Image& image) {
+    EXPECT_EQ(image.width(), kWidth);
+    EXPECT_EQ(image.height(), kHeight);
+    std::vector<double> values;
+    for (int i = 0; i < kWidth * kHeight; ++i) values.push_back(double(image.rgb(i % kWidth, i / kWidth).y));
+    return values;
+}
+
+// Pixels are independent of each other.
+void expectUnbiased(const std::vector<double>& pixels) {
+    RunningMean mean;
+    for (const double v : pixels) mean.add(v);
+    EXPECT_NEAR(mean.mean(), kRadiance, 4.5 * std::sqrt(mean.variance()));
+    EXPECT_GT(mean.variance(), 1e-7) << "an estimate has some";
+}
 
 class Samplers : public testing::TestWithParam<SamplerCase> {};
 INSTANTIATE_TEST_SUITE_P(Every, Samplers, testing::ValuesIn(kSamplers), [](const auto& i) { return i.param.name; });
@@ -70,22 +70,32 @@ INSTANTIATE_TEST_SUITE_P(Every, Samplers, testing::ValuesIn(kSamplers), [](const
 TEST_P(Samplers, TakeTheirSamplesAndAreUnbiased) {
     const auto scene = pbrt::loadPbrtString(furnaceWith(GetParam()));
     EXPECT_EQ(scene->settings.samplesPerPixel, GetParam().spp);
-    const auto rendered = [&](int spp, uint64_t seed) {
-        RenderParams params;
-        params.integrator = Integrator::Path;
-        params.spp = spp;
-        params.seed = seed;
-        params.path.maxDepth = scene->settings.maxDepth;
-        Renderer renderer(*scene, params, nullptr, nullptr);
-        while (renderer.step()) {
+    RenderParams params;
+    params.integrator = Integrator::Path;
+    params.spp = scene->settings.samplesPerPixel;
+    params.path.maxDepth = scene->settings.maxDepth;
+    Renderer renderer(*scene, params, nullptr, nullptr);
+    std::vector<double> sum(kWidth * kHeight);
+    std::vector<std::vector<double>> samples;
+    while (renderer.step()) {
+        // What each sample added to the picture.
+        const std::vector<double> picture = greenOf(renderer.image().beauty);
+        samples.emplace_back();
+        for (size_t i = 0; i < picture.size(); ++i) {
+            samples.back().push_back(picture[i] * double(samples.size()) - sum[i]);
+            sum[i] += samples.back()[i];
         }
-        return Pixels(renderer.image().beauty);
-    };
-    const Pixels all = rendered(scene->settings.samplesPerPixel, 1), one = rendered(1, 2);
-    all.expectUnbiased();
-    one.expectUnbiased();
-    // The noise is at most that of as many independent samples: none was left out or taken twice.
-    EXPECT_LT(all.variance * GetParam().spp, 1.4 * one.variance);
+        expectUnbiased(samples.back());
+    }
+    ASSERT_EQ(int(samples.size()), GetParam().spp);
+    expectUnbiased(greenOf(renderer.image().beauty));
+    // None is another once more.
+    for (size_t a = 0; a < samples.size(); ++a)
+        for (size_t b = 0; b < a; ++b) {
+            int same = 0;
+            for (size_t i = 0; i < sum.size(); ++i) same += std::abs(samples[a][i] - samples[b][i]) < 1e-4;
+            EXPECT_LT(same, kWidth * kHeight / 2) << a << " and " << b;
+        }
 }
 
 // The program as a user runs it takes the file's samples and depth where it is told to.
@@ -98,7 +108,7 @@ TEST(SamplersOfTheProgram, AreTheFiles) {
         ASSERT_EQ(std::system(command.c_str()), 0) << command;
         EXPECT_EQ(readExrMetadata(out).at("drc:spp"), std::to_string(c->spp));
         EXPECT_EQ(readExrMetadata(out).at("drc:integrator"), "path");
-        Pixels(readLinearRgb(out)).expectUnbiased();
+        expectUnbiased(greenOf(readLinearRgb(out)));
     }
 }
 

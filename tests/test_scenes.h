@@ -51,11 +51,10 @@ inline std::vector<std::pair<std::string, std::string>> materialsOfV4() {
         {"thin_dielectric", R"(Material "thindielectric" "float eta" 1.5)"},
         {"diffuse_transmission", R"(Material "diffusetransmission" "rgb reflectance" [0.3 0.2 0.4]
                                     "rgb transmittance" [0.4 0.5 0.3])"},
-        {"mix_of_v4", R"(MakeNamedMaterial "a" "string type" "coateddiffuse" "rgb reflectance" [0.6 0.5 0.4]
-                         "float roughness" 0.2
-                         MakeNamedMaterial "b" "string type" "diffusetransmission" "rgb reflectance" [0.1 0.2 0.3]
-                         "rgb transmittance" [0.5 0.4 0.4]
-                         Material "mix" "string materials" ["a" "b"] "float amount" 0.4)"},
+        {"mix_of_v4", R"(MakeNamedMaterial "a" "string type" "conductor" "rgb reflectance" [0.8 0.7 0.6]
+                         MakeNamedMaterial "b" "string type" "diffusetransmission" "rgb reflectance" [0.3 0.2 0.3]
+                         "rgb transmittance" [0.5 0.5 0.4]
+                         Material "mix" "string materials" ["a" "b"] "float amount" 0.6)"},
     };
 }
 
