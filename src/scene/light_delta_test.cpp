@@ -1,4 +1,6 @@
 // Every delta light against what PBR 3e, sections 12.3 and 12.4, says arrives from it, at random points.
+#include <functional>
+
 #include "math/rng.h"
 #include "scene/light_testing.h"
 
@@ -11,7 +13,7 @@ Transform placed() {
     return Transform::translate(kPlace) * Transform::rotate(50, Vec3(2, -1, 3)) * Transform::scale(1.5f, 1.5f, 1.5f);
 }
 
-// Texels that differ from each other, the same everywhere in a channel's last digit.
+// No two texels alike.
 LightImage picture() {
     LightImage image{5, 3, {}};
     for (int i = 0; i < 15; ++i) image.texels.push_back(Rgb(1 + 0.1f * float(i), 0.5f, 2 - 0.1f * float(i)));

@@ -2,6 +2,8 @@
 // (Curves have a test of their own: their density has too many edges for a quadrature.)
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "scene/chi_square.h"
 #include "scene/light.h"
 #include "scene/lobe_testing.h"
