@@ -7,7 +7,7 @@
 namespace drc {
 namespace {
 
-// Of a light that stands at kPlace, turned by kTurn and larger by a half.
+// Of a light that stands at kPlace, turned and larger by a half.
 const Vec3 kPlace(1, -2, 0.5f);
 Transform placed() {
     return Transform::translate(kPlace) * Transform::rotate(50, Vec3(2, -1, 3)) * Transform::scale(1.5f, 1.5f, 1.5f);
