@@ -87,13 +87,6 @@ std::vector<Pair> pairs() {
     };
 }
 
-// The types of numbers are spelt as each dialect does.
-std::string respelt(std::string text, const std::string& from, const std::string& to) {
-    for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-    return text;
-}
-
 std::string roomAround(const std::string& content, bool v4) {
     const std::string material = v4 ? "Material \"diffuse\" \"rgb reflectance\" " : "Material \"matte\" \"rgb Kd\" ";
     const std::string film =
@@ -105,7 +98,7 @@ std::string roomAround(const std::string& content, bool v4) {
         test::quad("-2 -2 0", "-2 -2 3", "2 -2 3", "2 -2 0") + material + "[0.7 0.2 0.1]\n" +
         test::quad("-2 -2 0", "-2 2 0", "-2 2 3", "-2 -2 3") + material + "[0.1 0.3 0.7]\n" +
         test::quad("2 -2 0", "2 -2 3", "2 2 3", "2 2 0") + content + (v4 ? "" : "WorldEnd\n");
-    return v4 ? respelt(text, "\"point P\"", "\"point3 P\"") : text;
+    return v4 ? test::respelt(text, "\"point P\"", "\"point3 P\"") : text;
 }
 
 class DialectPairs : public testing::TestWithParam<Pair> {};

@@ -10,24 +10,10 @@
 namespace drc {
 namespace {
 
+using test::constantEstimate;
 using test::Estimate;
+using test::expectSame;
 using test::Pipeline;
-
-// correlated: pixels share maps, so that few of the z values are independent. Their mean square scatters more, and what
-// they say of the mean over the picture is worth nothing.
-void expectSame(const Estimate& a, const Estimate& b, const std::string& what, bool correlated = false) {
-    const test::ZResult z = test::zTest(a, b);
-    EXPECT_GT(z.tests, 100) << what << ": nothing was compared";
-    EXPECT_LT(z.worst, z.bound) << what;
-    if (!correlated) {
-        EXPECT_LT(z.meanDifference, 4) << what << ": the pictures' means differ";
-    }
-    EXPECT_LT(z.meanSquare, correlated ? 2.5 : 1.5) << what;
-}
-
-Estimate constantEstimate(size_t size, double value) {
-    return {std::vector<double>(size, value), std::vector<double>(size, 0), std::vector<double>(size, 1)};
-}
 
 // Invariant 1. Radiance is 1 everywhere in a furnace, and no projection, interpolation, gather or enhancer may change
 // that.

@@ -7,6 +7,7 @@ namespace drc {
 namespace {
 
 using test::Estimate;
+using test::expectSame;
 using test::Pipeline;
 
 std::string film(int width, int height) {
@@ -31,14 +32,6 @@ std::string scene(bool cameraMoves) {
            "Scale 0.9 0.3 0.3 Shape \"sphere\"\nObjectEnd\n"
            "Translate 1 0 1 ActiveTransform EndTime Rotate 100 0 1 0 ActiveTransform All ObjectInstance \"egg\"\n"
            "WorldEnd\n";
-}
-
-void expectSame(const Estimate& a, const Estimate& b, const std::string& what) {
-    const test::ZResult z = test::zTest(a, b);
-    EXPECT_GT(z.tests, 100) << what;
-    EXPECT_LT(z.worst, z.bound) << what;
-    EXPECT_LT(z.meanDifference, 4) << what << ": the pictures' means differ";
-    EXPECT_LT(z.meanSquare, 1.5) << what;
 }
 
 class Motion : public testing::TestWithParam<bool> {};

@@ -36,6 +36,45 @@ inline std::vector<std::pair<std::string, std::string>> allMaterials() {
     };
 }
 
+// Those of pbrt-v4 that pbrt-v3 has no like of, by name: for rooms in the words of pbrt-v4.
+inline std::vector<std::pair<std::string, std::string>> materialsOfV4() {
+    return {
+        {"coated_diffuse", R"(Material "coateddiffuse" "rgb reflectance" [0.6 0.3 0.2] "float roughness" 0)"},
+        {"rough_coated_diffuse", R"(Material "coateddiffuse" "rgb reflectance" [0.6 0.3 0.2] "float roughness" 0.3
+                                    "float thickness" 0.1 "rgb albedo" [0.5 0.4 0.3])"},
+        {"conductor", R"(Material "conductor" "rgb reflectance" [0.8 0.6 0.3] "float uroughness" 0.4
+                         "float vroughness" 0.2)"},
+        {"coated_conductor", R"(Material "coatedconductor" "float interface.roughness" 0 "float conductor.roughness" 0.3
+                                "rgb reflectance" [0.7 0.6 0.5])"},
+        {"rough_coated_conductor", R"(Material "coatedconductor" "float interface.roughness" 0.3
+                                      "float conductor.roughness" 0.2 "rgb reflectance" [0.7 0.6 0.5])"},
+        {"thin_dielectric", R"(Material "thindielectric" "float eta" 1.5)"},
+        {"diffuse_transmission", R"(Material "diffusetransmission" "rgb reflectance" [0.3 0.2 0.4]
+                                    "rgb transmittance" [0.4 0.5 0.3])"},
+        {"mix_of_v4", R"(MakeNamedMaterial "a" "string type" "conductor" "rgb reflectance" [0.8 0.7 0.6]
+                         MakeNamedMaterial "b" "string type" "diffusetransmission" "rgb reflectance" [0.3 0.2 0.3]
+                         "rgb transmittance" [0.5 0.5 0.4]
+                         Material "mix" "string materials" ["a" "b"] "float amount" 0.6)"},
+    };
+}
+
+inline std::string respelt(std::string text, const std::string& from, const std::string& to) {
+    for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+    return text;
+}
+// A scene of this file, all of whose own words are pbrt-v3's, in those of pbrt-v4.
+inline std::string inWordsOfV4(std::string text) {
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"Film \"image\"", "Film \"rgb\""},
+             {"\"point P\"", "\"point3 P\""},
+             {"Material \"matte\" \"rgb Kd\"", "Material \"diffuse\" \"rgb reflectance\""},
+             {"Material \"mirror\" \"rgb Kr\"", "Material \"conductor\" \"rgb reflectance\""},
+             {"WorldEnd", ""}})
+        text = respelt(text, from, to);
+    return text;
+}
+
 inline std::string quad(const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
     return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [" + a + " " + b + " " + c + " " + d +
            "]\n";

@@ -1,8 +1,11 @@
 // Whether two pictures whose pixels are means of independent samples have the same expectation.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "base/parallel.h"
@@ -101,6 +104,22 @@ inline ZResult zTest(const Estimate& a, const Estimate& b) {
     for (int k = 0; k < 50; ++k) x = std::sqrt(-2 * std::log(p * x * std::sqrt(std::numbers::pi / 2)));
     r.bound = x;
     return r;
+}
+
+// correlated: pixels share maps, so that few of the z values are independent. Their mean square scatters more, and what
+// they say of the mean over the picture is worth nothing.
+inline void expectSame(const Estimate& a, const Estimate& b, const std::string& what, bool correlated = false) {
+    const ZResult z = zTest(a, b);
+    EXPECT_GT(z.tests, 100) << what << ": nothing was compared";
+    EXPECT_LT(z.worst, z.bound) << what;
+    if (!correlated) {
+        EXPECT_LT(z.meanDifference, 4) << what << ": the pictures' means differ";
+    }
+    EXPECT_LT(z.meanSquare, correlated ? 2.5 : 1.5) << what;
+}
+
+inline Estimate constantEstimate(size_t size, double value) {
+    return {std::vector<double>(size, value), std::vector<double>(size, 0), std::vector<double>(size, 1)};
 }
 
 }  // namespace drc::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/rng.h"
+#include "scene/lobe_testing.h"
 
 namespace drc {
 namespace {
@@ -70,6 +71,30 @@ TEST_F(Guide, SamplesHaveTheDensityThatItSays) {
     EXPECT_NEAR(sum / n, 1, 0.01);  // the unit square's area
     EXPECT_NEAR(mean.x / float(n), 0.5, 0.003);
     EXPECT_NEAR(mean.y / float(n), 0.5, 0.003);
+}
+
+// Of the sphere's directions, as multiple importance sampling asks for it: the sky's density times the guide's.
+TEST(GuidedDirections, FollowTheirDensity) {
+    EnvironmentMap map{24, 12, {}};
+    Pcg32 rng(3);
+    for (int i = 0; i < 24 * 12; ++i) map.texels.push_back(Rgb(0.2f + rng.nextFloat()));
+    const LightPtr sky = makeInfiniteLight(Transform::rotate(50, Vec3(1, 3, 2)), Rgb(1.f), map);
+    EnvironmentGuide guide(*sky, 1);
+    const int group = guide.group(Vec3(0.2f, 0.3f, 0.4f), Vec3(0, 0, 1));
+    for (int sweep = 0; sweep < 8; ++sweep) {
+        for (int i = 0; i < 4000; ++i) {
+            const int slot = guide.sample(group, rng.nextVec2()).slot;
+            guide.learn(slot, rng.nextFloat() < float(slot % kBlocks % 7) / 7);
+        }
+        guide.update();
+    }
+    const auto sample = [&](std::mt19937& random) -> std::optional<Vec3> {
+        return sky->sample(Vec3(0, 0, 0), guide.sample(group, test::uniform2(random)).u)->wi;
+    };
+    const auto pdf = [&](const Vec3& w) { return sky->pdfEscaped(w) * guide.density(group, sky->inverse(w)); };
+    const test::ChiSquare r = test::chiSquareTest(sample, pdf, 60000, 4, 4e-5);
+    EXPECT_GT(r.pValue, test::kChiSquareLevel) << "chi2 " << r.statistic << " dof " << r.degreesOfFreedom;
+    EXPECT_NEAR(r.pdfIntegral, 1, 2e-3);
 }
 
 TEST_F(Guide, LearnsWhereLightArrives) {

@@ -148,6 +148,8 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
     Rgb sum(0.f);
     Path path{firstRay, firstRay.o};
     bool counted = emission == Emission::Counted;
+    // What is left out is direct light: the vertex that the ray leaves was the path's first.
+    const int maxDepth = settings_.maxDepth - (counted ? 0 : 1);
     SurfaceInteraction hit;
     Accel::Found found;
     bool met = start == nullptr && accel_.find(path.ray, found);
@@ -172,7 +174,7 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
             continue;
         }
         counted = true;
-        if (path.depth >= settings_.maxDepth) break;
+        if (path.depth >= maxDepth) break;
 
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;

@@ -66,7 +66,8 @@ class PathTracer {
     Rgb radiance(const Ray& ray, Sampler& sampler) const;
 
     // The same without what is emitted by the first surface itself (or by the environment, if there is none): the R of
-    // the split. Emitters seen by way of a mirror or glass are kept.
+    // the split. Emitters seen by way of a mirror or glass are kept. The point that the ray leaves is a vertex of the
+    // path, and counts in its depth.
     Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const;
 
     // Emission seen through the specular chain, and one bounce of light at each non-specular hit along it: D.

@@ -83,4 +83,47 @@ inline void checkUnbiased(const Bsdf& bsdf, LobeFlags mask = LobeFlags::NonSpecu
     }
 }
 
+// Light goes both ways alike: what a camera path carries from wi to wo is what a light path carries from wo to wi.
+// Pairs on which the two normals disagree are left out, where shading normals are known to break this.
+inline void checkBsdfReciprocity(const Bsdf& bsdf) {
+    std::mt19937 rng(14);
+    int compared = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 wo = randomDirection(rng), wi = randomDirection(rng);
+        const auto side = [&](const Vec3& w) { return dot(w, bsdf.ng()) * dot(w, bsdf.frame().n); };
+        // Where rounding is most of a narrow lobe's tail, and near the critical angle, there is nothing to compare.
+        if (side(wo) < 1e-3f || side(wi) < 1e-3f) continue;
+        const Rgb f = bsdf.f(wo, wi, LobeFlags::All, TransportMode::Radiance);
+        expectClose(f, bsdf.f(wi, wo, LobeFlags::All, TransportMode::Importance), 2e-3f, "reciprocity", 1e-2f);
+        compared += !isBlack(f);
+    }
+    if (bsdf.hasNonSpecular()) {
+        EXPECT_GT(compared, 500);
+    }
+}
+
+// The same of specular lobes: the way back of a sample is one of the ways that samples from its end take, with as much
+// of the light. (Refraction narrows a beam by the relative index squared, which is in the delta of one way alone.)
+inline void checkSpecularReciprocity(const Bsdf& bsdf) {
+    constexpr LobeFlags kMask = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
+    constexpr int kChoices = 256;
+    const auto share = [&](const BsdfSample& s) { return s.f * absDot(s.wi, bsdf.frame().n); };
+    std::mt19937 rng(15);
+    for (const float c : {0.9f, 0.4f, -0.8f})
+        for (int i = 0; i < 20; ++i) {
+            const Vec3 wo = bsdf.frame().toWorld(direction(c));
+            const float uLobe = uniform(rng);
+            const auto s = bsdf.sample(wo, uLobe, Vec2(0.5f, 0.5f), kMask);
+            if (!s) continue;
+            float nearest = kInfinity;
+            for (int k = 0; k < kChoices; ++k) {
+                const auto back = bsdf.sample(s->wi, (float(k) + 0.5f) / kChoices, Vec2(0.5f, 0.5f), kMask,
+                                              TransportMode::Importance);
+                if (!back || length(back->wi - wo) > 1e-4f) continue;
+                nearest = std::min(nearest, length(share(*s) * sqr(s->eta) - share(*back)));
+            }
+            EXPECT_LT(nearest, 1e-3f) << c << ", weight " << share(*s);
+        }
+}
+
 }  // namespace drc::test

@@ -13,7 +13,7 @@ namespace drc::test {
 
 // Tests across the whole suite, rounded up: each is held to 1% divided by this (Bonferroni), so that a right program
 // fails one run of the suite in a hundred seeds, and seeds are fixed.
-inline constexpr double kChiSquareTests = 400;
+inline constexpr double kChiSquareTests = 500;
 inline constexpr double kChiSquareLevel = 0.01 / kChiSquareTests;
 
 struct ChiSquare {

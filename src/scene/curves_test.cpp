@@ -1,6 +1,7 @@
 #include "scene/curves.h"
 
 #include "math/frame.h"
+#include "scene/chi_square.h"
 #include "scene/shape_check.h"
 
 namespace drc {
@@ -149,6 +150,57 @@ TEST(Curves, PdfIsThatOfSampleFrom) {
         }
         EXPECT_GT(compared, 200);
         EXPECT_LT(different, compared / 40);  // where the curve or the ribbon is seen end-on
+    }
+}
+
+// Chi-square over bands of directions. What the density lets expect of a band is found by random directions in turn,
+// and their variance counts as well: the density of a thin curve has too many edges for a quadrature.
+TEST(Curves, DirectionsFollowTheDensity) {
+    constexpr int kBands = 16, kSamples = 12000, kDirections = 25000;
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon}) {
+        const auto curves = make(type, kBent, 0.1f, 0.25f);
+        const Vec3 p(0.3f, 0.5f, 3);
+        Pcg32 rng(10);
+        // Directions go through a window before the curve.
+        const Bounds box = curves->bounds();
+        const Vec2 low(box.min.x - p.x, box.min.y - p.y), high(box.max.x - p.x, box.max.y - p.y);
+        const float depth = p.z - box.max.z, reach = depth / (p.z - box.min.z);  // the near side's share of the far one
+        const auto edge = [&](float a) { return std::max(a, a * reach); };
+        const Vec2 from(-edge(-low.x), -edge(-low.y)), to(edge(high.x), edge(high.y));
+        const auto band = [&](const Vec3& w) {
+            return std::clamp(int((-w.x / w.z * depth - from.x) / (to.x - from.x) * kBands), 0, kBands - 1);
+        };
+        double observed[kBands] = {}, expected[kBands] = {}, squares[kBands] = {};
+        for (int i = 0; i < kSamples; ++i) {
+            const ShapeSample s = curves->sampleFrom(p, rng.nextVec2());
+            if (s.pdf > 0) ++observed[band(normalize(s.p - p))];
+        }
+        for (int i = 0; i < kDirections; ++i) {
+            const Vec2 u = rng.nextVec2();
+            const Vec3 at(lerp(u.x, from.x, to.x), lerp(u.y, from.y, to.y), -depth), d = normalize(at);
+            const auto hit = curves->intersect(rayFrom(p, d), 0);
+            if (!hit) continue;
+            const double solidAngle = (to.x - from.x) * (to.y - from.y) * std::abs(d.z) / lengthSquared(at);
+            const double pdf = curves->pdfFrom(p, d, {p + d * hit->t, hit->ng, hit->uv, hit->part});
+            const double share = kSamples * pdf * solidAngle / kDirections;
+            expected[band(d)] += share;
+            squares[band(d)] += share * share;
+        }
+        double chiSquare = 0, sum = 0, variance = 0;
+        int counted = 0;
+        for (int i = 0; i < kBands; ++i) {
+            sum += expected[i];
+            variance += squares[i];
+            if (expected[i] < 50) continue;
+            chiSquare += std::pow(observed[i] - expected[i], 2) / (expected[i] + squares[i]);
+            ++counted;
+        }
+        EXPECT_GT(counted, 8);
+        EXPECT_GT(test::chiSquareTail(chiSquare, counted), test::kChiSquareLevel) << chiSquare << " of " << counted;
+        // In all it is one; samples that fall off the very edges are few.
+        EXPECT_NEAR(sum / kSamples, 1, 4 * std::sqrt(variance) / kSamples + 5e-3);
+        // Where a ribbon is seen edge-on its density has a pole.
+        EXPECT_LT(std::sqrt(variance) / kSamples, type == CurveType::Ribbon ? 0.08 : 0.015);
     }
 }
 

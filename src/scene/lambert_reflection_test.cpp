@@ -13,6 +13,11 @@ TEST(LambertReflection, Sampling) { checkSampling(kLobe); }
 
 TEST(LambertReflection, AlbedoIsExact) { checkAlbedo(kLobe, 1e-4f); }
 
+TEST(LambertReflection, EnergyAndReciprocity) {
+    checkEnergy(LambertReflection(Rgb(1.f)), 1e-4f);
+    checkReciprocity(kLobe);
+}
+
 TEST(LambertReflection, Value) { EXPECT_NEAR(kLobe.f(direction(0.3f), direction(0.6f)).y, 0.5f * kInvPi, 1e-7f); }
 
 }  // namespace

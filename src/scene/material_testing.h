@@ -27,6 +27,8 @@ inline void checkMaterial(const MaterialPtr& material) {
     }
     if (bsdf.hasNonSpecular() && bsdf.hasSpecular()) checkBsdf(bsdf, LobeFlags::All, {0.6f});
     checkBsdfEnergy(bsdf);
+    checkBsdfReciprocity(bsdf);
+    checkSpecularReciprocity(bsdf);
     // A weight scales everything.
     const Vec3 wo = bsdf.frame().toWorld(direction(0.7f));
     expectClose(meanWeight(bsdfOf(material, Rgb(0.5f)), wo).value, meanWeight(bsdf, wo).value * 0.5f, 1e-4f, "weight");

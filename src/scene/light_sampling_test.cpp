@@ -1,0 +1,181 @@
+// Every light that is not a delta light: its samples follow the density that its pdf claims, direction by direction.
+// (Curves have a test of their own: their density has too many edges for a quadrature.)
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "scene/chi_square.h"
+#include "scene/light.h"
+#include "scene/lobe_testing.h"
+#include "scene/shape_cone.h"
+#include "scene/shape_cylinder.h"
+#include "scene/shape_disk.h"
+#include "scene/shape_hyperboloid.h"
+#include "scene/shape_paraboloid.h"
+#include "scene/shape_sphere.h"
+
+namespace drc {
+namespace {
+
+using namespace test;
+
+// Calls back for all points of an emitter that a ray meets, not only the nearest: a sample may be a hidden one.
+using Visit = std::function<void(const EmitterHit&)>;
+using Crossings = std::function<void(const Vec3& o, const Vec3& d, const Visit&)>;
+
+struct Lamp {
+    const char* name;
+    std::shared_ptr<const AreaLight> light;
+    Crossings crossings;
+    Vec3 from;  // the lit point
+};
+void PrintTo(const Lamp& lamp, std::ostream* out) { *out << lamp.name; }
+
+Lamp shapeLamp(const char* name, const ShapePtr& shape, const Vec3& from, bool twoSided = false) {
+    const auto crossings = [shape](const Vec3& o, const Vec3& d, const Visit& visit) {
+        Ray ray;
+        ray.o = o;
+        ray.d = d;
+        float after = 0;
+        while (const auto hit = shape->intersect(ray, after)) {
+            visit({o + d * hit->t, hit->ng, hit->part, hit->uv});
+            after = hit->t * 1.0001f;
+        }
+    };
+    return {name, makeShapeAreaLight(shape, Rgb(1.f), twoSided), crossings, from};
+}
+
+Lamp meshLamp(const char* name, const TriangleMesh& m, const Vec3& from, bool twoSided = false) {
+    const auto crossings = [m](const Vec3& o, const Vec3& d, const Visit& visit) {
+        for (uint32_t i = 0; i < m.triangleCount(); ++i) {
+            const Vec3 a = m.positions[m.indices[3 * i]], e1 = m.positions[m.indices[3 * i + 1]] - a,
+                       e2 = m.positions[m.indices[3 * i + 2]] - a, h = cross(d, e2), s = o - a, q = cross(s, e1);
+            const float det = dot(e1, h), u = dot(s, h) / det, v = dot(d, q) / det, t = dot(e2, q) / det;
+            if (u >= 0 && v >= 0 && u + v <= 1 && t > 0) visit({o + d * t, m.geometricNormal(i), i, Vec2(0, 0)});
+        }
+    };
+    return {name, makeMeshAreaLight(m, Rgb(1.f), twoSided), crossings, from};
+}
+
+// Three triangles of different sizes, one of them tilted: chosen by area.
+TriangleMesh fewTriangles() {
+    TriangleMesh m;
+    m.positions = {Vec3(-1, -1, 2), Vec3(2, -1, 2), Vec3(2, 1, 2), Vec3(-1, 0.3f, 2), Vec3(-2, 3, 1)};
+    m.indices = {0, 2, 1, 0, 3, 2, 3, 4, 2};
+    return m;
+}
+
+// A hilly sheet, some of whose triangles face away: chosen by a tree.
+TriangleMesh manyTriangles() {
+    TriangleMesh m;
+    constexpr int kSide = 4;
+    for (int y = 0; y <= kSide; ++y)
+        for (int x = 0; x <= kSide; ++x)
+            m.positions.push_back(Vec3(float(x) - 2, float(y) - 2, 1.2f + 0.6f * std::sin(float(3 * x + 5 * y))));
+    for (uint32_t y = 0; y < kSide; ++y)
+        for (uint32_t x = 0; x < kSide; ++x) {
+            const uint32_t a = y * (kSide + 1) + x, b = a + 1, c = a + kSide + 1, d = c + 1;
+            m.indices.insert(m.indices.end(), {a, d, b, a, c, d});
+        }
+    return m;
+}
+
+std::vector<Lamp> lamps() {
+    const Transform t = Transform::translate(Vec3(0.3f, 0.2f, -0.1f)) * Transform::rotate(35, Vec3(1, 2, 0)) *
+                        Transform::scale(1, 1.4f, 0.8f);
+    const auto at = [&](float x, float y, float z) { return t.point(Vec3(x, y, z)); };
+    return {
+        meshLamp("Triangles", fewTriangles(), Vec3(0, 0.5f, 0.8f)),
+        meshLamp("TrianglesOfTwoSides", fewTriangles(), Vec3(0.2f, 0.5f, 2.8f), true),
+        meshLamp("ManyTriangles", manyTriangles(), Vec3(0.3f, 0.2f, 0)),
+        shapeLamp("Sphere", makeSphere({}), Vec3(0.9f, 0.7f, 1)),
+        shapeLamp("SphereFromWithin", makeSphere({.reverseOrientation = true}), Vec3(0.2f, 0.1f, 0.5f)),
+        shapeLamp("Ellipsoid", makeSphere({.objectToWorld = t}), at(0.1f, -0.3f, 0.2f), true),
+        shapeLamp("PartOfASphere", makeSphere({.zMin = -0.6f, .zMax = 0.8f, .phiMax = 230}), Vec3(0.1f, 0, 0.2f), true),
+        shapeLamp("Disk", makeDisk({.objectToWorld = t}), at(0.3f, -0.2f, 0.6f)),
+        shapeLamp("PartOfARing", makeDisk({.objectToWorld = t, .innerRadius = 0.4f, .phiMax = 250}),
+                  at(0.1f, 0.2f, -0.5f), true),
+        shapeLamp("Cylinder", makeCylinder({.objectToWorld = t}), at(0.4f, 0.1f, 0.3f), true),
+        shapeLamp("CylinderFromOutside", makeCylinder({.objectToWorld = t, .phiMax = 270}), at(1.2f, 0.8f, 0.4f)),
+        shapeLamp("Cone", makeCone({.objectToWorld = t}), at(0.1f, -0.2f, 0.2f), true),
+        shapeLamp("ConeFromOutside", makeCone({.objectToWorld = t}), at(0.9f, 0.3f, 0.8f)),
+        shapeLamp("Paraboloid", makeParaboloid({.objectToWorld = t}), at(0.1f, 0.1f, 0.7f), true),
+        shapeLamp("Hyperboloid",
+                  makeHyperboloid({.objectToWorld = t, .p1 = Vec3(0.8f, 0.6f, -1), .p2 = Vec3(0.8f, -0.6f, 1)}),
+                  at(0.2f, 0.1f, 0.3f), true),
+    };
+}
+
+class AreaLightSampling : public testing::TestWithParam<Lamp> {};
+INSTANTIATE_TEST_SUITE_P(EveryShape, AreaLightSampling, testing::ValuesIn(lamps()),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(AreaLightSampling, DirectionsFollowTheDensity) {
+    const Lamp& lamp = GetParam();
+    const auto sample = [&](std::mt19937& rng) -> std::optional<Vec3> {
+        const auto s = lamp.light->sample(lamp.from, uniform2(rng));
+        if (!s) return std::nullopt;
+        return s->wi;
+    };
+    const auto pdf = [&](const Vec3& w) {
+        float sum = 0;
+        lamp.crossings(lamp.from, w, [&](const EmitterHit& hit) {
+            if (!isBlack(lamp.light->emitted(hit, -w))) sum += lamp.light->pdf(lamp.from, w, hit);
+        });
+        return sum;
+    };
+    const ChiSquare r = chiSquareTest(sample, pdf, 20000, 7, 1e-4);
+    EXPECT_GT(r.pValue, kChiSquareLevel) << "chi2 " << r.statistic << " dof " << r.degreesOfFreedom;
+    EXPECT_GT(r.degreesOfFreedom, 20) << "too small a part of the sphere to tell";
+    EXPECT_LE(r.pdfIntegral, 1 + 2e-3);
+    EXPECT_GT(r.pdfIntegral, 0.2);
+}
+
+EnvironmentMap patches(int width, int height, float lit) {
+    EnvironmentMap m{width, height, {}};
+    std::mt19937 rng(9);
+    for (int i = 0; i < width * height; ++i) {
+        const bool on = uniform(rng) < lit;
+        m.texels.push_back(on ? Rgb(0.2f + uniform(rng)) : Rgb(0.f));
+    }
+    return m;
+}
+
+struct Sky {
+    const char* name;
+    LightPtr light;
+};
+void PrintTo(const Sky& sky, std::ostream* out) { *out << sky.name; }
+
+std::vector<Sky> skies() {
+    const Transform turned = Transform::rotate(70, Vec3(1, 2, 3)), none;
+    EnvironmentMap sunny = patches(64, 32, 1);
+    sunny.texels[10 * 64 + 25] = Rgb(300.f);
+    return {{"Constant", makeInfiniteLight(turned, Rgb(2.f))},
+            {"Map", makeInfiniteLight(none, Rgb(1.f), patches(16, 8, 1))},
+            {"MapTurned", makeInfiniteLight(turned, Rgb(0.5f), patches(9, 7, 0.6f))},
+            {"MapMirrored", makeInfiniteLight(Transform::scale(1, -1, 1), Rgb(1.f), patches(12, 10, 0.3f))},
+            {"MapStretched", makeInfiniteLight(Transform::scale(1, 2, 3), Rgb(1.f), patches(16, 8, 1))},
+            {"Sun", makeInfiniteLight(turned, Rgb(1.f), sunny)}};
+}
+
+class InfiniteLightSampling : public testing::TestWithParam<Sky> {};
+INSTANTIATE_TEST_SUITE_P(EverySky, InfiniteLightSampling, testing::ValuesIn(skies()),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(InfiniteLightSampling, DirectionsFollowTheDensity) {
+    const Light& light = *GetParam().light;
+    const auto sample = [&](std::mt19937& rng) -> std::optional<Vec3> {
+        const auto s = light.sample(Vec3(1, 2, 3), uniform2(rng));
+        if (!s) return std::nullopt;
+        return s->wi;
+    };
+    const ChiSquare r = chiSquareTest(
+        sample, [&](const Vec3& w) { return light.pdfEscaped(w); }, 60000, 8, 4e-5);
+    EXPECT_GT(r.pValue, kChiSquareLevel) << "chi2 " << r.statistic << " dof " << r.degreesOfFreedom;
+    EXPECT_GT(r.degreesOfFreedom, 100);
+    EXPECT_NEAR(r.pdfIntegral, 1, 2e-3);
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,173 @@
+// Furnaces whose light is known: through the renderer, with each of its integrators and filters.
+#include <gtest/gtest.h>
+
+#include "cache/enhancer.h"
+#include "pbrt/scene_file.h"
+#include "render/renderer.h"
+#include "test_scenes.h"
+#include "z_test.h"
+
+namespace drc {
+namespace {
+
+using test::constantEstimate;
+using test::Estimate;
+
+constexpr int kWidth = 12, kHeight = 8;
+
+// A closed box whose walls emit half of the light and reflect half of it, and nothing in the picture but a ball that
+// `material` is of, and that emits as much if `emits`.
+std::string ballInFurnace(const std::string& material, bool emits, bool v4) {
+    std::string text = test::furnace(0.5f, kWidth, kHeight);
+    text = test::respelt(text, "\"float fov\" 80", "\"float fov\" 26");
+    text = test::respelt(
+        text, "Shape \"sphere\"",
+        "AttributeEnd\nAttributeBegin\n" + material + "\n" +
+            (emits ? "AreaLightSource \"diffuse\" \"rgb L\" [0.5 0.5 0.5] \"bool twosided\" \"true\"\n" : "") +
+            "Shape \"sphere\"");
+    text = test::respelt(text, "WorldBegin\n", "WorldBegin\nAttributeBegin\n");
+    text = test::respelt(text, "WorldEnd", "AttributeEnd\nWorldEnd");
+    return v4 ? test::inWordsOfV4(text) : text;
+}
+
+// Means over blocks of kBlock x kBlock pixels: of few samples a pixel is no normal deviate, these nearly are.
+constexpr int kBlock = 4;
+std::vector<Rgb> blocksOf(const Image& image) {
+    std::vector<Rgb> blocks(size_t(image.width() / kBlock * (image.height() / kBlock)), Rgb(0.f));
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            blocks[size_t(y / kBlock * (image.width() / kBlock) + x / kBlock)] +=
+                image.rgb(x, y) * (1.f / (kBlock * kBlock));
+    return blocks;
+}
+
+// Pictures of different seeds.
+std::vector<std::vector<Rgb>> pictures(const std::string& text, Integrator integrator, int count, int spp) {
+    const auto scene = pbrt::loadPbrtString(text);
+    std::vector<std::vector<Rgb>> result;
+    for (int seed = 0; seed < count; ++seed) {
+        RenderParams params;
+        params.integrator = integrator;
+        params.seed = uint64_t(seed);
+        params.spp = spp;
+        params.passes = 2;
+        params.firstSpacing = 4.f / kHeight;
+        params.indirect.capture.layout = MapLayout(Projection::EqualArea, 8);
+        params.indirect.primarySamples = 1;
+        params.path.maxDepth = scene->settings.maxDepth;
+        Renderer renderer(*scene, params, makeGaussianEnhancer(1), nullptr);
+        while (renderer.step()) {
+        }
+        EXPECT_EQ(renderer.samplesDone(), spp);
+        result.push_back(blocksOf(renderer.image().beauty));
+    }
+    return result;
+}
+
+// slack: that a cache of light which differs from place to place may be wrong by.
+void expectConstant(const std::vector<std::vector<Rgb>>& seen, double value, double slack = 0) {
+    const Estimate blocks = test::estimateOf(seen), mean = test::estimateOfMeans(seen);
+    for (size_t c = 0; c < 3; ++c) {
+        const double sigma = std::sqrt(mean.variance[c]);
+        EXPECT_NEAR(mean.mean[c], value, 4.5 * sigma + 1e-4 + slack);
+        EXPECT_LT(sigma, 0.007) << "too noisy to tell";
+    }
+    if (slack > 0) return;
+    const test::ZResult z = test::zTest(blocks, constantEstimate(blocks.mean.size(), value));
+    EXPECT_LT(z.worst, z.bound);
+}
+
+constexpr const char* kDeep = "Integrator \"path\" \"integer maxdepth\" 64\n";
+
+// A ball that reflects or passes as much of the light from every direction: half, and emits the other half, or all.
+struct Ball {
+    const char* name;
+    bool v4;
+    const char* material;
+    bool emits;
+    double direct;  // emission seen by way of its specular lobes, and one bounce off each of the others; where it emits
+};
+void PrintTo(const Ball& ball, std::ostream* out) { *out << ball.name; }
+const Ball kBalls[] = {
+    {"Matte", false, R"(Material "matte" "rgb Kd" [0.5 0.5 0.5])", true, 0.75},
+    {"Mirror", false, R"(Material "mirror" "rgb Kr" [0.5 0.5 0.5])", true, 0.5 + 0.5 * 0.75},
+    {"Translucent", false,
+     R"(Material "translucent" "rgb Kd" [0.5 0.5 0.5] "rgb Ks" [0 0 0] "rgb reflect" [0.6 0.6 0.6]
+        "rgb transmit" [0.4 0.4 0.4])",
+     true, 0.75},
+    // 0.3 are reflected, 0.2 go straight through this side, and then through the other.
+    {"UberInPart", false,
+     R"(Material "uber" "rgb Kd" [0.375 0.375 0.375] "rgb Ks" [0 0 0] "rgb opacity" [0.8 0.8 0.8])", true,
+     0.65 + 0.2 * (0.65 + 0.2 * 0.75)},
+    {"Mix", false,
+     R"(MakeNamedMaterial "a" "string type" "mirror" "rgb Kr" [0.4 0.4 0.4]
+        MakeNamedMaterial "b" "string type" "matte" "rgb Kd" [0.6 0.6 0.6]
+        Material "mix" "string namedmaterial1" "a" "string namedmaterial2" "b" "rgb amount" [0.5 0.5 0.5])",
+     true, 0.5 + 0.3 * 0.5 + 0.2 * 0.75},
+    {"Diffuse", true, R"(Material "diffuse" "rgb reflectance" [0.5 0.5 0.5])", true, 0.75},
+    {"DiffuseTransmission", true,
+     R"(Material "diffusetransmission" "rgb reflectance" [0.1 0.1 0.1] "rgb transmittance" [0.4 0.4 0.4])", true, 0.75},
+    {"WhiteMatte", false, R"(Material "matte" "rgb Kd" [1 1 1])", false, 0},
+    {"Glass", false, R"(Material "glass")", false, 0},
+    {"ClearHair", false, R"(Material "hair" "rgb sigma_a" [0 0 0])", false, 0},
+    {"WhiteCoated", true,
+     R"(Material "coateddiffuse" "rgb reflectance" [1 1 1] "float roughness" 0 "float thickness" 0)", false, 0},
+    {"WhiteConductor", true, R"(Material "conductor" "rgb reflectance" [1 1 1])", false, 0},
+    {"Dielectric", true, R"(Material "dielectric" "float eta" 1.4)", false, 0},
+    {"ThinDielectric", true, R"(Material "thindielectric")", false, 0},
+    {"WhiteTransmission", true,
+     R"(Material "diffusetransmission" "rgb reflectance" [0.3 0.3 0.3] "rgb transmittance" [0.7 0.7 0.7])", false, 0},
+};
+
+const auto kEmissive = std::count_if(std::begin(kBalls), std::end(kBalls), [](const Ball& b) { return b.emits; });
+
+class BallInFurnace : public testing::TestWithParam<Ball> {
+  protected:
+    std::string text() const { return kDeep + ballInFurnace(GetParam().material, GetParam().emits, GetParam().v4); }
+};
+INSTANTIATE_TEST_SUITE_P(Furnaces, BallInFurnace, testing::ValuesIn(kBalls),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(BallInFurnace, IsNotSeenByPaths) { expectConstant(pictures(text(), Integrator::Path, 16, 16), 1); }
+
+TEST_P(BallInFurnace, IsNotSeenByRadianceMaps) {
+    expectConstant(pictures(text(), Integrator::Drc, 8, 16), 1, GetParam().emits ? 0 : 0.01);
+}
+
+// Of those that do not emit it is not the same everywhere.
+class EmissiveBallInFurnace : public BallInFurnace {};
+INSTANTIATE_TEST_SUITE_P(Furnaces, EmissiveBallInFurnace, testing::ValuesIn(kBalls, kBalls + kEmissive),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(EmissiveBallInFurnace, HasTheDirectLightThatFollows) {
+    expectConstant(pictures(text(), Integrator::Direct, 16, 16), GetParam().direct);
+}
+
+// With n bounces, of all that are reflected half: 1 - 0.5^(n + 1). Direct light is what one bounce brings, whatever the
+// file says.
+class DepthOfFurnace : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Furnaces, DepthOfFurnace, testing::Values(1, 2, 3, 5));
+
+TEST_P(DepthOfFurnace, IsTheSeriesCutShort) {
+    const int depth = GetParam();
+    const std::string text = "Integrator \"path\" \"integer maxdepth\" " + std::to_string(depth) + "\n" +
+                             test::furnace(0.5f, kWidth, kHeight);
+    const double expected = 1 - std::pow(0.5, depth + 1);
+    expectConstant(pictures(text, Integrator::Path, 16, 16), expected);
+    expectConstant(pictures(text, Integrator::Drc, 8, 16), expected);
+    expectConstant(pictures(text, Integrator::Direct, 16, 16), 0.75);
+}
+
+// Filters below zero in parts have weights of both signs.
+class FilterOfFurnace : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Furnaces, FilterOfFurnace, testing::Values("box", "triangle", "gaussian", "mitchell", "sinc"),
+                         [](const auto& i) { return i.param; });
+
+TEST_P(FilterOfFurnace, ChangesNothing) {
+    const std::string text =
+        kDeep + ("PixelFilter \"" + std::string(GetParam()) + "\"\n") + test::furnace(0.5f, kWidth, kHeight);
+    expectConstant(pictures(text, Integrator::Path, 16, 64), 1);
+}
+
+}  // namespace
+}  // namespace drc
