@@ -133,7 +133,7 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
 // Time to finish, encode and write the pictures, from measurements on one slow core.
 double writeSeconds(const RenderOptions& o, size_t pixels, bool layers) {
     // The correction of the maps is made when the picture is taken.
-    double seconds = 0.05 + (layers && !o.uncorrected ? double(pixels) * 5e-6 : 0);
+    double seconds = 0.05 + (layers && !o.uncorrected ? double(pixels) * 1.5e-6 : 0);
     for (const std::string& path : o.outputs)
         seconds += double(pixels) * (outputKind(path) == OutputKind::Exr ? (layers ? 9e-7 : 4e-7) : 2.5e-7);
     return seconds;

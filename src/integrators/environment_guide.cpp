@@ -17,8 +17,6 @@ constexpr double kUnguided = 0.25;
 constexpr double kPriorTries = 1;
 // By then the guide knows what it can, and counting would only cost time.
 constexpr int kSweepsToLearn = 64;
-// Beyond this many tries of a block the counts are halved: half a word holds 65535, and a sweep may add many.
-constexpr uint32_t kManyTries = 8192;
 
 // cumulative[i]: sum of the weights before i, of 2^16, with at least one for each.
 template <size_t N>
@@ -77,7 +75,7 @@ EnvironmentGuide::EnvironmentGuide(const Light& light, float size)
     accumulate(rows, uniform.rows);
     for (auto& c : uniform.columns) accumulate(columns, c);
     std::fill(tables_.begin(), tables_.end(), uniform);
-    counts_ = std::make_unique<std::atomic<uint32_t>[]>(size_t(kGroups) * kBlocks);
+    counts_ = std::make_unique<std::atomic<uint64_t>[]>(size_t(kGroups) * kBlocks);
 }
 
 int EnvironmentGuide::group(const Vec3& p, const Vec3& n) const {
@@ -127,14 +125,12 @@ void EnvironmentGuide::update() {
     });
 }
 
-void EnvironmentGuide::rebuild(Table& table, std::atomic<uint32_t>* counts) const {
+void EnvironmentGuide::rebuild(Table& table, const std::atomic<uint64_t>* counts) const {
     uint64_t tries = 0, arrivals = 0;
-    bool many = false;
     for (int b = 0; b < kBlocks; ++b) {
-        const uint32_t count = counts[b].load(std::memory_order_relaxed);
+        const uint64_t count = counts[b].load(std::memory_order_relaxed);
         tries += count % kArrival;
         arrivals += count / kArrival;
-        many |= count % kArrival > kManyTries;
     }
     if (tries == 0) return;
     // Never none: that nothing has arrived yet does not mean that nothing will.
@@ -142,10 +138,9 @@ void EnvironmentGuide::rebuild(Table& table, std::atomic<uint32_t>* counts) cons
     double total = 0;
     std::array<std::array<double, kColumns>, kRows> p;
     for (int b = 0; b < kBlocks; ++b) {
-        const uint32_t count = counts[b].load(std::memory_order_relaxed);
+        const uint64_t count = counts[b].load(std::memory_order_relaxed);
         const double known = (double(count / kArrival) + kPriorTries * rate) / (double(count % kArrival) + kPriorTries);
         total += p[size_t(b / kColumns)][size_t(b % kColumns)] = std::sqrt(known);
-        if (many) counts[b].store((count / kArrival / 2) * kArrival + count % kArrival / 2, std::memory_order_relaxed);
     }
     std::array<double, kRows> rows;
     for (size_t y = 0; y < kRows; ++y) {

@@ -56,21 +56,21 @@ class EnvironmentGuide {
 
   private:
     static constexpr int kGroups = 1 << 14;
-    static constexpr uint32_t kTry = 1, kArrival = 1 << 16;  // counted together: one write for each sample
+    static constexpr uint64_t kTry = 1, kArrival = 1ull << 32;  // counted together: one write for each sample
     // Cumulative probabilities in units of 2^-16: of the rows of blocks, and within each row; without the last, which
     // is one.
     struct Table {
         std::array<uint16_t, kRows> rows;
         std::array<std::array<uint16_t, kColumns>, kRows> columns;
     };
-    void rebuild(Table& table, std::atomic<uint32_t>* counts) const;
+    void rebuild(Table& table, const std::atomic<uint64_t>* counts) const;
 
     const Light& light_;
     float perSize_;
     bool learning_ = true;
     int sweeps_ = 0;
     std::vector<Table> tables_;
-    std::unique_ptr<std::atomic<uint32_t>[]> counts_;  // kGroups x kBlocks
+    std::unique_ptr<std::atomic<uint64_t>[]> counts_;  // kGroups x kBlocks
 };
 
 }  // namespace drc

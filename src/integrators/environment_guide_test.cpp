@@ -127,6 +127,16 @@ TEST_F(Guide, ManyTriesDoNotOverflow) {
         }
 }
 
+TEST_F(Guide, NorDoManySweeps) {
+    // Eight blocks in a row, every other one with a rate sixteen times the others'.
+    const auto rateOf = [](int block) { return block / 8 != 3 ? 0.f : block % 2 ? 0.04f : 0.64f; };
+    for (int i = 0; i < 64; ++i) sweep(20000, rateOf);
+    double odd = 0, even = 0;
+    for (int b = 24; b < 32; ++b) (b % 2 ? odd : even) += densityOf(b) / 4;
+    EXPECT_GT(even + odd, 18);  // of 24
+    EXPECT_NEAR((even - 0.25) / (odd - 0.25), 4, 0.4);
+}
+
 TEST_F(Guide, GroupsArePointsNearEachOther) {
     const Vec3 n(0, 1, 0);
     int same = 0;

@@ -1,0 +1,52 @@
+// Averages of pixels along the surfaces that they show: neighbours count by the cubic B-spline's weights and by whether
+// they lie on the same surface (the edge-avoiding a-trous filter of Dammertz et al., "Edge-Avoiding A-Trous Wavelet
+// Transform for fast Global Illumination Filtering", 2010).
+#pragma once
+#include <vector>
+
+#include "math/vec.h"
+
+namespace drc {
+
+// Pictures of one number a pixel, of the same size, row-major.
+class Planes {
+  public:
+    Planes(size_t pixels, int count) : values_(pixels * size_t(count), 0.f), pixels_(pixels), count_(count) {}
+    int count() const { return count_; }
+    float* plane(int c) { return values_.data() + size_t(c) * pixels_; }
+    const float* plane(int c) const { return values_.data() + size_t(c) * pixels_; }
+
+  private:
+    std::vector<float> values_;
+    size_t pixels_;
+    int count_;
+};
+
+class SurfaceFilter {
+  public:
+    // Of pixels none of which shows a surface yet.
+    SurfaceFilter(int width, int height);
+
+    // What pixel i shows: a point, its unit normal, and the width of a pixel there, both in world units. With a size of
+    // zero, or with numbers that are none, it shows nothing that could be averaged along.
+    void show(size_t i, const Vec3& p, const Vec3& n, float size);
+    bool covers(size_t i) const { return perSize_[i] > 0; }
+
+    // out: each plane's means over the 5x5 neighbours at steps of `dilation` pixels; zero where no surface is shown.
+    void average(int dilation, const Planes& in, Planes& out) const;
+    // The sum of the weights of each pixel's neighbours, its own 9/64 included; at most one.
+    std::vector<float> weights(int dilation) const;
+
+  private:
+    // Calls f(x0, x1, offset) for each of the neighbours of the pixels from x0 to x1 of row y, `offset` pixels away,
+    // with their weights in w.
+    template <typename F>
+    void forEachNeighbour(int y, int dilation, float* w, F&& f) const;
+    void weigh(size_t row, size_t neighbours, int x0, int x1, float spline, float perDistance, float* w) const;
+
+    int width_, height_;
+    Planes point_, normal_;
+    std::vector<float> perSize_;  // 1 / size; 0: shows nothing
+};
+
+}  // namespace drc
