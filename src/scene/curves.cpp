@@ -27,6 +27,10 @@ int piecesFor(const std::array<Vec3, 4>& c, float width) {
     return std::isfinite(lines) ? int(std::clamp(std::ceil(lines / Curves::kLines), 1.f, float(kMaxPieces))) : 1;
 }
 
+// Where a ray in direction d (unit) meets a curve that turns its broad side to it, with the axis at `axis` from the
+// ray's origin: at its depth, but a bit nearer, so that the straight lines that Embree sees do not hide it.
+float depthFacing(const Vec3& axis, const Vec3& d, float radius) { return dot(d, axis) - 0.25f * radius; }
+
 // Of a ribbon whose normals turn from one to the other: none of more than 15 degrees, where its edges, which Embree
 // takes for cubic curves, would stray.
 int piecesForTurn(const Vec3& n0, const Vec3& n1) {
@@ -227,8 +231,7 @@ ShapeSample Curves::sampleFrom(const Vec3& p, const Vec2& u) const {
     Ray ray;
     ray.o = p;
     ray.d = normalize(c.p + b * (s * c.radius) - p);
-    // What faces the ray is met at its depth. A bit nearer, so that the straight lines that Embree sees do not hide it.
-    const float t = ribbon ? length(c.p + b * (s * c.radius) - p) : dot(ray.d, c.p - p) - 0.25f * c.radius;
+    const float t = ribbon ? length(c.p + b * (s * c.radius) - p) : depthFacing(c.p - p, ray.d, c.radius);
     if (!(t > 0)) return {p, ray.d, 0};
     return {p + ray.d * t, hitAt(chosen.piece, chosen.u, ray, t).ng, density(p, chosen, s)};
 }
@@ -259,6 +262,7 @@ float Curves::density(const Vec3& p, const Chosen& chosen, float s) const {
     const Vec3 byU = c.d1 + b * (s * c.radiusStep) + bStep * (s * c.radius), byS = b * c.radius;
     const Vec3 d = c.p + b * (s * c.radius) - p;
     const float distance = length(d);
+    if (type_ != CurveType::Ribbon && !(depthFacing(c.p - p, d / distance, c.radius) > 0)) return 0;
     const float solidAngle = std::abs(dot(cross(byU, byS), d)) / (distance * distance * distance);
     const float pdf = chosen.pdf * 0.5f / solidAngle;
     return std::isfinite(pdf) ? pdf : 0;

@@ -153,6 +153,25 @@ TEST(Curves, PdfIsThatOfSampleFrom) {
     }
 }
 
+// Nearer to a curve's axis than a quarter of its radius no sample is met, and a ray that meets it there counts in full.
+TEST(Curves, NoDensityWhereNoSampleLies) {
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder}) {
+        const auto curves = make(type, kStraight, 1, 1);
+        const Vec3 p(0, 0.1f, 0);
+        Pcg32 rng(2);
+        int none = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Vec2 u = rng.nextVec2();
+            const bool met = curves->sampleFrom(p, u).pdf > 0;
+            // The straight curve is one piece, and equal parts of u are equal lengths of it.
+            EXPECT_EQ(curves->pdfFrom(p, Vec3(0, 1, 0), {p, Vec3(0, 1, 0), Vec2(u.x, u.y), 0}) > 0, met) << u.x;
+            none += !met;
+        }
+        EXPECT_GT(none, 5);
+        EXPECT_LT(none, 100);
+    }
+}
+
 // Chi-square over bands of directions. What the density lets expect of a band is found by random directions in turn,
 // and their variance counts as well: the density of a thin curve has too many edges for a quadrature.
 TEST(Curves, DirectionsFollowTheDensity) {
