@@ -9,8 +9,9 @@ namespace drc {
 namespace {
 
 // Of a cone's width, what one texture lookup averages over: a pixel has many samples, and its filter averages those.
-// pbrt divides by the square root of their number; this is what it does with 16.
-constexpr float kSampleShare = 0.25f;
+// pbrt divides by the square root of their number; this is what it does with 256. More would blur beyond what
+// the surface shows, and saves no noise that can be measured.
+constexpr float kSampleShare = 1 / 16.f;
 
 // Cones that spread by more than this, in radians, come from diffuse reflection or fill a map's texel. Bumps that were
 // averaged over their width would be flat, and reflect more than bumps do: they are looked up as they are. (pbrt
