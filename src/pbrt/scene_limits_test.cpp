@@ -93,6 +93,17 @@ TEST(SceneLimits, ShapesBeyondWhatCanBeIntersected) {
     EXPECT_EQ(errorOfWorld("Shape \"sphere\" \"float radius\" 1e15"), "");
 }
 
+// Bounds do not tell of what is no number.
+TEST(SceneLimits, CurvesThroughPointsThatAreNoNumbers) {
+    const std::string large = "Scale 1e20 1e20 1e20 Shape \"curve\" \"float width\" 0 \"point P\" ";
+    EXPECT_THAT(errorOfWorld(large + "[1e19 0 0 1e19 1e-5 0 1e19 2e-5 0 1e19 3e-5 1e-5]"),
+                StartsWith("s.pbrt:2:28: the shape 'curve' reaches farther from the origin than 1e18"));
+    // The first of its two segments is sound.
+    EXPECT_THAT(errorOfWorld(large + "[0 0 0 1e-20 0 0 0 1e-20 0 1e-20 1e-20 0 1e19 0 0 0 1e19 0 0 0 1e19]"),
+                HasSubstr("farther"));
+    EXPECT_EQ(errorOfWorld(large + "[0 0 0 1e-20 0 0 0 1e-20 0 1e-20 1e-20 0]"), "");
+}
+
 TEST(SceneLimits, InstancesThatRaysCannotBeTakenTo) {
     const std::string object = "ObjectBegin \"o\"\nShape \"sphere\"\nObjectEnd\n";
     EXPECT_THAT(errorOfWorld(object + "Scale 1e-10 1e-10 1e-10\nObjectInstance \"o\""),

@@ -22,9 +22,12 @@ struct Bounds {
             max[i] = std::max(max[i], p[i]);
         }
     }
+    // By nothing, if b is empty.
     void extend(const Bounds& b) {
-        extend(b.min);
-        extend(b.max);
+        for (int i = 0; i < 3; ++i) {
+            min[i] = std::min(min[i], b.min[i]);
+            max[i] = std::max(max[i], b.max[i]);
+        }
     }
     bool empty() const { return !(min.x <= max.x); }
     Vec3 center() const { return (min + max) * 0.5f; }
