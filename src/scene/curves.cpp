@@ -126,6 +126,7 @@ ShapeHit Curves::hitAt(uint32_t piece, float u, const Ray& ray, float t) const {
     const Vec3 n = normalize(cross(c.d1, b)) * (ribbon ? 1.f : -1.f);
     ShapeHit hit;
     hit.t = t;
+    hit.p = ray.o + ray.d * t;
     hit.part = piece;
     hit.uv = Vec2(lerp(u, range.x, range.y), 0.5f + 0.5f * s);
     hit.dpdu = c.d1 * (1 / (range.y - range.x));

@@ -36,6 +36,7 @@ struct Bounds {
 
 struct ShapeHit {
     float t = 0;
+    Vec3 p;        // on the surface, which the ray at t is only to the rounding of its own length
     Vec3 ng;       // unit, oriented as pbrt does
     Vec3 ns{0.f};  // shading normal, unit, on the side of ng; zero: ng itself
     Vec2 uv;
