@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/log.h"
+#include "base/memory.h"
 
 namespace drc {
 namespace {
@@ -266,6 +267,9 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
     impl_->fill(impl_->world, scene.primitives);
     impl_->instances.resize(scene.primitives.size(), nullptr);
     impl_->firstInstance = scene.instances.data();
+    double bytes = 0;
+    for (const Instance& instance : scene.instances) bytes += instance.memory();
+    const MemoryClaim memory(bytes, fmt::format("placing {} instances", scene.instances.size()));
     for (const Instance& instance : scene.instances) {
         impl_->limitReachBy(instance.objectToWorld.start());
         impl_->limitReachBy(instance.objectToWorld.end());

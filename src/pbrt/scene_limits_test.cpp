@@ -111,6 +111,17 @@ TEST(SceneLimits, InstancesThatRaysCannotBeTakenTo) {
     EXPECT_EQ(errorOfWorld(object + "Scale 1e-8 1e-8 1e-8\nObjectInstance \"o\""), "");
 }
 
+// Each instance of an object of many moving parts places every one of them anew.
+TEST(SceneLimits, InstancesOfManyMovingParts) {
+    std::string object = "ObjectBegin \"o\"\nActiveTransform EndTime\n";
+    object += repeated("Translate 1 0 0 Shape \"sphere\"\n", 1000) + "ObjectEnd\n";
+    const std::string turn = "ActiveTransform EndTime Rotate 10 0 1 0\n";
+    EXPECT_EQ(errorOfWorld(object + turn + repeated("ObjectInstance \"o\"\n", 3)), "");
+    EXPECT_THAT(errorOfWorld(object + turn + repeated("ObjectInstance \"o\"\n", 300)),
+                AllOf(StartsWith("s.pbrt:1264:16: with this one, instances count for more than 16777216"),
+                      HasSubstr("one that moves counts for up to 65")));
+}
+
 TEST(SceneLimits, ShapesThatPromiseMoreThanTheyBring) {
     EXPECT_THAT(errorOfWorld("Shape \"heightfield\" \"integer nu\" 2147483647 \"integer nv\" 2147483647 "
                              "\"float Pz\" [0 1 2 3]"),
