@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/log.h"
+#include "base/memory.h"
 
 namespace drc {
 namespace {
@@ -30,8 +31,8 @@ struct Group {
     std::vector<std::unique_ptr<GeometryData>> geometries;  // indexed by Embree's geometry id
 };
 
-void fill(const ShapeHit& found, const Ray& ray, SurfaceInteraction& hit) {
-    hit.p = ray.o + ray.d * found.t;
+void fill(const ShapeHit& found, SurfaceInteraction& hit) {
+    hit.p = found.p;
     hit.ng = found.ng;
     hit.ns = found.ns == Vec3(0.f) ? found.ng : found.ns;
     hit.uv = found.uv;
@@ -42,30 +43,30 @@ void fill(const ShapeHit& found, const Ray& ray, SurfaceInteraction& hit) {
     hit.triangle = found.part;
 }
 
-// What the primitive looks like where a ray is known to meet it, at the distance t. False: it misses by rounding.
-bool fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, float u, float v, float tolerance,
+// What a mesh or curves look like where a ray meets them, at the distance t.
+void fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, float u, float v,
             SurfaceInteraction& hit) {
-    if (data.mesh) {
+    if (data.mesh)
         data.mesh->fill(primId, u, v, hit);
-        return true;
-    }
-    if (data.curves) {
-        fill(data.curves->hitAt(primId, u, ray, t), ray, hit);
-        return true;
-    }
-    Ray shortened = ray;
-    shortened.tMax = t * (1 + tolerance);
-    const auto found = data.primitive->shape->intersect(shortened, t * (1 - tolerance));
-    if (found) fill(*found, ray, hit);
-    return found.has_value();
+    else
+        fill(data.curves->hitAt(primId, u, ray, t), hit);
 }
 
 bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
             float t) {
     if (alpha == nullptr) return false;
     SurfaceInteraction hit;
-    return fillAt(data, ray, t, primId, u, v, 1e-4f, hit) && alpha->eval(hit.textureContext()) == 0;
+    fillAt(data, ray, t, primId, u, v, hit);
+    return alpha->eval(hit.textureContext()) == 0;
 }
+
+// What Embree hands on to shapeIntersect.
+struct Context : RTCIntersectContext {
+    explicit Context(ShapeHit& shape) : latest(shape) { rtcInitIntersectContext(this); }
+    // Of the shape that was accepted last. Embree accepts nothing that is not nearer than all before it: if the ray's
+    // hit is a shape's at all, this is it.
+    ShapeHit& latest;
+};
 
 Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
     Ray r;
@@ -116,9 +117,12 @@ std::optional<ShapeHit> intersectSolid(const GeometryData& data, std::initialize
     for (int i = 0; i < kMaxHits; ++i) {
         auto found = data.primitive->shape->intersect(ray, tMin);
         if (!found) return {};
-        SurfaceInteraction hit;
-        fill(*found, ray, hit);
-        const auto isHole = [&](const FloatTexture* mask) { return mask && mask->eval(hit.textureContext()) == 0; };
+        const auto isHole = [&](const FloatTexture* mask) {
+            if (mask == nullptr) return false;
+            SurfaceInteraction hit;
+            fill(*found, hit);
+            return mask->eval(hit.textureContext()) == 0;
+        };
         if (std::none_of(masks.begin(), masks.end(), isHole)) return found;
         tMin = found->t * (1 + 1e-6f);
     }
@@ -141,6 +145,7 @@ void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
         RTCHitN_instID(hits, a->N, i, 0) = a->context->instID[0];
         RTCHitN_u(hits, a->N, i) = found->uv.x;
         RTCHitN_v(hits, a->N, i) = found->uv.y;
+        static_cast<Context*>(a->context)->latest = *found;
     }
 }
 
@@ -262,6 +267,9 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
     impl_->fill(impl_->world, scene.primitives);
     impl_->instances.resize(scene.primitives.size(), nullptr);
     impl_->firstInstance = scene.instances.data();
+    double bytes = 0;
+    for (const Instance& instance : scene.instances) bytes += instance.memory();
+    const MemoryClaim memory(bytes, fmt::format("placing {} instances", scene.instances.size()));
     for (const Instance& instance : scene.instances) {
         impl_->limitReachBy(instance.objectToWorld.start());
         impl_->limitReachBy(instance.objectToWorld.end());
@@ -282,13 +290,14 @@ Accel::~Accel() = default;
 
 bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
     Found found;
-    return find(ray, found) && describe(ray, found, hit);
+    if (!find(ray, found)) return false;
+    describe(ray, found, hit);
+    return true;
 }
 
 bool Accel::find(const Ray& ray, Found& found) const {
     if (!impl_->isWithinReach(ray.o, ray.d)) return false;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    Context context(found.shape);
     RTCRayHit q;
     q.ray.org_x = ray.o.x;
     q.ray.org_y = ray.o.y;
@@ -319,7 +328,7 @@ bool Accel::find(const Ray& ray, Found& found) const {
     return true;
 }
 
-bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit) const {
+void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit) const {
     const GeometryData& data = *static_cast<const GeometryData*>(found.geometry);
     hit.primitive = data.primitive;
     hit.lobes = data.lobes;
@@ -329,14 +338,16 @@ bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
     if (hit.moves) toWorld = &then.emplace(impl_->toWorld(*found.instance, ray.time));
     if (data.mesh) {
         data.mesh->fill(found.triangle, found.b1, found.b2, hit);
-    } else {
+    } else if (data.curves) {
         Ray local = ray;
         if (toWorld) {
             const Transform inverse = toWorld->inverse();
             local.o = inverse.point(ray.o);
             local.d = inverse.vector(ray.d);  // not renormalised: t stays the same in both spaces
         }
-        if (!fillAt(data, local, found.t, found.triangle, found.b1, found.b2, 1e-5f, hit)) return false;
+        fillAt(data, local, found.t, found.triangle, found.b1, found.b2, hit);
+    } else {
+        fill(found.shape, hit);
     }
     if (toWorld) {
         hit.p = toWorld->point(hit.p);
@@ -351,7 +362,6 @@ bool Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
     hit.time = ray.time;
     hit.coneSpread = ray.coneSpread;
     hit.footprint = ray.coneWidth + ray.coneSpread * hit.t;
-    return true;
 }
 
 bool Accel::anythingMoves() const { return impl_->anythingMoves; }

@@ -29,7 +29,7 @@ TEST(Alpha, SolidTexturesHideTheSamePartsOfAShapeFromEveryRay) {
             SurfaceInteraction hit;
             const bool isHole = int(std::floor(3 * x) + std::floor(3 * y)) % 2 != 0;
             EXPECT_EQ(accel.intersect(ray, hit), !isHole) << x << " " << y;
-            EXPECT_EQ(accel.occluded(o, d, 5), !isHole) << x << " " << y;
+            EXPECT_EQ(accel.occluded(o, d, 5, 0), !isHole) << x << " " << y;
             ++(isHole ? holes : hits);
         }
     EXPECT_GT(holes, 100);

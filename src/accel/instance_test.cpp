@@ -99,7 +99,7 @@ TEST(Instances, AreCopies) {
             const Traced copy(at.text + shape.text);
             ASSERT_EQ(instance.scene->instances.size(), 1u);
             const bool sideIsOpen = shape.sided && at.mirrors;
-            int hits = 0, different = 0;
+            int hits = 0, missed = 0, different = 0;
             forManyRays(600, [&](const Ray& ray) {
                 SurfaceInteraction a, b;
                 const bool met = instance.hit(ray, a), expected = copy.hit(ray, b);
@@ -107,6 +107,7 @@ TEST(Instances, AreCopies) {
                 const bool shadow = instance.accel.occluded(ray.o, ray.d, kInfinity, ray.time) ==
                                     copy.accel.occluded(ray.o, ray.d, kInfinity, ray.time);
                 hits += met;
+                missed += met != expected;
                 if (!met && !expected && shadow) return;
                 const float side = sideIsOpen && dot(a.ng, b.ng) < 0 ? -1.f : 1.f;
                 const float tolerance = shape.curve ? 0.03f : 2e-3f;
@@ -119,6 +120,7 @@ TEST(Instances, AreCopies) {
                              std::abs(a.footprint - b.footprint) > tolerance;
             });
             EXPECT_GT(hits, shape.curve ? 10 : 30) << what;
+            EXPECT_LE(missed, hits / 100 + 1) << what;
             EXPECT_LE(different, 2 + hits / 50) << what;
         }
 }
@@ -186,7 +188,7 @@ TEST(MovingShapes, AreWhereTheyAreAtTheTime) {
         EXPECT_TRUE(moving.accel.anythingMoves());
         EXPECT_FALSE(still.accel.anythingMoves());
         const AnimatedTransform& motion = moving.scene->instances[0].objectToWorld;
-        int hits = 0, different = 0;
+        int hits = 0, missed = 0, different = 0;
         forManyRays(600, [&](const Ray& local) {
             // The same ray in the moving space.
             const Transform toWorld = motion.at(local.time);
@@ -195,8 +197,9 @@ TEST(MovingShapes, AreWhereTheyAreAtTheTime) {
             SurfaceInteraction a, b;
             const bool met = moving.hit(ray, a), expected = still.hit(local, b);
             const bool shadow = moving.accel.occluded(ray.o, ray.d, kInfinity, ray.time) ==
-                                still.accel.occluded(local.o, local.d, kInfinity);
+                                still.accel.occluded(local.o, local.d, kInfinity, local.time);
             hits += met;
+            missed += met != expected;
             if (!met && !expected && shadow) return;
             EXPECT_TRUE(!met || (a.moves && a.time == ray.time));
             const float tolerance = shape.curve ? 0.05f : 0.01f;  // Embree's interpolation is approximate
@@ -206,6 +209,7 @@ TEST(MovingShapes, AreWhereTheyAreAtTheTime) {
                          relative(a.dpdu, toWorld.vector(b.dpdu)) > tolerance;
         });
         EXPECT_GT(hits, shape.curve ? 10 : 30) << shape.name;
+        EXPECT_LE(missed, hits / 100 + 1) << shape.name;
         EXPECT_LE(different, 3 + hits / 20) << shape.name;
     }
 }

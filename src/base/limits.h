@@ -59,8 +59,9 @@ inline constexpr float kCoordinate = 1e18f;
 // From the world to the space of an instanced object, by which rays are multiplied: with it, those of scenes of a
 // thousand kilometres stay within the limit of a coordinate.
 inline constexpr float kInstanceScale = 1e9f;
-// Instances, those of parts that move within objects included: a file may ask for their product.
-inline constexpr size_t kInstances = size_t(1) << 24;
+// Instances, those of parts that move within objects included: a file may ask for their product. One that moves counts
+// as many times as there are moments that stand for its motion, up to 65.
+inline constexpr size_t kInstanceSteps = size_t(1) << 24;
 // Triangles that a scene's subdivision surfaces may become: 64 times those of a picture of a million pixels, one a
 // pixel, and some 4 GB on the way.
 inline constexpr double kSubdividedTriangles = 1 << 26;

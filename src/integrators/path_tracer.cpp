@@ -36,13 +36,14 @@ bool PathTracer::nextSurface(Ray& ray, SurfaceInteraction& hit) const {
 }
 
 bool PathTracer::nextSurface(Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) const {
-    if (!accel_.describe(ray, found, hit)) return false;
+    accel_.describe(ray, found, hit);
     for (int i = 0; i < kMaxPassThrough; ++i) {
         if (hit.primitive->material || hit.primitive->areaLight) return true;
         ray = hit.spawnRay(ray.d);
         if (!accel_.intersect(ray, hit)) return false;
     }
-    return false;
+    // Not false, or those who ask would take the sky for what lies behind.
+    return true;
 }
 
 Rgb PathTracer::emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const {

@@ -131,7 +131,8 @@ class PathTracer {
     // The BSDF's sample of direct light at a primary point, and with wide indirect light wanted the path beyond it.
     Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, int group, const Rgb& throughput,
                    const VertexNumbers& u, Sampler& sampler, IndirectAlong* along) const;
-    // Nearest surface that has a material or emits; passes through the others.
+    // Nearest surface that has a material or emits; passes through the others, though not through any number of them:
+    // then it is one of those. False: the ray escapes.
     bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;
     bool nextSurface(Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) const;
     // Whether anything stands between a point and the light point that was sampled for it.

@@ -128,10 +128,11 @@ AnimatedTransform operator*(const AnimatedTransform& a, const AnimatedTransform&
     return result;
 }
 
-bool AnimatedTransform::stretchesAlongAxes() const {
-    if (motion_ == nullptr || motion_->factors.size() != 1) return false;
+unsigned AnimatedTransform::steps() const {
+    if (motion_ == nullptr) return 1;
+    if (motion_->factors.size() != 1) return kMostSteps;
     const auto* only = std::get_if<PoseToPose>(&motion_->factors[0]);
-    return only != nullptr && only->start.stretchesAlongAxes() && only->end.stretchesAlongAxes();
+    return only != nullptr && only->start.stretchesAlongAxes() && only->end.stretchesAlongAxes() ? 2 : kMostSteps;
 }
 
 }  // namespace drc

@@ -83,7 +83,8 @@ std::vector<Vec3> ribbonNormals(const ShapeContext& context, CurveType type, siz
 float widthScale(const ShapeContext& context) {
     const Transform& t = context.objectToWorld;
     const Vec3 x = t.vector(Vec3(1, 0, 0)), y = t.vector(Vec3(0, 1, 0)), z = t.vector(Vec3(0, 0, 1));
-    const float scale = std::cbrt(std::abs(dot(x, cross(y, z))));
+    // In double precision, where a volume is a number if lengths are.
+    const float scale = float(std::cbrt(std::abs(Imath::V3d(x).dot(Imath::V3d(y).cross(Imath::V3d(z))))));
     for (const Vec3& axis : {x, y, z})
         if (std::abs(length(axis) - scale) > 0.02f * scale) {
             warn(context.params.pos(),

@@ -8,6 +8,7 @@ namespace drc::pbrt {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 const std::string kEnd = "ActiveTransform EndTime Translate 4 0 0 ActiveTransform All\n";
 
@@ -109,6 +110,26 @@ TEST(MovingScene, WhatCannotMoveSaysSo) {
     EXPECT_THAT(
         warningsOf([&] { withOptions("", "\n\n" + kEnd + "Texture \"t\" \"float\" \"fbm\""); }),
         HasSubstr("moving.pbrt:6:21: warning: textures cannot move; the transformation of the start time is used"));
+}
+
+// On its way it would be flat, and rays cannot be taken to the space of what is flat.
+TEST(MovingScene, NothingMovesToItsMirrorImage) {
+    const std::string mirror = "ActiveTransform EndTime Scale 1 -1 1 ActiveTransform All\n";
+    const std::string why = " cannot move from a place to one where it is mirrored";
+    const std::string object = "ObjectBegin \"o\"\nShape \"sphere\"\nObjectEnd\n";
+    EXPECT_THAT(errorOfWorld(mirror + "Shape \"disk\""), StartsWith("s.pbrt:3:7: the shape 'disk'" + why));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"o\"\n" + mirror + "Shape \"disk\"\nObjectEnd"),
+                StartsWith("s.pbrt:4:7: the shape 'disk'" + why));
+    EXPECT_THAT(errorOfWorld(object + mirror + "ObjectInstance \"o\""),
+                StartsWith("s.pbrt:6:16: the object 'o'" + why));
+    EXPECT_THAT(errorOfScene(mirror + "Camera \"perspective\"\nWorldBegin\nWorldEnd"),
+                StartsWith("s.pbrt:2:8: the camera" + why));
+    // What mirrors at both times, by whatever axis, or takes a mirror along, moves as it always did.
+    const std::string both = "ActiveTransform StartTime Scale -1 1 1 " + mirror;
+    EXPECT_EQ(errorOfWorld(both + "Shape \"disk\"\n" + mirror + mirror + "Shape \"disk\""), "");
+    EXPECT_EQ(
+        errorOfScene(both + "Camera \"perspective\"\nWorldBegin\n" + object + both + "ObjectInstance \"o\"\nWorldEnd"),
+        "");
 }
 
 TEST(MovingScene, ShapesOfObjectsAreNoLightsAndObjectsDoNotNest) {

@@ -73,6 +73,7 @@ void SceneBuilder::useCoordinateSystem(const std::string& name, const SourcePos&
 
 void SceneBuilder::camera(const std::string& type, ParamSet params) {
     camera_ = {type, std::move(params)};
+    motionOf("camera", camera_.params.pos());
     worldToCamera_ = state_.ctm;
     coordinateSystems_["camera"] = state_.ctm.inverse();
 }
@@ -140,9 +141,9 @@ void SceneBuilder::objectEnd(const SourcePos& pos) {
 void SceneBuilder::addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos) {
     if (!isInstanceable(toWorld.start()) || !isInstanceable(toWorld.end()))
         fail(pos, "an object may be made smaller by a factor of 1e9 at most, and moved by 1e9 times its own size");
-    if (scene_->instances.size() == limits::kInstances)
-        fail(pos, "more than " + std::to_string(limits::kInstances) + " instances, moving parts of objects included");
-    scene_->instances.push_back({int(object), toWorld});
+    const Instance instance{int(object), toWorld};
+    instances_.take(instance, pos);
+    scene_->instances.push_back(instance);
 }
 
 void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos) {
@@ -153,7 +154,7 @@ void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos)
         for (const auto& entry : objects_) names.push_back(entry.first);
         fail(pos, "no object '" + name + "' has been defined" + suggestion(name, names));
     }
-    const AnimatedTransform toWorld = state_.ctm.animated();
+    const AnimatedTransform toWorld = motionOf("object '" + name + "'", pos);
     addInstance(found->second, toWorld, pos);
     for (const MovingPart& part : movingParts_[found->second]) addInstance(part.object, toWorld * part.motion, pos);
 }
@@ -247,7 +248,7 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
         fail(params.pos(), "the " + params.owner() + " reaches farther from the origin than 1e18");
     PendingPrimitive pending;
     pending.pos = params.pos();
-    pending.object = moves ? movingObject(params.pos()) : openObject_;
+    pending.object = moves ? movingObject(params.owner(), params.pos()) : openObject_;
     pending.geometry = std::move(*geometry);
     pending.primitive.shape = pending.geometry.shape;
     pending.primitive.alpha = pending.geometry.alpha;
@@ -286,15 +287,25 @@ const Transform& SceneBuilder::staticTransform(const std::string& what, const So
     return state_.ctm.start();
 }
 
-size_t SceneBuilder::movingObject(const SourcePos& pos) {
+AnimatedTransform SceneBuilder::motionOf(const std::string& what, const SourcePos& pos) const {
+    const TransformSet& ctm = state_.ctm;
+    if (ctm.at[0].swapsHandedness() != ctm.at[1].swapsHandedness())
+        fail(pos, "the " + what +
+                      " cannot move from a place to one where it is mirrored: it would be flat on the way. Its "
+                      "transformation must mirror at both of the two times, or at neither");
+    return ctm.animated();
+}
+
+size_t SceneBuilder::movingObject(const std::string& shape, const SourcePos& pos) {
     if (movingObject_ && movingObject_->within == openObject_ && movingObject_->ctm == state_.ctm)
         return movingObject_->object;
+    const AnimatedTransform motion = motionOf(shape, pos);
     const size_t object = scene_->objects.size();
     scene_->objects.push_back({"", {}});
     if (openObject_)
-        movingParts_[*openObject_].push_back({object, state_.ctm.animated()});
+        movingParts_[*openObject_].push_back({object, motion});
     else
-        addInstance(object, state_.ctm.animated(), pos);
+        addInstance(object, motion, pos);
     movingObject_ = {object, openObject_, state_.ctm};
     return object;
 }

@@ -9,6 +9,7 @@
 #include "pbrt/dialect_factories.h"
 #include "pbrt/file_search.h"
 #include "pbrt/graphics_state.h"
+#include "pbrt/instance_budget.h"
 #include "pbrt/param_parser.h"
 #include "pbrt/scene_file.h"
 #include "pbrt/texture_factory.h"
@@ -97,9 +98,11 @@ class SceneBuilder {
 
     // The transformation for what cannot move: `what` and pos are those of what is being placed.
     const Transform& staticTransform(const std::string& what, const SourcePos& pos) const;
+    // What the current transformation does to `what`, which may move. Throws Error if that cannot be rendered.
+    AnimatedTransform motionOf(const std::string& what, const SourcePos& pos) const;
     // The object for shapes that move with the current transformation, of which there is one instance: shapes that come
     // after each other and move alike share it.
-    size_t movingObject(const SourcePos& pos);
+    size_t movingObject(const std::string& shape, const SourcePos& pos);
     void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
     // Adds curves to the ones just before them if they look alike: hair comes as a shape for each.
     bool joinCurves(const PendingPrimitive& next);
@@ -133,6 +136,7 @@ class SceneBuilder {
         TransformSet ctm;
     };
     std::optional<MovingObject> movingObject_;
+    InstanceBudget instances_;
     std::vector<PendingPrimitive> pending_;
     std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();
 };

@@ -38,7 +38,8 @@ std::shared_ptr<const TextureCost> costAbove(const TextureCost& others, const Pa
 
 bool isWithinReach(const Bounds& b) {
     for (int axis = 0; axis < 3; ++axis)
-        if (!(b.min[axis] > -limits::kCoordinate && b.max[axis] < limits::kCoordinate)) return false;
+        if (!(b.min[axis] > -limits::kCoordinate && b.min[axis] <= b.max[axis] && b.max[axis] < limits::kCoordinate))
+            return false;
     return true;
 }
 

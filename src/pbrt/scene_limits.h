@@ -13,6 +13,7 @@ namespace drc::pbrt {
 bool isUsable(const Transform& t);
 // Rays are intersected in the space of the object: their coordinates must stay below limits::kCoordinate there.
 bool isInstanceable(const Transform& objectToWorld);
+// False also for what has no bounds: made of what is no number.
 bool isWithinReach(const Bounds& bounds);
 
 // Of the texture that params describe, which asks for others at that cost. Throws Error if it is too much.

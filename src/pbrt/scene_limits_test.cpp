@@ -93,11 +93,33 @@ TEST(SceneLimits, ShapesBeyondWhatCanBeIntersected) {
     EXPECT_EQ(errorOfWorld("Shape \"sphere\" \"float radius\" 1e15"), "");
 }
 
+// Bounds do not tell of what is no number.
+TEST(SceneLimits, CurvesThroughPointsThatAreNoNumbers) {
+    const std::string large = "Scale 1e20 1e20 1e20 Shape \"curve\" \"float width\" 0 \"point P\" ";
+    EXPECT_THAT(errorOfWorld(large + "[1e19 0 0 1e19 1e-5 0 1e19 2e-5 0 1e19 3e-5 1e-5]"),
+                StartsWith("s.pbrt:2:28: the shape 'curve' reaches farther from the origin than 1e18"));
+    // The first of its two segments is sound.
+    EXPECT_THAT(errorOfWorld(large + "[0 0 0 1e-20 0 0 0 1e-20 0 1e-20 1e-20 0 1e19 0 0 0 1e19 0 0 0 1e19]"),
+                HasSubstr("farther"));
+    EXPECT_EQ(errorOfWorld(large + "[0 0 0 1e-20 0 0 0 1e-20 0 1e-20 1e-20 0]"), "");
+}
+
 TEST(SceneLimits, InstancesThatRaysCannotBeTakenTo) {
     const std::string object = "ObjectBegin \"o\"\nShape \"sphere\"\nObjectEnd\n";
     EXPECT_THAT(errorOfWorld(object + "Scale 1e-10 1e-10 1e-10\nObjectInstance \"o\""),
                 StartsWith("s.pbrt:6:16: an object may be made smaller by a factor of 1e9 at most"));
     EXPECT_EQ(errorOfWorld(object + "Scale 1e-8 1e-8 1e-8\nObjectInstance \"o\""), "");
+}
+
+// Each instance of an object of many moving parts places every one of them anew.
+TEST(SceneLimits, InstancesOfManyMovingParts) {
+    std::string object = "ObjectBegin \"o\"\nActiveTransform EndTime\n";
+    object += repeated("Translate 1 0 0 Shape \"sphere\"\n", 1000) + "ObjectEnd\n";
+    const std::string turn = "ActiveTransform EndTime Rotate 10 0 1 0\n";
+    EXPECT_EQ(errorOfWorld(object + turn + repeated("ObjectInstance \"o\"\n", 3)), "");
+    EXPECT_THAT(errorOfWorld(object + turn + repeated("ObjectInstance \"o\"\n", 300)),
+                AllOf(StartsWith("s.pbrt:1264:16: with this one, instances count for more than 16777216"),
+                      HasSubstr("one that moves counts for up to 65")));
 }
 
 TEST(SceneLimits, ShapesThatPromiseMoreThanTheyBring) {

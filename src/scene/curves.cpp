@@ -76,6 +76,8 @@ void Curves::add(const std::array<Vec3, 4>& points, const std::array<float, 2>& 
             const float radius = 0.5f * lerp(lerp(float(k) / 3, u0, u1), widths[0], widths[1]);
             points_.push_back({part[k], radius});
             if (type_ == CurveType::Ribbon) normals_.push_back({arcPart[k]});
+            // Bounds do not tell of what is no number.
+            if (!std::isfinite(part[k].x + part[k].y + part[k].z + radius)) bounds_.extend(Vec3(kInfinity));
             bounds_.extend(part[k] - Vec3(radius));
             bounds_.extend(part[k] + Vec3(radius));
         }
@@ -128,6 +130,7 @@ ShapeHit Curves::hitAt(uint32_t piece, float u, const Ray& ray, float t) const {
     const Vec3 n = normalize(cross(c.d1, b)) * (ribbon ? 1.f : -1.f);
     ShapeHit hit;
     hit.t = t;
+    hit.p = ray.o + ray.d * t;
     hit.part = piece;
     hit.uv = Vec2(lerp(u, range.x, range.y), 0.5f + 0.5f * s);
     hit.dpdu = c.d1 * (1 / (range.y - range.x));

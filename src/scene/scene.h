@@ -34,6 +34,8 @@ struct ObjectDefinition {
 struct Instance {
     int object = 0;  // index into Scene::objects
     AnimatedTransform objectToWorld;
+    // Bytes that it takes, with what is made of it for rays.
+    double memory() const;
 };
 
 // Pixels [x0, x1) x [y0, y1) of the film.

@@ -22,9 +22,12 @@ struct Bounds {
             max[i] = std::max(max[i], p[i]);
         }
     }
+    // By nothing, if b is empty.
     void extend(const Bounds& b) {
-        extend(b.min);
-        extend(b.max);
+        for (int i = 0; i < 3; ++i) {
+            min[i] = std::min(min[i], b.min[i]);
+            max[i] = std::max(max[i], b.max[i]);
+        }
     }
     bool empty() const { return !(min.x <= max.x); }
     Vec3 center() const { return (min + max) * 0.5f; }
@@ -33,6 +36,7 @@ struct Bounds {
 
 struct ShapeHit {
     float t = 0;
+    Vec3 p;        // on the surface, which the ray at t is only to the rounding of its own length
     Vec3 ng;       // unit, oriented as pbrt does
     Vec3 ns{0.f};  // shading normal, unit, on the side of ng; zero: ng itself
     Vec2 uv;

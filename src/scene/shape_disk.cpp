@@ -46,6 +46,7 @@ class Disk final : public Shape {
         const double r = std::sqrt(r2), width = radius_ - innerRadius_;
         ShapeHit hit;
         hit.t = float(t);
+        hit.p = Vec3(space_.pointToWorld(p));
         hit.ng = ng_;
         hit.uv = Vec2(float(phi / phiMax_), float(1 - (r - innerRadius_) / width));
         hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-p.y, p.x, 0) * phiMax_));

@@ -182,6 +182,7 @@ class ShapeOfRevolution final : public Shape {
         p = Vec3d(radius * outward.x, radius * outward.y, p.z);
         ShapeHit hit;
         hit.t = float(t);
+        hit.p = Vec3(space_.pointToWorld(p));
         hit.uv = Vec2(float(phi / phiMax_), float(v));
         hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-outward.y, outward.x, 0) * (away * phiMax_)));
         const Vec3d step = profile_.kind == RevolutionProfile::Kind::Parabola

@@ -120,6 +120,7 @@ class Sphere final : public Shape {
         const double rho = std::sqrt(p.x * p.x + p.y * p.y);
         ShapeHit hit;
         hit.t = float(t);
+        hit.p = Vec3(space_.pointToWorld(p));
         hit.uv = Vec2(float(phi / phiMax_), float((theta - thetaMin_) / thetaRange));
         hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-p.y, p.x, 0) * phiMax_));
         hit.dpdv = Vec3(space_.vectorToWorld(Vec3d(p.z * p.x / rho, p.z * p.y / rho, -rho) * thetaRange));
