@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/log.h"
+#include "scene/tracing_memory.h"
 
 namespace drc {
 namespace {
@@ -252,6 +253,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
 }
 
 Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
+    const MemoryClaim memory = claimForTracing(scene);
     impl_->device = rtcNewDevice(nullptr);
     if (impl_->device == nullptr) throw Error("Embree could not be started");
     impl_->objects.resize(scene.objects.size());
