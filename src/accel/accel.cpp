@@ -14,6 +14,7 @@
 #include "base/limits.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "scene/tracing_memory.h"
 
 namespace drc {
 namespace {
@@ -257,6 +258,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
 }
 
 Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
+    const MemoryClaim memory = claimForTracing(scene);
     impl_->device = rtcNewDevice(nullptr);
     if (impl_->device == nullptr) throw Error("Embree could not be started");
     impl_->objects.resize(scene.objects.size());
@@ -269,7 +271,7 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
     impl_->firstInstance = scene.instances.data();
     double bytes = 0;
     for (const Instance& instance : scene.instances) bytes += instance.memory();
-    const MemoryClaim memory(bytes, fmt::format("placing {} instances", scene.instances.size()));
+    const MemoryClaim placing(bytes, fmt::format("placing {} instances", scene.instances.size()));
     for (const Instance& instance : scene.instances) {
         impl_->limitReachBy(instance.objectToWorld.start());
         impl_->limitReachBy(instance.objectToWorld.end());

@@ -1,8 +1,10 @@
 // Shapes and curves as rays of a whole scene see them; pictures test meshes.
 #include "accel/accel.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "base/folder_testing.h"
+#include "base/memory_testing.h"
 #include "scene/curves.h"
 #include "scene/material_matte.h"
 #include "scene/shape_check.h"
@@ -165,6 +167,28 @@ TEST(Accel, WhatIsNoRayMeetsNothing) {
     // In the space of the instance its origin lies at 1e19.
     EXPECT_FALSE(accel.intersect(rayFrom(Vec3(5, 0, -1e11f), Vec3(0, 0, 1)), hit));
     EXPECT_TRUE(accel.intersect(rayFrom(Vec3(5, 0, -1), Vec3(0, 0, 1)), hit));
+}
+
+// One of 250000 triangles, which take 5 MB, and what rays need of them 34.
+TEST(Accel, ScenesThatNeedMoreThanThereIsAreRefused) {
+    constexpr uint32_t kSide = 354;
+    auto mesh = std::make_shared<TriangleMesh>();
+    for (uint32_t y = 0; y <= kSide; ++y)
+        for (uint32_t x = 0; x <= kSide; ++x) mesh->positions.push_back(Vec3(float(x), float(y), 0));
+    for (uint32_t y = 0; y < kSide; ++y)
+        for (uint32_t x = 0; x < kSide; ++x) {
+            const uint32_t a = y * (kSide + 1) + x, c = a + kSide + 2;
+            mesh->indices.insert(mesh->indices.end(), {a, a + 1, c, a, c, c - 1});
+        }
+    Scene scene;
+    scene.objects.push_back({"o", {Primitive{}}});
+    scene.objects[0].primitives[0].mesh = mesh;
+    const std::string error = errorOf([&] {
+        const AddressSpaceLimit limit(24 << 20);
+        const Accel accel(scene);
+    });
+    EXPECT_THAT(error, testing::StartsWith("tracing rays in a scene of 2.51e+05 triangles and 0 pieces of curves needs "
+                                           "about 33 MiB of memory"));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::set<std::string>& warnings() {
     static std::set<std::string> seen;
     return seen;
 }
-int unseenWarnings = 0;  // after the most that are shown
+int unseenWarnings = 0;  // after the most that are shown: each time, for their texts are not kept
 
 }  // namespace
 

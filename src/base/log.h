@@ -18,7 +18,8 @@ void logDebug(const std::string& message);
 // Prints "file:line:column: warning: message". Thread-safe. Identical warnings are printed once.
 void logWarning(const SourceLocation& where, const std::string& message);
 inline void logWarning(const std::string& message) { logWarning({}, message); }
-// How many different warnings were given so far, for tests and `drc info`.
+// How many different warnings were given so far, for tests and `drc info`. Those beyond limits::kWarnings, which are
+// not kept, count each time.
 int warningCount();
 // As if there had been none: for tests, and for programs that read many files.
 void forgetWarnings();

@@ -4,9 +4,9 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <limits>
+#include <mutex>
 #include <optional>
 
 #include "base/error.h"
@@ -15,12 +15,16 @@ namespace drc {
 namespace {
 
 constexpr uint64_t kUnlimited = std::numeric_limits<uint64_t>::max();
-// Asking the system takes some 50 us; a thousand claims of that size are no danger either.
-constexpr double kSmallClaim = 1 << 20;
+// Asking the system takes some 50 us, so it is not asked for each small claim, but for all since it was last asked when
+// they come to so much: a file may have a million things that are small.
+constexpr double kSmallClaim = 1 << 20, kSmallClaims = 64 << 20;
 // Kept for what nobody asks for: the picture's encoding, Embree's and the libraries' own.
 constexpr double kShare = 0.9;
 
-std::atomic<uint64_t> claimed{0};
+// Of what all claims hold back. Asking and claiming are one step: two threads must not both be given what is left.
+std::mutex claimMutex;
+uint64_t heldBack = 0;
+double smallClaims = 0;  // since the system was last asked
 
 // The first number of a file; none if there is no such file or it begins with a word ("max").
 std::optional<uint64_t> numberIn(const std::string& path) {
@@ -72,16 +76,31 @@ uint64_t availableMemory() {
 }
 
 MemoryClaim::MemoryClaim(double bytes, const std::string& what) {
-    if (!(bytes > kSmallClaim)) return;
-    const double left = kShare * double(availableMemory()) - double(claimed.load());
-    if (bytes > left)
-        throw Error(fmt::format("{} needs about {} of memory, and {} are available", what, sizeText(bytes),
+    const std::lock_guard lock(claimMutex);
+    const bool isSmall = !(bytes > kSmallClaim);
+    if (isSmall) {
+        smallClaims += bytes;
+        if (smallClaims < kSmallClaims) return;
+    }
+    const double left = kShare * double(availableMemory()) - double(heldBack), asked = isSmall ? smallClaims : bytes;
+    if (asked > left)
+        throw Error(fmt::format("{} needs about {} of memory, and {} are available",
+                                isSmall ? what + ", with what came before it," : what, sizeText(asked),
                                 sizeText(std::max(0.0, left))));
-    bytes_ = uint64_t(bytes);
-    claimed += bytes_;
+    smallClaims = 0;
+    bytes_ = held_ = uint64_t(bytes);
+    heldBack += held_;
 }
 
-MemoryClaim::~MemoryClaim() { claimed -= bytes_; }
+MemoryClaim::~MemoryClaim() { taken(double(bytes_)); }
+
+void MemoryClaim::taken(double bytes) {
+    if (held_ == 0) return;
+    const uint64_t held = bytes < double(bytes_) ? std::min(held_, bytes_ - uint64_t(bytes)) : 0;
+    const std::lock_guard lock(claimMutex);
+    heldBack -= held_ - held;
+    held_ = held;
+}
 
 std::string sizeText(double bytes) {
     constexpr double kGiB = 1 << 30, kMiB = 1 << 20;

@@ -14,14 +14,20 @@ uint64_t availableMemory();
 // add up.
 class MemoryClaim {
   public:
-    // Throws Error "what needs N of memory, and M are available" if it is more than that. Small claims always pass.
+    // Throws Error "what needs N of memory, and M are available" if it is more than that. Small claims pass, until many
+    // of them come to something large together.
     MemoryClaim(double bytes, const std::string& what);
     ~MemoryClaim();
     MemoryClaim(const MemoryClaim&) = delete;
     MemoryClaim& operator=(const MemoryClaim&) = delete;
 
+    // So many of its bytes, in all, have been written to. The system has them no longer, and only the others are held
+    // back from now on: whoever does not say so has what it made counted twice, and others are refused what is there.
+    void taken(double bytes);
+
   private:
-    uint64_t bytes_ = 0;
+    uint64_t bytes_ = 0;  // as claimed
+    uint64_t held_ = 0;   // of them, what has not been written to
 };
 
 // "1.5 GiB", for messages.

@@ -1,25 +1,24 @@
 #include "base/memory.h"
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
-#include <unistd.h>
+#include <sys/mman.h>
 
-#include <fstream>
+#include <atomic>
+#include <memory>
+#include <thread>
 
-#include "base/error.h"
+#include "base/folder_testing.h"
+#include "base/memory_testing.h"
 
 namespace drc {
 namespace {
 
 using testing::HasSubstr;
 
+constexpr uint64_t kMiB = 1 << 20;
+
 std::string errorOfClaim(double bytes) {
-    try {
-        const MemoryClaim claim(bytes, "the test");
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return errorOf([&] { const MemoryClaim claim(bytes, "the test"); });
 }
 
 TEST(Memory, AvailableIsWithinReason) {
@@ -28,18 +27,11 @@ TEST(Memory, AvailableIsWithinReason) {
 }
 
 TEST(Memory, LimitOfTheAddressSpaceCounts) {
-    rlimit old{};
-    ASSERT_EQ(getrlimit(RLIMIT_AS, &old), 0);
-    rlimit small = old;
-    uint64_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    const uint64_t used = pages * uint64_t(sysconf(_SC_PAGESIZE)), more = uint64_t(64) << 20;
-    small.rlim_cur = used + more;
-    ASSERT_EQ(setrlimit(RLIMIT_AS, &small), 0);
+    constexpr uint64_t kMore = 64 * kMiB;
+    const AddressSpaceLimit limit(kMore);
     const uint64_t left = availableMemory();
-    setrlimit(RLIMIT_AS, &old);
-    EXPECT_LE(left, more);
-    EXPECT_GE(left, more / 2);
+    EXPECT_LE(left, kMore);
+    EXPECT_GE(left, kMore / 2);
 }
 
 TEST(Memory, ClaimsBeyondTheMachineAreRefused) {
@@ -55,6 +47,70 @@ TEST(Memory, ClaimsAddUpWhileTheyLive) {
         EXPECT_NE(errorOfClaim(most), "");
     }
     EXPECT_EQ(errorOfClaim(most), "");
+}
+
+// A part of what there is, and when that has been made another of the same size: both fit.
+TEST(Memory, WhatHasBeenTakenCountsOnce) {
+    const AddressSpaceLimit limit(256 * kMiB);
+    constexpr size_t kPart = 100 * kMiB;
+    MemoryClaim first(kPart, "the first");
+    void* const bytes = mmap(nullptr, kPart, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    ASSERT_NE(bytes, MAP_FAILED);
+    EXPECT_NE(errorOfClaim(kPart), "") << "whether it has been written to is not known";
+    first.taken(kPart);
+    EXPECT_EQ(errorOfClaim(kPart), "");
+    EXPECT_NE(errorOfClaim(2 * kPart), "");
+    munmap(bytes, kPart);
+}
+
+TEST(Memory, ClaimsAreReleasedOnceHoweverTheyAreTaken) {
+    const AddressSpaceLimit limit(256 * kMiB);
+    for (int i = 0; i < 10; ++i) {
+        MemoryClaim claim(100.0 * kMiB, "the test");
+        claim.taken(20.0 * kMiB);
+        EXPECT_NE(errorOfClaim(160.0 * kMiB), "");
+        claim.taken(80.0 * kMiB);
+        claim.taken(60.0 * kMiB);  // no less than before
+        EXPECT_EQ(errorOfClaim(160.0 * kMiB), "");
+        EXPECT_NE(errorOfClaim(222.0 * kMiB), "");
+        claim.taken(1e18);
+        EXPECT_EQ(errorOfClaim(222.0 * kMiB), "");
+    }
+}
+
+TEST(Memory, ManySmallClaimsAreALargeOne) {
+    const AddressSpaceLimit limit(32 * kMiB);
+    std::string error;
+    int claims = 0;
+    while (error.empty() && claims < 200) {
+        error = errorOfClaim(0.9 * kMiB);
+        ++claims;
+    }
+    EXPECT_THAT(error, HasSubstr("the test, with what came before it, needs about 6"));
+    EXPECT_LE(claims, 72);  // fewer if other tests claimed before
+}
+
+// In so many rounds two that do not wait for each other mostly meet at least once.
+TEST(Memory, OfTwoThreadsOneAloneGetsWhatIsLeft) {
+    int passed = 0;
+    for (int round = 0; round < 300; ++round) {
+        const double most = 0.6 * double(availableMemory());
+        std::atomic<int> ready{0}, tried{0}, both{0};
+        const auto claim = [&] {
+            ++ready;
+            while (ready < 2) std::this_thread::yield();
+            std::unique_ptr<MemoryClaim> held;
+            both += errorOf([&] { held = std::make_unique<MemoryClaim>(most, "the test"); }).empty();
+            ++tried;
+            while (tried < 2) std::this_thread::yield();
+        };
+        std::thread other(claim);
+        claim();
+        other.join();
+        EXPECT_LE(both, 1);
+        passed += both;
+    }
+    EXPECT_GT(passed, 0);
 }
 
 TEST(Memory, SizesAreReadable) {

@@ -41,8 +41,9 @@ void requireFile(const std::string& path) {
     if (std::filesystem::file_size(path, ec) > limits::kPictureBytes) failReading(path, "File too large");
 }
 
-// For the picture while it is read and turned into what is rendered with: the floats, then the colours, a copy of them
-// and their coarser levels.
+// For all that the picture will take until it is what is rendered with: the floats, then the colours, a copy of them
+// and their coarser levels. It holds that back while the picture is read, no longer: pictures are read one after the
+// other, before the meshes, and nothing else is made until the colours have been.
 MemoryClaim claimFor(const std::string& path, double width, double height, double channels) {
     constexpr double kBytesPerChannel = sizeof(float), kBytesPerPixel = 3 * sizeof(Rgb);
     return MemoryClaim(width * height * (channels * kBytesPerChannel + kBytesPerPixel),

@@ -1,5 +1,7 @@
 #include "pbrt/curve_shape.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 namespace drc::pbrt {
@@ -98,7 +100,7 @@ float widthScale(const ShapeContext& context) {
 
 Geometry curve(const ShapeContext& context) {
     const ParamSet& params = context.params;
-    const std::vector<Segment> segments = segmentsOf(params);
+    std::vector<Segment> segments = segmentsOf(params);
     const CurveType type = typeOf(params);
     const std::vector<Vec3> normals = ribbonNormals(context, type, segments.size());
     const float width = params.getNonNegativeFloat("width", 1);
@@ -110,18 +112,26 @@ Geometry curve(const ShapeContext& context) {
     const bool turned = mirrored && type == CurveType::Ribbon;
     auto curves = std::make_shared<Curves>(type, context.reverseOrientation != turned, mirrored);
     const float scale = widthScale(context);
-    for (size_t i = 0; i < segments.size(); ++i) {
-        Segment segment = segments[i];
+    for (Segment& segment : segments)
         for (Vec3& p : segment) p = context.objectToWorld.point(p);
-        const auto widthAt = [&](size_t k) {
-            return scale * lerp(float(k) / float(segments.size()), widths[0], widths[1]);
-        };
-        const std::array<float, 2> ends = {widthAt(i), widthAt(i + 1)};
-        if (type == CurveType::Ribbon)
-            curves->add(segment, ends, {normals[i], normals[i + 1]});
-        else
-            curves->add(segment, ends);
-    }
+    const auto widthAt = [&](size_t k) {
+        return scale * lerp(float(k) / float(segments.size()), widths[0], widths[1]);
+    };
+    const auto endWidths = [&](size_t i) { return std::array<float, 2>{widthAt(i), widthAt(i + 1)}; };
+    const auto endNormals = [&](size_t i) {
+        return type == CurveType::Ribbon ? std::array<Vec3, 2>{normals[i], normals[i + 1]}
+                                         : std::array<Vec3, 2>{Vec3(0.f), Vec3(0.f)};
+    };
+    // A segment is a few bytes of the file and up to 64 pieces.
+    size_t pieces = 0;
+    for (size_t i = 0; i < segments.size(); ++i)
+        pieces += size_t(curves->piecesOf(segments[i], endWidths(i), endNormals(i)));
+    if (pieces > context.curvePieces)
+        fail(params.pos(), fmt::format("this curve is so thin and bent that it is cut into {} pieces, and {} may be "
+                                       "added to the scene's; make it wider or less bent",
+                                       pieces, context.curvePieces));
+    placedAt(params.pos(), [&] { curves->reserve(pieces); });
+    for (size_t i = 0; i < segments.size(); ++i) curves->add(segments[i], endWidths(i), endNormals(i));
     if (curves->pieceCount() == 0) {
         warn(params.pos(), "all points of this curve are the same; it is left out");
         return {};

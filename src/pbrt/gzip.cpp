@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -35,6 +36,7 @@ std::string gunzip(std::string_view bytes, const std::string& path, const Gunzip
     Inflater inflater;
     z_stream& z = inflater.stream;
     std::string result;
+    std::optional<MemoryClaim> memory;  // for what the result has room for
     const auto unpacked = std::make_unique<char[]>(kChunk);
     size_t read = 0;
     const auto failGzip = [&](const std::string& what) { throw Error(path + ": the gzip stream " + what); };
@@ -51,10 +53,11 @@ std::string gunzip(std::string_view bytes, const std::string& path, const Gunzip
         const size_t size = kChunk - z.avail_out;
         if (result.capacity() - result.size() < size) {
             const size_t more = 2 * result.capacity() + kChunk;
-            const MemoryClaim memory(double(more), path + ", unpacked,");
+            memory.emplace(double(more), path + ", unpacked,");
             result.reserve(more);
         }
         result.append(unpacked.get(), size);
+        if (memory) memory->taken(double(result.size()));
         const bool atEnd = z.avail_in == 0 && read == bytes.size();
         if (result.size() > most)
             failGzip("grows beyond " + std::to_string(most >> 20) + " MiB, from " + std::to_string(bytes.size()) +

@@ -16,9 +16,10 @@ std::unique_ptr<Scene> withOptions(const std::string& options, const std::string
     return loadPbrtString(options + "\nWorldBegin\n" + world + "\nWorldEnd\n", ".", {}, "moving.pbrt");
 }
 Ray rayAt(const Scene& scene, float u) { return scene.camera->generateRay(Vec2(640, 360), Vec2(0.5f, 0.5f), u).ray; }
-// The warnings that loading gives, which print once each: every scene must be new.
+// The warnings that loading gives.
 template <typename F>
 std::string warningsOf(const F& f) {
+    forgetWarnings();  // each prints once
     testing::internal::CaptureStderr();
     f();
     return testing::internal::GetCapturedStderr();

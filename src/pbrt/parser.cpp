@@ -34,6 +34,7 @@ void Parser::endImports() {
 }
 
 std::unique_ptr<Scene> Parser::parse(const LoadOptions& options) {
+    builder_.limitCurves(options.curvePieces);
     for (;;) {
         endImports();
         const Token token = tokens_.next();

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -122,6 +123,9 @@ SlotNames slotNamesFor(const PlyElement& vertex) {
     return names;
 }
 
+// So many vertices or indices are read before a claim is told of them.
+constexpr size_t kTakenTogether = size_t(1) << 16;
+
 template <typename Values>
 class MeshReader {
   public:
@@ -174,12 +178,14 @@ class MeshReader {
         if (element.count > std::numeric_limits<uint32_t>::max()) failPly(path_, "has more than 2^32 vertices");
 
         const size_t count = size_t(element.count);
-        const MemoryClaim memory(double(count) * (sizeof(Vec3) * (normals ? 2 : 1) + (uvs ? sizeof(Vec2) : 0)), path_);
+        const double bytes = sizeof(Vec3) * (normals ? 2 : 1) + (uvs ? sizeof(Vec2) : 0);
+        MemoryClaim memory(double(count) * bytes, path_);
         mesh_.positions.resize(count);
         if (normals) mesh_.normals.resize(count);
         if (uvs) mesh_.uvs.resize(count);
         std::array<float, kSlots + 1> v{};
         for (size_t i = 0; i < count; ++i) {
+            if (i % kTakenTogether == 0) memory.taken(double(i) * bytes);
             for (size_t p = 0; p < slots.size(); ++p) {
                 if (element.properties[p].isList)
                     skip(element.properties[p]);
@@ -204,6 +210,7 @@ class MeshReader {
                 else
                     skip(property);
             }
+        indexMemory_.reset();
     }
 
     static bool isCorners(const PlyProperty& p) {
@@ -231,7 +238,7 @@ class MeshReader {
     }
 
     void reserveIndices(size_t count) {
-        const MemoryClaim memory(double(count) * sizeof(uint32_t), path_);
+        indexMemory_.emplace(double(count) * sizeof(uint32_t), path_);
         mesh_.indices.reserve(count);
     }
 
@@ -240,6 +247,7 @@ class MeshReader {
         std::vector<uint32_t>& indices = mesh_.indices;
         if (indices.capacity() - indices.size() < 3) reserveIndices(2 * indices.capacity() + 3);
         indices.insert(indices.end(), {a, b, c});
+        if (indices.size() % kTakenTogether < 3) indexMemory_->taken(double(indices.size()) * sizeof(uint32_t));
     }
 
     uint32_t corner(PlyType type) {
@@ -265,6 +273,7 @@ class MeshReader {
     Values values_;
     const std::string& path_;
     TriangleMesh mesh_;
+    std::optional<MemoryClaim> indexMemory_;  // for what mesh_.indices has room for, while they are read
     uint64_t emptyFaces_ = 0;
 };
 

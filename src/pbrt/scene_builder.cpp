@@ -241,9 +241,11 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     params = completed("shape", std::move(params));
     const bool moves = state_.ctm.isAnimated();  // then its instance has the transformation
     const ShapeContext context{
-        params, state_.textures, files_, moves ? Transform() : state_.ctm.start(), state_.reverseOrientation, dialect_};
+        params,   state_.textures, files_, moves ? Transform() : state_.ctm.start(), state_.reverseOrientation,
+        dialect_, curvePiecesLeft_};
     auto geometry = make_.shape(type, context);
     if (!geometry) return;
+    if (geometry->curves) curvePiecesLeft_ -= geometry->curves->pieceCount();
     if (geometry->shape && !isWithinReach(geometry->shape->bounds()))
         fail(params.pos(), "the " + params.owner() + " reaches farther from the origin than 1e18");
     PendingPrimitive pending;
@@ -256,7 +258,7 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     pending.primitive.material =
         make_.materialOfShape(*state_.material, params, state_.textures, state_.namedMaterials);
     params.warnUnused();
-    if (joinCurves(pending)) return;
+    if (placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
     if (state_.areaLight && openObject_) {
         warn(params.pos(), "shapes of an instanced object cannot be area lights; it does not emit");
     } else if (state_.areaLight && moves) {
@@ -376,7 +378,7 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     loadMeshes(options);
     for (PendingPrimitive& p : pending_) {
         if (p.areaLight) {
-            p.primitive.areaLight = p.areaLight(p.primitive);
+            p.primitive.areaLight = placedAt(p.pos, [&] { return p.areaLight(p.primitive); });
             scene_->lights[*p.lightSlot] = p.primitive.areaLight;
         }
         auto& primitives = p.object ? scene_->objects[*p.object].primitives : scene_->primitives;

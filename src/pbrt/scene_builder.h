@@ -22,6 +22,9 @@ class SceneBuilder {
   public:
     SceneBuilder(const FileSearch& files, Dialect dialect);
 
+    // Pieces that the curves to come may be cut into.
+    void limitCurves(size_t pieces) { curvePiecesLeft_ = pieces; }
+
     // Transformations. apply multiplies the current one from the right.
     void apply(const Transform& t, const SourcePos& pos);
     void setTransform(const Transform& t, const SourcePos& pos);
@@ -137,6 +140,7 @@ class SceneBuilder {
     };
     std::optional<MovingObject> movingObject_;
     InstanceBudget instances_;
+    size_t curvePiecesLeft_ = limits::kCurvePieces;
     std::vector<PendingPrimitive> pending_;
     std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();
 };

@@ -13,6 +13,8 @@ struct LoadOptions {
     std::optional<FilmGeometry> resolution{};  // instead of the file's
     // That all subdivision surfaces together may come to.
     double subdividedTriangles = limits::kSubdividedTriangles;
+    // That all curves together may be cut into.
+    size_t curvePieces = limits::kCurvePieces;
 };
 
 // Which of the two a file is written in is found out by its words (dialect_scan.h); -v says which, and by what.

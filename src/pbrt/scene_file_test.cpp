@@ -20,9 +20,9 @@ const std::string kTriangle = "Shape \"trianglemesh\" \"integer indices\" [0 1 2
 // How many new warnings f causes.
 template <typename F>
 int warningsOf(const F& f) {
-    const int before = warningCount();
+    forgetWarnings();
     f();
-    return warningCount() - before;
+    return warningCount();
 }
 
 TEST(SceneFile, DefaultsArePbrts) {

@@ -24,9 +24,9 @@ std::string errorOfOptions(const std::string& options) {
 }
 template <typename F>
 int warningsOf(const F& f) {
-    const int before = warningCount();
+    forgetWarnings();
     f();
-    return warningCount() - before;
+    return warningCount();
 }
 // The colour of a diffuse surface.
 Rgb albedoOf(const std::string& world, const std::string& directory = ".", const std::string& end = "") {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/limits.h"
 #include "pbrt/dialect.h"
 #include "pbrt/file_search.h"
 #include "pbrt/texture_params.h"
@@ -21,6 +22,7 @@ struct ShapeContext {
     Transform objectToWorld;
     bool reverseOrientation = false;
     Dialect dialect = Dialect::V3;
+    size_t curvePieces = limits::kCurvePieces;  // that a curve may come to
 };
 
 // Exactly one of shape and loadMesh is set.

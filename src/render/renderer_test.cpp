@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/error.h"
+#include "base/folder_testing.h"
 #include "cache/enhancer.h"
 #include "pbrt/scene_file.h"
 
@@ -16,12 +16,7 @@ using testing::StartsWith;
 std::string errorOf(const Scene& scene) {
     RenderParams params;
     params.integrator = Integrator::Path;
-    try {
-        const Renderer renderer(scene, params, makeIdentityEnhancer(), nullptr);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return drc::errorOf([&] { const Renderer renderer(scene, params, makeIdentityEnhancer(), nullptr); });
 }
 
 // A bright strip across a dim sky, through a filter that undershoots beside it.

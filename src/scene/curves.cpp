@@ -1,6 +1,10 @@
 #include "scene/curves.h"
 
+#include <fmt/core.h>
+
+#include "base/memory.h"
 #include "math/frame.h"
+#include "scene/tracing_memory.h"
 
 namespace drc {
 namespace {
@@ -62,11 +66,30 @@ std::optional<TriangleHit> intersectTriangle(const Ray& ray, const Vec3& a, cons
 
 }  // namespace
 
+int Curves::piecesOf(const std::array<Vec3, 4>& points, const std::array<float, 2>& widths,
+                     const std::array<Vec3, 2>& normals) const {
+    if (points[0] == points[1] && points[1] == points[2] && points[2] == points[3]) return 0;
+    const int pieces = piecesFor(points, std::max(widths[0], widths[1]));
+    return type_ == CurveType::Ribbon ? std::max(pieces, piecesForTurn(normals[0], normals[1])) : pieces;
+}
+
+void Curves::reserve(size_t pieces) {
+    const size_t wanted = ranges_.size() + pieces;
+    if (wanted <= ranges_.capacity()) return;
+    // As vectors grow by themselves: sets that are appended to one by one are not copied for each.
+    const size_t room = std::max(wanted, ranges_.empty() ? 0 : 2 * ranges_.capacity());
+    const bool ribbon = type_ == CurveType::Ribbon;
+    const double bytes = 4 * sizeof(ControlPoint) + (ribbon ? 4 * sizeof(ControlNormal) : 0) + sizeof(Vec2);
+    const MemoryClaim memory(double(room) * bytes + double(wanted) * kTracingBytesPerCurvePiece,
+                             fmt::format("curves of {} pieces", wanted));
+    ranges_.reserve(room);
+    points_.reserve(4 * room);
+    if (ribbon) normals_.reserve(4 * room);
+}
+
 void Curves::add(const std::array<Vec3, 4>& points, const std::array<float, 2>& widths,
                  const std::array<Vec3, 2>& normals) {
-    if (points[0] == points[1] && points[1] == points[2] && points[2] == points[3]) return;
-    int pieces = piecesFor(points, std::max(widths[0], widths[1]));
-    if (type_ == CurveType::Ribbon) pieces = std::max(pieces, piecesForTurn(normals[0], normals[1]));
+    const int pieces = piecesOf(points, widths, normals);
     const std::array<Vec3, 4> arc = type_ == CurveType::Ribbon ? arcBetween(normals[0], normals[1]) : points;
     for (int i = 0; i < pieces; ++i) {
         const float u0 = float(i) / float(pieces), u1 = float(i + 1) / float(pieces);
@@ -85,6 +108,7 @@ void Curves::add(const std::array<Vec3, 4>& points, const std::array<float, 2>& 
 }
 
 void Curves::append(const Curves& other) {
+    reserve(other.ranges_.size());
     points_.insert(points_.end(), other.points_.begin(), other.points_.end());
     normals_.insert(normals_.end(), other.normals_.begin(), other.normals_.end());
     ranges_.insert(ranges_.end(), other.ranges_.begin(), other.ranges_.end());
@@ -182,7 +206,11 @@ std::optional<ShapeHit> Curves::intersect(const Ray& ray, float tMin) const {
 
 const Distribution1D& Curves::lengths() const {
     std::call_once(lengthsOnce_, [this] {
+        constexpr double kBytesPerStep = sizeof(float) + sizeof(double) + sizeof(int);  // its own and the table's
+        const MemoryClaim memory(double(pieceCount()) * kStepsPerPiece * kBytesPerStep,
+                                 fmt::format("a light of curves of {} pieces", pieceCount()));
         std::vector<float> steps;
+        steps.reserve(size_t(pieceCount()) * kStepsPerPiece);
         for (uint32_t piece = 0; piece < pieceCount(); ++piece)
             for (int i = 0; i < kStepsPerPiece; ++i) {
                 const Point c = at(piece, (float(i) + 0.5f) / kStepsPerPiece);

@@ -30,10 +30,16 @@ class Curves final : public Shape {
     // Control points, and the widths and (for ribbons) unit normals at both ends. Nothing for a curve without length.
     void add(const std::array<Vec3, 4>& points, const std::array<float, 2>& widths,
              const std::array<Vec3, 2>& normals = {Vec3(0.f), Vec3(0.f)});
+    // How many pieces that makes.
+    int piecesOf(const std::array<Vec3, 4>& points, const std::array<float, 2>& widths,
+                 const std::array<Vec3, 2>& normals = {Vec3(0.f), Vec3(0.f)}) const;
+    // Makes room for so many pieces more. Throws Error if there is less memory than they and what rays need of them
+    // take.
+    void reserve(size_t pieces);
     bool looksLike(const Curves& other) const {
         return type_ == other.type_ && flipNormal_ == other.flipNormal_ && mirrored_ == other.mirrored_;
     }
-    // Those of another set that looks like this one.
+    // Those of another set that looks like this one. Throws Error as reserve() does.
     void append(const Curves& other);
 
     // Curves are kept in pieces that kLines straight lines follow closely: four control points each.

@@ -1,5 +1,9 @@
 #include "scene/curves.h"
 
+#include <gmock/gmock.h>
+
+#include "base/folder_testing.h"
+#include "base/memory_testing.h"
 #include "math/frame.h"
 #include "scene/chi_square.h"
 #include "scene/shape_check.h"
@@ -232,6 +236,37 @@ TEST(Curves, SamplesByAreaCoverATube) {
         EXPECT_NEAR(1 / s.pdf, curves->area(), 1e-3);
         EXPECT_NEAR(length(s.p - Vec3(s.p.x, 0, 0)), 0.1f, 1e-5);
     }
+}
+
+TEST(Curves, PiecesAreCountedAsTheyAreMade) {
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon})
+        for (const float width : {0.f, 1e-6f, 1e-3f, 0.1f, 1.f})
+            for (const std::array<Vec3, 4>& points : {kStraight, kBent, {Vec3(1), Vec3(1), Vec3(1), Vec3(1)}}) {
+                Curves curves(type, false);
+                const std::array<Vec3, 2> normals = {Vec3(0, 0, 1), normalize(Vec3(0, 1, -2))};
+                curves.add(points, {width, width}, normals);
+                EXPECT_EQ(curves.piecesOf(points, {width, width}, normals), int(curves.pieceCount())) << width;
+            }
+}
+
+TEST(Curves, AsLightsAndTogetherAreWithinMemory) {
+    Curves curves(CurveType::Flat, false);
+    for (int i = 0; i < 1024; ++i) curves.add(kBent, {1e-7f, 1e-7f});
+    ASSERT_EQ(curves.pieceCount(), 1024u * 64);
+    const std::string light = errorOf([&] {
+        const AddressSpaceLimit limit(3 << 20);
+        (void)curves.area();
+    });
+    EXPECT_THAT(light, testing::StartsWith("a light of curves of 65536 pieces needs about 4 MiB of memory"));
+    EXPECT_GT(curves.area(), 0) << "it can be tried again";
+    Curves both(CurveType::Flat, false);
+    both.append(curves);
+    const std::string together = errorOf([&] {
+        const AddressSpaceLimit limit(16 << 20);
+        both.append(curves);
+    });
+    EXPECT_THAT(together, testing::StartsWith("curves of 131072 pieces needs about "));
+    EXPECT_EQ(both.pieceCount(), curves.pieceCount());
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 // Diffuse area light over a triangle mesh: one light for all its triangles (PBR 3e, sections 12.5 and 14.2.3). A few
 // triangles are chosen by area; of many a tree finds those that matter to the lit point.
+#include <fmt/core.h>
+
+#include "base/memory.h"
 #include "math/distribution.h"
 #include "math/warp.h"
 #include "scene/light.h"
@@ -16,6 +19,9 @@ class MeshAreaLight final : public AreaLight {
     MeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided)
         : radiance_(radiance), twoSided_(twoSided) {
         const uint32_t count = mesh.triangleCount();
+        // As measured: what is kept, and while the tree is built its lists, each of which grows by copies.
+        constexpr double kBytesPerTriangle = 450;
+        const MemoryClaim memory(count * kBytesPerTriangle, fmt::format("a light of {} triangles", count));
         std::vector<float> areas(count);
         std::vector<LightReach> reaches(count);
         emitters_.resize(count);

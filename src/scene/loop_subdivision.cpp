@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/memory.h"
+#include "scene/tracing_memory.h"
 
 namespace drc {
 namespace {
@@ -193,11 +194,14 @@ TriangleMesh subdivideLoop(std::span<const Vec3> positions, std::span<const uint
             fmt::format("subdividing {} triangles {} times makes {:.3g}, and at most {:.3g} are made; use fewer "
                         "levels",
                         indices.size() / 3, levels, triangles, limits::kSubdividedTriangles));
-    // Two half-edge meshes, a quarter and the whole, and what the vertices' neighbours sum to.
-    constexpr double kBytesPerTriangle = 80;
-    const MemoryClaim memory(triangles * kBytesPerTriangle, fmt::format("subdividing to {:.3g} triangles", triangles));
+    // Two half-edge meshes, a quarter and the whole, and what the vertices' neighbours sum to, would be 80 bytes a
+    // triangle; the mesh and what rays need of it take more. There are half as many vertices.
+    constexpr double kMesh = 3 * sizeof(uint32_t) + 2 * sizeof(Vec3) / 2.0, kHalfEdges = 6 * sizeof(uint32_t) + 6;
+    MemoryClaim memory(triangles * (kMesh + kTracingBytesPerTriangle + kTracingBytesPerVertex / 2),
+                       fmt::format("subdividing to {:.3g} triangles", triangles));
     HalfEdgeMesh mesh = makeHalfEdges(positions, indices);
     for (int level = 0; level < levels; ++level) mesh = refine(mesh);
+    memory.taken(triangles * kHalfEdges);
 
     const std::vector<Neighbours> neighbours = gatherNeighbours(mesh);
     TriangleMesh result;

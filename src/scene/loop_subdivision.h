@@ -14,8 +14,8 @@ double subdividedTriangles(size_t triangles, int levels);
 // pbrt they look against the winding, to where the triangles appear clockwise.
 //
 // Throws Error where more than two triangles share an edge, or two are wound against each other, and for more triangles
-// than limits::kSubdividedTriangles or than memory has room for. Where separate fans of
-// triangles meet in a vertex, each has the vertex for itself; vertices without triangles are left out.
+// than limits::kSubdividedTriangles or than memory has room for, with what tracing rays needs of them. Where separate
+// fans of triangles meet in a vertex, each has the vertex for itself; vertices without triangles are left out.
 TriangleMesh subdivideLoop(std::span<const Vec3> positions, std::span<const uint32_t> indices, int levels);
 
 }  // namespace drc

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/error.h"
+#include "base/folder_testing.h"
 
 namespace drc {
 namespace {
@@ -118,17 +118,11 @@ TEST(LoopSubdivision, FansThatShareAVertexAreApart) {
     for (const Vec3& p : mesh.positions) EXPECT_LT(length(p), 2);
 }
 
-std::string errorOf(const ControlMesh& mesh, int levels) {
-    try {
-        mesh.subdivided(levels);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
 TEST(LoopSubdivision, SaysWhatIsWrong) {
     const std::vector<Vec3> points(5, Vec3(0.f));
+    const auto errorOf = [](const ControlMesh& mesh, int levels) {
+        return drc::errorOf([&] { mesh.subdivided(levels); });
+    };
     EXPECT_THAT(errorOf({points, {0, 1, 2, 0, 1, 3}}, 1), HasSubstr("the edge between vertices 0 and 1 is in two"));
     EXPECT_THAT(errorOf({points, {0, 1, 1}}, 1), HasSubstr("a triangle has vertex 1 twice"));
     EXPECT_THAT(errorOf(octahedron(), 20),
@@ -137,14 +131,12 @@ TEST(LoopSubdivision, SaysWhatIsWrong) {
 }
 
 // A normal of zero is as good as found: to seek it again at each of a vertex's edges takes the square of their number.
-TEST(LoopSubdivision, ManyTrianglesAboutOnePointInOnePlaceTakeNoTime) {
-    constexpr uint32_t kSides = 50'000;
+TEST(LoopSubdivision, ManyTrianglesAboutOnePointInOnePlaceAreDoneInTheirTime) {
+    constexpr uint32_t kSides = 50'000;  // the square of which takes minutes
     ControlMesh fan{std::vector<Vec3>(kSides + 1, Vec3(0.f)), {}};
     for (uint32_t i = 0; i < kSides; ++i)
         for (const uint32_t corner : {0u, 1 + i, 1 + (i + 1) % kSides}) fan.indices.push_back(corner);
-    const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(fan.subdivided(0).triangleCount(), kSides);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
 }
 
 }  // namespace

@@ -59,8 +59,8 @@ std::string confined(std::string_view scene) {
 
 void parser(std::string_view bytes) {
     try {
-        // Subdivision takes time by the triangles that it makes: no finding of the fuzzer's.
-        const pbrt::LoadOptions options{.subdividedTriangles = 1e5};
+        // Subdivision takes time by the triangles that it makes, curves by their pieces: no finding of the fuzzer's.
+        const pbrt::LoadOptions options{.subdividedTriangles = 1e5, .curvePieces = 100'000};
         (void)pbrt::loadPbrtString(confined(bytes), "/nonexistent", options, "fuzz.pbrt");
     } catch (const Error&) {
     }
