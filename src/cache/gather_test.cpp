@@ -89,9 +89,7 @@ TEST(Gather, MapsThatAreTurnedAwayLoseNoLight) {
         const auto half = std::make_shared<ConstantTexture<Rgb>>(Rgb(0.5f));
         Case s;
         makeCase(
-            transmits ? makeTranslucent({})
-                      : makeMatte({half, nullptr, nullptr}),
-            [](Vec3) { return Rgb(3.f); }, s);
+            transmits ? makeTranslucent({}) : makeMatte({half, nullptr, nullptr}), [](Vec3) { return Rgb(3.f); }, s);
         const double expected = integrate(s.hit, [](Vec3) { return Rgb(3.f); });
         s.site.n = tilted;
         s.site.front = mapOf(tilted, [](Vec3) { return Rgb(3.f); });
