@@ -2,11 +2,24 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/limits.h"
 
 namespace drc::pbrt {
+
+namespace {
+
+// Factor by which t makes things larger along one of the axes, or turns one of them into another.
+float largest(const Transform& t) {
+    float most = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) most = std::max(most, std::abs(t.at(row, column)));
+    return most;
+}
+
+}  // namespace
 
 bool isUsable(const Transform& t) {
     const Transform inverse = t.inverse();
@@ -21,6 +34,15 @@ bool isInstanceable(const Transform& objectToWorld) {
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
             if (!(std::abs(inverse.at(row, column)) <= limits::kInstanceScale)) return false;
+    return true;
+}
+
+bool isMovable(const AnimatedTransform& objectToWorld) {
+    constexpr int kMoments = 9;  // stretch is interpolated linearly
+    for (int i = 0; i < kMoments; ++i) {
+        const Transform t = objectToWorld.at(float(i) / (kMoments - 1));
+        if (!isInstanceable(t) || !(largest(t) * largest(t.inverse()) <= limits::kMovingStretch)) return false;
+    }
     return true;
 }
 

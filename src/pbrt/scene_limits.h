@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "math/transform.h"
+#include "math/animated_transform.h"
 #include "pbrt/param_set.h"
 #include "pbrt/texture_params.h"
 #include "scene/shape.h"
@@ -13,6 +13,8 @@ namespace drc::pbrt {
 bool isUsable(const Transform& t);
 // Rays are intersected in the space of the object: their coordinates must stay below limits::kCoordinate there.
 bool isInstanceable(const Transform& objectToWorld);
+// At all times, and what it stretches can be found in floats between them too: see limits::kMovingStretch.
+bool isMovable(const AnimatedTransform& objectToWorld);
 // False also for what has no bounds: made of what is no number.
 bool isWithinReach(const Bounds& bounds);
 

@@ -109,6 +109,19 @@ TEST(SceneLimits, InstancesThatRaysCannotBeTakenTo) {
     EXPECT_EQ(errorOfWorld(object + "Scale 1e-8 1e-8 1e-8\nObjectInstance \"o\""), "");
 }
 
+TEST(SceneLimits, MotionsThatFloatsCannotInvert) {
+    const auto motion = [](const std::string& start, const std::string& end) {
+        return "ActiveTransform StartTime " + start + " ActiveTransform EndTime " + end +
+               " ActiveTransform All\nShape \"sphere\"";
+    };
+    const std::string flat = "Rotate 110 0 -2 1 Scale -1e-9 -1e3 1e9 Rotate 30 1 2 3";
+    EXPECT_THAT(errorOfWorld(motion(flat, "Rotate 132 0 -1 1 Scale -1e-9 1 -1e-6")),
+                StartsWith("s.pbrt:3:7: an object that moves may be stretched along one direction by 1e5 times"));
+    EXPECT_THAT(errorOfWorld(motion("Scale 1 1e6 1", "Rotate 90 1 0 0")), HasSubstr("at no time by more"));
+    EXPECT_EQ(errorOfWorld(motion("Scale 1 1e4 1", "Rotate 90 1 0 0")), "");
+    EXPECT_EQ(errorOfWorld(motion("Scale 1e-8 1e-8 1e-8", "Scale 1e8 1e8 1e8")), "");
+}
+
 // Each instance of an object of many moving parts places every one of them anew.
 TEST(SceneLimits, InstancesOfManyMovingParts) {
     std::string object = "ObjectBegin \"o\"\nActiveTransform EndTime\n";
