@@ -210,11 +210,13 @@ const Bsdf* Accel::Impl::lobesOf(const Material* material) {
 }
 
 void Accel::Impl::limitReachBy(const Transform& objectToWorld) {
+    // Embree's own inverse, in floats, may be twice as large: see pbrt::checkPlacement.
+    constexpr float kInside = limits::kCoordinate / 4;
     const Transform inverse = objectToWorld.inverse();
     for (int row = 0; row < 3; ++row) {
         float most = 1;
         for (int column = 0; column < 3; ++column) most = std::max(most, std::abs(inverse.at(row, column)));
-        reach = std::min(reach, (limits::kCoordinate - std::abs(inverse.at(row, 3))) / most);
+        reach = std::min(reach, (kInside - std::abs(inverse.at(row, 3))) / most);
     }
 }
 

@@ -59,9 +59,6 @@ inline constexpr float kCoordinate = 1e18f;
 // From the world to the space of an instanced object, by which rays are multiplied: with it, those of scenes of a
 // thousand kilometres stay within the limit of a coordinate.
 inline constexpr float kInstanceScale = 1e9f;
-// How much more an object that moves may be stretched along one direction than along another. On the way its placement
-// is inverted in floats, whose sums have seven digits: with more it may have no inverse.
-inline constexpr float kMovingStretch = 1e5f;
 // Instances, those of parts that move within objects included: a file may ask for their product. One that moves counts
 // as many times as there are moments that stand for its motion, up to 65.
 inline constexpr size_t kInstanceSteps = size_t(1) << 24;

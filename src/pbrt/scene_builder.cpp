@@ -139,12 +139,7 @@ void SceneBuilder::objectEnd(const SourcePos& pos) {
 }
 
 void SceneBuilder::addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos) {
-    if (!isInstanceable(toWorld.start()) || !isInstanceable(toWorld.end()))
-        fail(pos, "an object may be made smaller by a factor of 1e9 at most, and moved by 1e9 times its own size");
-    if (toWorld.isAnimated() && !isMovable(toWorld))
-        fail(pos,
-             "an object that moves may be stretched along one direction by 1e5 times as much as along another, at no "
-             "time by more");
+    checkPlacement(toWorld, pos);
     const Instance instance{int(object), toWorld};
     instances_.take(instance, pos);
     scene_->instances.push_back(instance);

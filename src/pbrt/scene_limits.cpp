@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/limits.h"
@@ -11,12 +12,45 @@ namespace drc::pbrt {
 
 namespace {
 
-// Factor by which t makes things larger along one of the axes, or turns one of them into another.
-float largest(const Transform& t) {
+using Affine = std::array<Vec3, 4>;  // columns; the last is the translation
+
+float largest(const Affine& m) {
     float most = 0;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) most = std::max(most, std::abs(t.at(row, column)));
+    for (const Vec3& column : m)
+        for (int row = 0; row < 3; ++row) most = std::max(most, std::abs(column[row]));
     return most;
+}
+
+Affine affine(const Transform& t) {
+    Affine m;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) m[size_t(column)][row] = t.at(row, column);
+    return m;
+}
+
+// Embree inverts placements in floats: cofactors over the determinant. Far from the inverse, or no numbers, if that
+// does not suffice.
+Affine floatInverse(const Affine& m) {
+    const Vec3 rows[3] = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
+    const float scale = 1 / dot(m[0], rows[0]);
+    Affine r;
+    for (int i = 0; i < 3; ++i) {
+        for (int column = 0; column < 3; ++column) r[size_t(column)][i] = rows[i][column] * scale;
+        r[3][i] = -dot(rows[i], m[3]) * scale;
+    }
+    return r;
+}
+
+// Whether rounding leaves something of that determinant: what its products lose together is less than a third of it.
+bool hasFloatDeterminant(const Affine& m) {
+    float determinant = 0, products = 0;
+    for (int i = 0; i < 3; ++i)
+        for (const int turn : {1, 2}) {
+            const float product = m[0][i] * m[1][(i + turn) % 3] * m[2][(i + 2 * turn) % 3];
+            determinant += turn == 1 ? product : -product;
+            products += std::abs(product);
+        }
+    return std::abs(determinant) > 1e-6f * products;
 }
 
 }  // namespace
@@ -29,21 +63,19 @@ bool isUsable(const Transform& t) {
     return t.isInvertible();
 }
 
-bool isInstanceable(const Transform& objectToWorld) {
-    const Transform inverse = objectToWorld.inverse();
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column)
-            if (!(std::abs(inverse.at(row, column)) <= limits::kInstanceScale)) return false;
-    return true;
-}
-
-bool isMovable(const AnimatedTransform& objectToWorld) {
+void checkPlacement(const AnimatedTransform& objectToWorld, const SourcePos& pos) {
     constexpr int kMoments = 9;  // stretch is interpolated linearly
-    for (int i = 0; i < kMoments; ++i) {
+    for (int i = 0; i < (objectToWorld.isAnimated() ? kMoments : 1); ++i) {
         const Transform t = objectToWorld.at(float(i) / (kMoments - 1));
-        if (!isInstanceable(t) || !(largest(t) * largest(t.inverse()) <= limits::kMovingStretch)) return false;
+        const Affine placement = affine(t);
+        const float most = largest(affine(t.inverse())), inFloats = largest(floatInverse(placement));
+        if (!(most <= limits::kInstanceScale))
+            fail(pos, "an object may be made smaller by a factor of 1e9 at most, and moved by 1e9 times its own size");
+        if (!(inFloats > 0.5f * most && inFloats < 2 * most) || !hasFloatDeterminant(placement))
+            fail(pos,
+                 "an object may be made larger by a factor of 1e12 at most; where its placement stretches it aslant, "
+                 "into what is at most 1000 times as long as wide, or 1e6 times as wide as thick");
     }
-    return true;
 }
 
 std::shared_ptr<const TextureCost> costAbove(const TextureCost& others, const ParamSet& params) {

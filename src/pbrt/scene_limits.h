@@ -11,15 +11,14 @@ namespace drc::pbrt {
 
 // Takes floats to floats, and back.
 bool isUsable(const Transform& t);
-// Rays are intersected in the space of the object: their coordinates must stay below limits::kCoordinate there.
-bool isInstanceable(const Transform& objectToWorld);
-// At all times, and what it stretches can be found in floats between them too: see limits::kMovingStretch.
-bool isMovable(const AnimatedTransform& objectToWorld);
 // False also for what has no bounds: made of what is no number.
 bool isWithinReach(const Bounds& bounds);
 
 // Of the texture that params describe, which asks for others at that cost. Throws Error if it is too much.
 std::shared_ptr<const TextureCost> costAbove(const TextureCost& others, const ParamSet& params);
+// Throws Error, at pos, if rays cannot be taken to the space of an object that is placed so: their coordinates must
+// stay below limits::kCoordinate there, and Embree finds the inverse in floats.
+void checkPlacement(const AnimatedTransform& objectToWorld, const SourcePos& pos);
 // Throws Error, at pos, if what all things of this target ("shape") get a copy of is too much.
 void checkShared(const ParamSet& params, const std::string& target, const SourcePos& pos);
 

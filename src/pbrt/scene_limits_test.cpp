@@ -109,17 +109,38 @@ TEST(SceneLimits, InstancesThatRaysCannotBeTakenTo) {
     EXPECT_EQ(errorOfWorld(object + "Scale 1e-8 1e-8 1e-8\nObjectInstance \"o\""), "");
 }
 
+// Embree inverts placements in floats, and ends the program at rays that are no numbers.
+TEST(SceneLimits, PlacementsThatFloatsCannotInvert) {
+    const std::string object = "ObjectBegin \"o\"\nShape \"sphere\"\nObjectEnd\n";
+    const auto placed = [&](const std::string& placement) {
+        return errorOfWorld(object + placement + "\nObjectInstance \"o\"");
+    };
+    EXPECT_THAT(placed("Scale 1e13 1e13 1e13"),
+                StartsWith("s.pbrt:6:16: an object may be made larger by a factor of 1e12 at most"));
+    EXPECT_EQ(placed("Scale 1e12 1e12 1e12"), "");
+    EXPECT_THAT(placed("Rotate -165 -2 -2 1 Scale 1e-6 1e9 1e3 Rotate 30 1 2 3"), HasSubstr("stretches it aslant"));
+    EXPECT_EQ(placed("Scale 1e-6 1e9 1e3"), "");
+    EXPECT_EQ(placed("Rotate 45 1 2 3 Scale 1 1 1e-4 Rotate 30 1 2 3"), "");
+}
+
 TEST(SceneLimits, MotionsThatFloatsCannotInvert) {
     const auto motion = [](const std::string& start, const std::string& end) {
         return "ActiveTransform StartTime " + start + " ActiveTransform EndTime " + end +
                " ActiveTransform All\nShape \"sphere\"";
     };
-    const std::string flat = "Rotate 110 0 -2 1 Scale -1e-9 -1e3 1e9 Rotate 30 1 2 3";
-    EXPECT_THAT(errorOfWorld(motion(flat, "Rotate 132 0 -1 1 Scale -1e-9 1 -1e-6")),
-                StartsWith("s.pbrt:3:7: an object that moves may be stretched along one direction by 1e5 times"));
-    EXPECT_THAT(errorOfWorld(motion("Scale 1 1e6 1", "Rotate 90 1 0 0")), HasSubstr("at no time by more"));
-    EXPECT_EQ(errorOfWorld(motion("Scale 1 1e4 1", "Rotate 90 1 0 0")), "");
+    EXPECT_THAT(errorOfWorld(motion("Rotate 110 0 -2 1 Scale -1e-9 -1e3 1e9 Rotate 30 1 2 3",
+                                    "Rotate 132 0 -1 1 Scale -1e-9 1 -1e-6")),
+                StartsWith("s.pbrt:3:7: an object may be made larger by a factor of 1e12 at most; where"));
+    EXPECT_EQ(errorOfWorld(motion("Scale 1 500 1", "Rotate 90 1 2 0 Scale 1 1 500")), "");
     EXPECT_EQ(errorOfWorld(motion("Scale 1e-8 1e-8 1e-8", "Scale 1e8 1e8 1e8")), "");
+    // Turned by nothing or by a quarter, a part is stretched along its axes; aslant between.
+    const auto turning = [](const std::string& placement) {
+        return "ObjectBegin \"o\"\nActiveTransform EndTime Rotate 90 0 0 1\nShape \"sphere\"\nObjectEnd\n"
+               "Rotate 45 0 0 1 " +
+               placement + " ObjectInstance \"o\"";
+    };
+    EXPECT_THAT(errorOfWorld(turning("Scale 1 1e7 1")), HasSubstr("stretches it aslant"));
+    EXPECT_EQ(errorOfWorld(turning("Scale 1 500 1")), "");
 }
 
 // Each instance of an object of many moving parts places every one of them anew.
