@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/intersect_context.h"
+
 namespace drc::benchmarks {
 
 struct RecordedRay {
@@ -34,8 +36,8 @@ BareEmbree bareEmbree();
 template <typename Met>
 float replay(const std::vector<RecordedRay>& rays, Met met) {
     const BareEmbree embree = bareEmbree();
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    ShapeHit shape;
+    IntersectContext context(shape);
     float sum = 0;
     for (const RecordedRay& r : rays) {
         RTCRayHit q;

@@ -9,6 +9,7 @@
 
 #include "accel/curve_geometry.h"
 #include "accel/instance_geometry.h"
+#include "accel/intersect_context.h"
 #include "accel/packed_mesh.h"
 #include "base/error.h"
 #include "base/limits.h"
@@ -60,14 +61,6 @@ bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId
     fillAt(data, ray, t, primId, u, v, hit);
     return alpha->eval(hit.textureContext()) == 0;
 }
-
-// What Embree hands on to shapeIntersect.
-struct Context : RTCIntersectContext {
-    explicit Context(ShapeHit& shape) : latest(shape) { rtcInitIntersectContext(this); }
-    // Of the shape that was accepted last. Embree accepts nothing that is not nearer than all before it: if the ray's
-    // hit is a shape's at all, this is it.
-    ShapeHit& latest;
-};
 
 Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
     Ray r;
@@ -146,7 +139,7 @@ void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
         RTCHitN_instID(hits, a->N, i, 0) = a->context->instID[0];
         RTCHitN_u(hits, a->N, i) = found->uv.x;
         RTCHitN_v(hits, a->N, i) = found->uv.y;
-        static_cast<Context*>(a->context)->latest = *found;
+        static_cast<IntersectContext*>(a->context)->latest = *found;
     }
 }
 
@@ -301,7 +294,7 @@ bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
 
 bool Accel::find(const Ray& ray, Found& found) const {
     if (!impl_->isWithinReach(ray.o, ray.d)) return false;
-    Context context(found.shape);
+    IntersectContext context(found.shape);
     RTCRayHit q;
     q.ray.org_x = ray.o.x;
     q.ray.org_y = ray.o.y;
