@@ -9,7 +9,6 @@
 #include "base/limits.h"
 
 namespace drc::pbrt {
-
 namespace {
 
 using Affine = std::array<Vec3, 4>;  // columns; the last is the translation
@@ -41,7 +40,7 @@ Affine floatInverse(const Affine& m) {
     return r;
 }
 
-// Whether rounding leaves something of that determinant: what its products lose together is less than a third of it.
+// Whether rounding leaves something of that determinant: what its products and their sum lose is less than half of it.
 bool hasFloatDeterminant(const Affine& m) {
     float determinant = 0, products = 0;
     for (int i = 0; i < 3; ++i)
