@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator_shapes.h"
+
 namespace drc::interior {
 namespace {
 
@@ -9,7 +11,7 @@ namespace {
 void ornament(const Pen& pen, float size, float room, Rng& rng, const Palette& palette) {
     const int m = rng.pick(palette.ornament);
     const float r = size / 2, h = std::min(room, size * rng.uniform(0.8f, 3));
-    switch (rng.integer(0, 6)) {
+    switch (rng.integer(0, 9)) {
         case 0: {  // vase
             const float waist = rng.uniform(0.3f, 0.9f), lip = rng.uniform(0.3f, 0.9f);
             std::vector<Vec2> profile{{0, 0}, {r * 0.6f, 0}};
@@ -61,6 +63,15 @@ void ornament(const Pen& pen, float size, float room, Rng& rng, const Palette& p
             pen.box({-r, -0.01f, 0.001f}, {r, 0.01f, std::min(room, size * 1.3f)}, rng.pick(palette.furniture));
             break;
         }
+        case 6:
+            drawSubdivided(pen, {0, 0, 0.001f}, size, h, rng, m);
+            break;
+        case 7:
+            drawQuadric(pen, {0, 0, 0.001f}, size, h, rng, m);
+            break;
+        case 8:
+            drawTuft(pen, {0, 0, 0}, r, h, rng.integer(5, 25), rng, palette.leaf);
+            break;
         default:
             pen.cylinder({0, 0, 0.001f}, r * 0.6f, h, m, 24);
             break;
@@ -94,6 +105,22 @@ void wallShelf(const Room& room, Wall& wall, Draft& draft, Rng& rng, const Palet
     const Pen pen(draft, wall.frame);
     pen.bevelledBox({*u, 0.001f, z - 0.03f}, {*u + w, d, z}, 0.003f, rng.pick(palette.furniture));
     pen.surface({*u + w / 2, d / 2, z}, w / 2 - 0.05f, d / 2 - 0.02f, 0.3f);
+}
+
+// Boards across the upper part of windows, inside and out: daylight reaches the room by way of the ceiling.
+void lightShelves(const Room& room, Draft& draft, Rng& rng, const Palette& palette) {
+    const float out = rng.uniform(0.2f, 0.5f), in = rng.uniform(0.15f, 0.5f), at = rng.uniform(0.55f, 0.8f);
+    const int top = rng.chance(0.4f) ? palette.metal.front() : palette.trim;
+    for (const Wall& w : room.walls) {
+        for (const Opening& o : w.openings) {
+            if (o.kind != OpeningKind::Sky || o.z1 < 1.4f) continue;
+            const Pen pen(draft, w.frame);
+            const float z = std::max(1.2f, lerp(at, o.z0, o.z1));
+            if (z > o.z1 - 0.1f) continue;
+            pen.box({o.u0 + 0.005f, -o.depth - out, z}, {o.u1 - 0.005f, -o.depth * 0.6f, z + 0.02f}, top);
+            pen.box({o.u0 + 0.005f, -o.depth * 0.4f, z}, {o.u1 - 0.005f, in, z + 0.02f}, top);
+        }
+    }
 }
 
 }  // namespace
@@ -131,6 +158,7 @@ void decorateWalls(Room& room, Draft& draft, Rng& rng, const Palette& palette) {
 }
 
 void dressWindows(const Room& room, Draft& draft, Rng& rng, const Palette& palette) {
+    if (rng.chance(0.12f)) return lightShelves(room, draft, rng, palette);
     const int style = rng.integer(0, 4);
     if (style < 2) return;
     const int cloth = rng.chance(0.5f) ? rng.pick(palette.fabric) : palette.shade.front();

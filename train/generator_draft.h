@@ -71,6 +71,13 @@ struct Sphere {
     int material;
 };
 
+// Any of pbrt's shapes, in metres about the frame's origin.
+struct Shape {
+    Placement frame;
+    int material;
+    std::string parameters;  // class and parameters, as pbrt reads them
+};
+
 enum class EmitterShape { Quad, Sphere, Disk };
 
 // Emits from its geometric normal's side: u x v for quads (corner, corner + u, ...), outward for spheres.
@@ -87,6 +94,12 @@ struct Emitter {
     float area() const;
 };
 
+// Radiance over the directions, latitude by longitude, the zenith's row first; 1 on average above the horizon.
+struct SkyImage {
+    int width = 0, height = 0;
+    std::vector<Rgb> radiance;
+};
+
 // A level place on which small things can stand, in its own frame.
 struct Surface {
     Placement frame;
@@ -99,6 +112,7 @@ struct Draft {
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<Sphere> spheres;
+    std::vector<Shape> shapes;
     std::vector<Emitter> emitters;
     std::vector<Surface> surfaces;
     std::vector<OrientedBox> solids;       // what is opaque and full, to first order
@@ -106,6 +120,7 @@ struct Draft {
     std::vector<OrientedBox> freeVolumes;  // the room, niches and what lies behind doors
     // Lights without a shape. Black: none.
     Rgb sky{0, 0, 0};
+    SkyImage skyImage;  // what varies over the sky; empty: nothing
     Rgb sun{0, 0, 0};
     Vec3 sunFrom{0, 0, 1};
     struct Point {

@@ -3,20 +3,12 @@
 #include <algorithm>
 #include <string>
 
+#include "generator_fixtures.h"
+#include "generator_piece.h"
+#include "generator_shapes.h"
+
 namespace drc::interior {
 namespace {
-
-// A piece is built with x across from -w/2 to w/2, its back at y = 0 and its front at y = depth.
-struct Kit {
-    const Pen& pen;
-    Vec3 size;
-    Rng& rng;
-    const Palette& palette;
-
-    int wood() const { return rng.pick(palette.furniture); }
-    int cloth() const { return rng.pick(palette.fabric); }
-    int metal() const { return rng.pick(palette.metal); }
-};
 
 void legs(const Kit& k, float height, float inset, int material) {
     const float x = k.size.x / 2 - inset, t = k.rng.uniform(0.015f, 0.045f);
@@ -256,27 +248,44 @@ void radiator(const Kit& k) {
         k.pen.rod({-k.size.x / 2, k.size.y / 2, z}, {k.size.x / 2 - 0.04f, k.size.y / 2, z}, 0.015f, m);
 }
 
-struct Piece {
-    void (*build)(const Kit&);
-    Vec3 least, most;
-    bool atWall;
-    float weight;
-};
+void beanbag(const Kit& k) { drawSubdivided(k.pen, k.middle(), k.size.x, k.size.z, k.rng, k.cloth()); }
+
+void quadricStand(const Kit& k) {
+    drawQuadric(k.pen, k.middle(), k.size.x, k.size.z, k.rng, k.rng.chance(0.5f) ? k.wood() : k.ornament());
+}
+
+void grass(const Kit& k) {
+    const float pot = k.size.z * k.rng.uniform(0.15f, 0.4f);
+    k.pen.cylinder(k.middle(), k.size.x * 0.25f, pot, k.ornament());
+    drawTuft(k.pen, k.middle() + Vec3(0, 0, pot), k.size.x * 0.5f, k.size.z - pot, k.rng.integer(15, 90), k.rng,
+             k.palette.leaf);
+}
 
 const std::vector<Piece> kPieces = {
-    {table, {0.6f, 0.5f, 0.35f}, {2.0f, 1.0f, 0.95f}, false, 3},
-    {roundTable, {0.5f, 0.5f, 0.4f}, {1.3f, 1.3f, 0.8f}, false, 1.5f},
-    {chair, {0.38f, 0.38f, 0.75f}, {0.55f, 0.5f, 1.1f}, false, 4},
-    {shelf, {0.6f, 0.2f, 0.7f}, {2.2f, 0.4f, 2.3f}, true, 3},
-    {sofa, {1.0f, 0.75f, 0.65f}, {2.4f, 1.0f, 0.95f}, true, 2},
-    {bed, {0.9f, 1.8f, 0.7f}, {1.8f, 2.1f, 1.2f}, true, 1},
-    {cabinet, {0.4f, 0.35f, 0.4f}, {2.2f, 0.65f, 2.3f}, true, 3},
-    {steps, {0.9f, 0.6f, 0.5f}, {3.2f, 1.1f, 2.2f}, true, 1},
-    {plant, {0.4f, 0.4f, 0.5f}, {0.9f, 0.9f, 1.8f}, false, 2},
-    {stool, {0.3f, 0.3f, 0.3f}, {0.8f, 0.8f, 0.5f}, false, 1.5f},
-    {crates, {0.25f, 0.25f, 0.2f}, {0.8f, 0.8f, 1.6f}, false, 1.5f},
-    {screen, {1.0f, 0.3f, 1.2f}, {2.0f, 0.5f, 1.9f}, false, 0.7f},
-    {radiator, {0.5f, 0.12f, 0.4f}, {1.6f, 0.18f, 0.8f}, true, 1},
+    // least and most size; at a wall; how often in living rooms, corridors, bathrooms, kitchens and halls
+    {table, {0.6f, 0.5f, 0.35f}, {2.0f, 1.0f, 0.95f}, false, {3, 0, 0.3f, 3, 4}},
+    {roundTable, {0.5f, 0.5f, 0.4f}, {1.3f, 1.3f, 0.8f}, false, {1.5f, 0.2f, 0.2f, 1.5f, 2}},
+    {chair, {0.38f, 0.38f, 0.75f}, {0.55f, 0.5f, 1.1f}, false, {4, 1, 0.5f, 5, 6}},
+    {shelf, {0.6f, 0.2f, 0.7f}, {2.2f, 0.4f, 2.3f}, true, {3, 2, 1, 1, 3}},
+    {sofa, {1.0f, 0.75f, 0.65f}, {2.4f, 1.0f, 0.95f}, true, {2, 0, 0, 0.2f, 2}},
+    {bed, {0.9f, 1.8f, 0.7f}, {1.8f, 2.1f, 1.2f}, true, {1, 0, 0, 0, 0.2f}},
+    {cabinet, {0.4f, 0.35f, 0.4f}, {2.2f, 0.65f, 2.3f}, true, {3, 2, 2, 2, 2}},
+    {steps, {0.9f, 0.6f, 0.5f}, {3.2f, 1.1f, 2.2f}, true, {1, 1, 0, 0, 3}},
+    {plant, {0.4f, 0.4f, 0.5f}, {0.9f, 0.9f, 1.8f}, false, {2, 1, 0.7f, 0.7f, 2}},
+    {stool, {0.3f, 0.3f, 0.3f}, {0.8f, 0.8f, 0.5f}, false, {1.5f, 0.5f, 1, 1, 1}},
+    {crates, {0.25f, 0.25f, 0.2f}, {0.8f, 0.8f, 1.6f}, false, {1.5f, 1.5f, 0.3f, 0.7f, 2}},
+    {screen, {1.0f, 0.3f, 1.2f}, {2.0f, 0.5f, 1.9f}, false, {0.7f, 0, 0.3f, 0, 0.7f}},
+    {radiator, {0.5f, 0.12f, 0.4f}, {1.6f, 0.18f, 0.8f}, true, {1, 1.5f, 1, 0.7f, 0.5f}},
+    {beanbag, {0.5f, 0.5f, 0.35f}, {1.1f, 1.1f, 0.9f}, false, {1, 0.3f, 0.2f, 0.2f, 1}},
+    {quadricStand, {0.25f, 0.25f, 0.3f}, {0.8f, 0.8f, 1.2f}, false, {1, 0.5f, 0.5f, 0.5f, 1}},
+    {grass, {0.3f, 0.3f, 0.4f}, {0.9f, 0.9f, 1.6f}, false, {0.8f, 0.5f, 0.3f, 0.3f, 0.8f}},
+    {bathtub, {1.3f, 0.65f, 0.45f}, {1.9f, 0.85f, 0.65f}, true, {0, 0, 4, 0, 0}},
+    {washbasin, {0.45f, 0.38f, 0.8f}, {0.8f, 0.5f, 0.92f}, true, {0, 0.3f, 4, 0.3f, 0}},
+    {toilet, {0.35f, 0.6f, 0.7f}, {0.4f, 0.7f, 0.85f}, true, {0, 0, 3, 0, 0}},
+    {showerScreen, {0.8f, 0.8f, 1.9f}, {1.2f, 1.1f, 2.1f}, true, {0, 0, 2.5f, 0, 0}},
+    {counter, {0.6f, 0.55f, 0.85f}, {3.0f, 0.7f, 0.95f}, true, {0.3f, 0, 0.5f, 8, 0.3f}},
+    {hood, {0.55f, 0.55f, 1.9f}, {0.8f, 0.65f, 2.3f}, true, {0, 0, 0, 3, 0}},
+    {rack, {0.5f, 0.25f, 0.7f}, {1.4f, 0.5f, 1.9f}, true, {0.5f, 0.7f, 1, 1.5f, 0.7f}},
 };
 
 bool fits(const Room& room, const Draft& draft, const OrientedBox& box) {
@@ -335,12 +344,12 @@ void keepDoorsClear(const Room& room, Draft& draft) {
 
 }  // namespace
 
-void furnish(Room& room, Draft& draft, Rng& rng, const Palette& palette, float share) {
+void furnish(Room& room, Draft& draft, Rng& rng, const Palette& palette, RoomKind kind, float share) {
     keepDoorsClear(room, draft);
     const size_t first = draft.footprints.size();
     const float wanted = share * room.floorArea();
     float total = 0;
-    for (const Piece& p : kPieces) total += p.weight;
+    for (const Piece& p : kPieces) total += p.weight[size_t(kind)];
     for (int attempt = 0; attempt < 40; ++attempt) {
         float taken = 0;
         for (size_t i = first; i < draft.footprints.size(); ++i) {
@@ -351,7 +360,7 @@ void furnish(Room& room, Draft& draft, Rng& rng, const Palette& palette, float s
         float x = rng.uniform(0, total);
         const Piece* chosen = &kPieces.back();
         for (const Piece& p : kPieces) {
-            if ((x -= p.weight) < 0) {
+            if ((x -= p.weight[size_t(kind)]) < 0) {
                 chosen = &p;
                 break;
             }
@@ -378,7 +387,7 @@ void scatterPrimitives(const Room& room, Draft& draft, Rng& rng, const Palette& 
         // Some hover: light under an object is a case of its own.
         const float lift =
             rng.chance(0.2f) ? rng.uniform(0.05f, std::max(0.06f, room.eaves - 2 * r - h - 0.2f)) : 0.002f;
-        switch (rng.integer(0, 4)) {
+        switch (rng.integer(0, 7)) {
             case 0:
                 pen.sphere({0, 0, r + lift}, r, material);
                 break;
@@ -390,6 +399,15 @@ void scatterPrimitives(const Room& room, Draft& draft, Rng& rng, const Palette& 
                 break;
             case 3:
                 pen.cushion({-r, -r, lift}, {r, r, lift + h}, material, rng.uniform(0.2f, 1));
+                break;
+            case 4:
+                drawSubdivided(pen, {0, 0, lift}, 2 * r, h, rng, material);
+                break;
+            case 5:
+                drawQuadric(pen, {0, 0, lift}, 2 * r, h, rng, material);
+                break;
+            case 6:
+                drawTuft(pen, {0, 0, 0}, r, h, 40, rng, palette.leaf);
                 break;
             default:
                 pen.box({-r, -r, lift}, {r, r, lift + h}, material);

@@ -5,7 +5,7 @@
 namespace drc::interior {
 
 // Fills the room to about `share` of its floor.
-void furnish(Room& room, Draft& draft, Rng& rng, const Palette& palette, float share);
+void furnish(Room& room, Draft& draft, Rng& rng, const Palette& palette, RoomKind kind, float share);
 
 // Loose primitives instead of furniture: for what no furniture teaches.
 void scatterPrimitives(const Room& room, Draft& draft, Rng& rng, const Palette& palette, int count);

@@ -165,12 +165,45 @@ void glowingScreen(const Kit& k) {
                   k.palette.lightBody);
 }
 
+// A ring of small bulbs.
+void chandelier(const Kit& k) {
+    const int bulbs = k.rng.integer(5, 12);
+    const float ring = k.rng.uniform(0.15f, 0.45f), r = k.rng.uniform(0.012f, 0.035f);
+    const int metal = k.palette.metal.front();
+    const float x = k.room.width * k.rng.uniform(0.3f, 0.7f), y = k.room.depth * k.rng.uniform(0.3f, 0.7f);
+    const float top = lampHeight(k.room, x), z = std::max(1.7f, k.room.eaves - k.rng.uniform(0.3f, 1));
+    if (!k.room.contains(x, y, ring + 0.1f) || !isClear(k.draft, {x, y, z})) return;
+    const Pen pen(k.draft, Placement::at({x, y, 0}, 0));
+    pen.rod({0, 0, z - 0.1f}, {0, 0, top + 0.03f}, 0.008f, metal);
+    for (int i = 0; i < bulbs; ++i) {
+        const float phi = 2 * kPi * static_cast<float>(i) / static_cast<float>(bulbs);
+        const Vec3 at(ring * std::cos(phi), ring * std::sin(phi), z);
+        pen.rod({0, 0, z - 0.1f}, at - Vec3(0, 0, r + 0.004f), 0.005f, metal);
+        pen.sphereLight(at, r, k.group, k.palette.lightBody);
+    }
+}
+
+// On whatever is level.
+void candles(const Kit& k) {
+    if (k.draft.surfaces.empty()) return chandelier(k);
+    for (int i = k.rng.integer(1, 8); i > 0; --i) {
+        const Surface& s = k.rng.pick(k.draft.surfaces);
+        const float h = k.rng.uniform(0.04f, 0.2f), r = k.rng.uniform(0.006f, 0.012f);
+        const Vec3 at(k.rng.uniform(s.lo.x, s.hi.x), k.rng.uniform(s.lo.y, s.hi.y), 0);
+        if (s.clearance < h + 0.06f || !isClear(k.draft, s.frame.point(at + Vec3(0, 0, h + 0.03f)))) continue;
+        const Pen pen(k.draft, s.frame);
+        pen.cylinder(at, 0.02f, h, k.palette.shade.front(), 16);
+        pen.sphereLight(at + Vec3(0, 0, h + 0.02f + r), r, k.group, k.palette.lightBody);
+    }
+}
+
 struct Lamp {
     void (*place)(const Kit&);
     float weight;
 };
 const std::vector<Lamp> kLamps = {{ceilingPanels, 3}, {downlights, 2}, {pendant, 2.5f}, {wallWashers, 4},
-                                  {floorLamp, 2},     {tableLamp, 2},  {lightStrip, 1}, {glowingScreen, 0.7f}};
+                                  {floorLamp, 2},     {tableLamp, 2},  {lightStrip, 1}, {glowingScreen, 0.7f},
+                                  {chandelier, 1},    {candles, 0.7f}};
 
 // Roughly a black body between candle and shade, normalised to luminance 1.
 Rgb lightColor(Rng& rng) {
@@ -179,6 +212,48 @@ Rgb lightColor(Rng& rng) {
     c = warmth > 0 ? Rgb(1, 1 - 0.4f * warmth, 1 - 0.8f * warmth) : Rgb(1 + warmth, 1 + 0.5f * warmth, 1);
     if (rng.chance(0.08f)) c = Rgb{rng.uniform(0.1f, 1), rng.uniform(0.1f, 1), rng.uniform(0.1f, 1)};
     return c * (1 / luminance(c));
+}
+
+// Brighter about the sun's place and towards the horizon or the zenith, with clouds, over a darker ground.
+SkyImage paintSky(Rng& rng) {
+    SkyImage image;
+    image.width = 64;
+    image.height = 32;
+    const float horizon = rng.uniform(0.3f, 2.5f), glow = rng.uniform(0, 6), tight = rng.uniform(4, 60);
+    const float glowTheta = rng.uniform(0.2f, 1.5f), glowPhi = rng.uniform(0, 2 * kPi);
+    const Vec3 towards(std::sin(glowTheta) * std::cos(glowPhi), std::sin(glowTheta) * std::sin(glowPhi),
+                       std::cos(glowTheta));
+    const Rgb ground = randomAlbedo(rng, 0.05f, 0.5f, 0.5f);
+    struct Cloud {
+        Vec3 at;
+        float cosine, brightness;
+    };
+    std::vector<Cloud> clouds;
+    for (int i = rng.integer(0, 12); i > 0; --i) {
+        const float z = rng.uniform(0.05f, 1), phi = rng.uniform(0, 2 * kPi), r = std::sqrt(1 - z * z);
+        clouds.push_back({{r * std::cos(phi), r * std::sin(phi), z}, rng.uniform(0.85f, 0.98f), rng.uniform(0.3f, 3)});
+    }
+    float sum = 0, weights = 0;
+    for (int y = 0; y < image.height; ++y) {
+        const float theta = kPi * (static_cast<float>(y) + 0.5f) / static_cast<float>(image.height);
+        for (int x = 0; x < image.width; ++x) {
+            const float phi = 2 * kPi * (static_cast<float>(x) + 0.5f) / static_cast<float>(image.width);
+            const Vec3 d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+            Rgb radiance = ground;
+            if (d.z > 0) {
+                radiance = Rgb(1, 1, 1) * lerp(d.z, horizon, 1.f);
+                for (const Cloud& c : clouds) {
+                    if (dot(c.at, d) > c.cosine) radiance = radiance * c.brightness;
+                }
+                radiance = radiance + Rgb(1, 0.9f, 0.75f) * (glow * std::exp(tight * (dot(towards, d) - 1)));
+                sum += luminance(radiance) * std::sin(theta);
+                weights += std::sin(theta);
+            }
+            image.radiance.push_back(radiance);
+        }
+    }
+    for (Rgb& c : image.radiance) c = c * (weights / sum);
+    return image;
 }
 
 // What an emitter reaches: a point just in front of it.
@@ -222,7 +297,7 @@ void balanceLight(const Room& room, Draft& draft, Rng& rng, const ShellLight& sh
         if (area[static_cast<size_t>(g)] == 0) continue;
         float share = flux * weight[static_cast<size_t>(g)] / total;
         if (g == shell.corridorGroup) share *= 5;  // most of it stays behind the door
-        if (g == shell.nicheGroup) share *= 0.5f;
+        if (g == shell.nicheGroup || g == shell.hearthGroup) share *= 0.5f;
         const Rgb radiance = lightColor(rng) * (share / (kPi * area[static_cast<size_t>(g)]));
         for (Emitter& e : draft.emitters) {
             if (e.group == g) e.radiance = radiance;
@@ -233,12 +308,14 @@ void balanceLight(const Room& room, Draft& draft, Rng& rng, const ShellLight& sh
         const float sunShare = rng.chance(0.4f) ? rng.uniform(0.3f, 0.9f) : 0;
         const float blue = rng.uniform(0, 0.4f);
         const Rgb tint(1 - blue, 1 - 0.4f * blue, 1 + 0.3f * blue);
+        if (rng.chance(0.5f)) draft.skyImage = paintSky(rng);
         draft.sky = tint * ((1 - sunShare) * share / (kPi * shell.skyArea));
         if (sunShare > 0) {
             const float elevation = rng.uniform(0.15f, 1.1f), turn = rng.uniform(-0.9f, 0.9f);
             const Placement yaw = Placement::at({0, 0, 0}, turn);
-            draft.sunFrom =
-                normalize(yaw.vector(shell.skyWindowOut) * std::cos(elevation) + Vec3(0, 0, std::sin(elevation)));
+            // Under a skylight the sun may stand anywhere.
+            const Vec3 towards = shell.skyWindowOut.z > 0.5f ? Vec3(1, 0, 0) : shell.skyWindowOut;
+            draft.sunFrom = normalize(yaw.vector(towards) * std::cos(elevation) + Vec3(0, 0, std::sin(elevation)));
             const float cosine = std::max(0.3f, dot(draft.sunFrom, shell.skyWindowOut));
             draft.sun = lightColor(rng) * (sunShare * share / (cosine * shell.skyArea));
         }

@@ -34,18 +34,26 @@ std::string diffuse(Draft& draft, Rng& rng, const Rgb& color, float textureChanc
     return textured("Kd", addImageTexture(draft, rng, rng.pick(patterns), color, repeats));
 }
 
+// Disney's parameter for Kd is called color.
+std::string asColor(std::string kd) { return kd.replace(kd.find("Kd"), 2, "color"); }
+
 // A coat over a diffuse base, by one of the models that pbrt files use for it.
 int coated(Draft& draft, Rng& rng, const std::string& kd) {
     const float roughness = rng.logUniform(0.02f, 0.4f);
     const float ks = rng.uniform(0.03f, 0.12f);
     const Rgb specular(ks, ks, ks);
-    switch (rng.integer(0, 3)) {
+    switch (rng.integer(0, 4)) {
         case 0:
         case 1:
             return add(draft, type("substrate") + kd + rgb("Ks", specular) + exactRoughness(roughness));
         case 2:
             return add(draft, type("plastic") + kd + rgb("Ks", specular * 4) + number("roughness", roughness) +
                                   R"( "bool remaproughness" [ "false" ])");
+        case 3:
+            return add(draft, type("disney") + asColor(kd) + number("roughness", rng.uniform(0.1f, 0.9f)) +
+                                  number("metallic", rng.chance(0.2f) ? rng.uniform(0.2f, 1) : 0) +
+                                  number("sheen", rng.chance(0.3f) ? rng.uniform(0, 1) : 0) +
+                                  number("clearcoat", rng.chance(0.3f) ? rng.uniform(0, 1) : 0));
         default:
             return add(draft, type("uber") + kd + rgb("Ks", specular * 3) + exactRoughness(roughness));
     }
@@ -99,6 +107,12 @@ int makeFloor(Draft& draft, Rng& rng) {
     return add(draft, type("matte") + diffuse(draft, rng, color, 0.4f, {Pattern::Blotches, Pattern::Stripes}, 0.7f));
 }
 
+int makeTiles(Draft& draft, Rng& rng) {
+    const Rgb color = randomAlbedo(rng, 0.25f, 0.87f, rng.chance(0.5f) ? 0.1f : 0.6f);
+    const float repeats = rng.uniform(0.8f, 3);
+    return coated(draft, rng, textured("Kd", addImageTexture(draft, rng, Pattern::Tiles, color, repeats)));
+}
+
 int makeFurniture(Draft& draft, Rng& rng) {
     const float kind = rng.uniform();
     if (kind < 0.4f) {
@@ -122,7 +136,9 @@ int makeFabric(Draft& draft, Rng& rng) {
 int makeGlass(Draft& draft, Rng& rng) {
     const Rgb white(1, 1, 1);
     const Rgb tint = rng.chance(0.7f) ? white : white - randomAlbedo(rng, 0.02f, 0.4f, 1);
-    return add(draft, type("glass") + rgb("Kr", white) + rgb("Kt", tint) + number("index", rng.uniform(1.4f, 1.6f)));
+    const std::string rough = rng.chance(0.2f) ? exactRoughness(rng.logUniform(0.02f, 0.4f)) : "";
+    return add(draft,
+               type("glass") + rgb("Kr", white) + rgb("Kt", tint) + number("index", rng.uniform(1.4f, 1.6f)) + rough);
 }
 
 int makeOrnament(Draft& draft, Rng& rng, const Palette& palette) {
@@ -172,12 +188,13 @@ int makePainting(Draft& draft, Rng& rng) {
     return rng.chance(0.7f) ? add(draft, type("matte") + kd) : coated(draft, rng, kd);
 }
 
-Palette makePalette(Draft& draft, Rng& rng) {
+Palette makePalette(Draft& draft, Rng& rng, RoomKind kind) {
     Palette p;
     p.lightBody = add(draft, type("matte") + rgb("Kd", Rgb(0, 0, 0)));
-    p.wall = makeWall(draft, rng);
-    p.accentWall = makeWall(draft, rng);
-    p.floor = makeFloor(draft, rng);
+    const bool tiled = kind == RoomKind::Bath || (kind == RoomKind::Kitchen && rng.chance(0.5f));
+    p.wall = tiled && rng.chance(0.8f) ? makeTiles(draft, rng) : makeWall(draft, rng);
+    p.accentWall = tiled && rng.chance(0.5f) ? makeTiles(draft, rng) : makeWall(draft, rng);
+    p.floor = tiled && rng.chance(0.7f) ? makeTiles(draft, rng) : makeFloor(draft, rng);
     p.ceiling = add(draft, type("matte") + rgb("Kd", rng.chance(0.85f) ? randomAlbedo(rng, 0.65f, 0.88f, 0.05f)
                                                                        : randomAlbedo(rng, 0.1f, 0.6f, 0.4f)));
     p.trim = rng.chance(0.6f) ? coated(draft, rng, rgb("Kd", randomAlbedo(rng, 0.6f, 0.88f, 0.05f)))

@@ -226,6 +226,10 @@ void Pen::curtain(const Vec3& a, const Vec3& b, float height, float foldDepth, i
     });
 }
 
+void Pen::shape(const Vec3& at, std::string parameters, int material) const {
+    draft_->shapes.push_back({frame_.inner(Placement{at, 1, 0}), material, std::move(parameters)});
+}
+
 void Pen::solid(const Vec3& lo, const Vec3& hi) const { draft_->solids.push_back({frame_, lo, hi}); }
 
 void Pen::surface(const Vec3& center, float halfX, float halfY, float clearance) const {

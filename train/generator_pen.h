@@ -1,5 +1,6 @@
 // Draws solids into a draft, in a local frame. Faces are wound outward, so that glass knows its inside.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "generator_draft.h"
@@ -32,6 +33,8 @@ class Pen {
     void cushion(const Vec3& lo, const Vec3& hi, int material, float exponent = 0.4f) const;
     // A hanging sheet from a to b with folds, height downwards.
     void curtain(const Vec3& a, const Vec3& b, float height, float foldDepth, int folds, int material) const;
+    // One of pbrt's shapes with its origin at `at`.
+    void shape(const Vec3& at, std::string parameters, int material) const;
     // Takes up space without being drawn.
     void solid(const Vec3& lo, const Vec3& hi) const;
     void surface(const Vec3& center, float halfX, float halfY, float clearance) const;

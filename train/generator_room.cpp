@@ -50,6 +50,44 @@ void perforatedWall(const Pen& pen, const std::vector<Opening>& openings, float 
     }
 }
 
+// As perforatedWall, seen from below.
+void perforatedCeiling(const Pen& pen, const std::vector<Opening>& openings, float x0, float x1, float y0, float y1,
+                       float z, int material) {
+    // Lying on its back: what is up along a wall is y here.
+    std::vector<float> xs{x0, x1}, ys{y0, y1};
+    for (const Opening& o : openings) {
+        xs.insert(xs.end(), {o.u0, o.u1});
+        ys.insert(ys.end(), {o.z0, o.z1});
+    }
+    std::sort(xs.begin(), xs.end());
+    std::sort(ys.begin(), ys.end());
+    for (size_t i = 0; i + 1 < xs.size(); ++i) {
+        for (size_t j = 0; j + 1 < ys.size(); ++j) {
+            const float x = (xs[i] + xs[i + 1]) / 2, y = (ys[j] + ys[j + 1]) / 2;
+            const bool open = std::any_of(openings.begin(), openings.end(), [&](const Opening& o) {
+                return x > o.u0 && x < o.u1 && y > o.z0 && y < o.z1;
+            });
+            if (open) continue;
+            pen.quad({xs[i], ys[j + 1], z}, {xs[i + 1], ys[j + 1], z}, {xs[i + 1], ys[j], z}, {xs[i], ys[j], z},
+                     material);
+        }
+    }
+}
+
+// The shaft above a hole in the ceiling.
+void skylight(const Opening& o, float z, Draft& draft, const Palette& palette, ShellLight& light) {
+    const Pen pen(draft, {});
+    const int m = palette.ceiling;
+    const float top = z + o.depth;
+    pen.quad({o.u0, o.z0, z}, {o.u0, o.z0, top}, {o.u0, o.z1, top}, {o.u0, o.z1, z}, m);
+    pen.quad({o.u1, o.z1, z}, {o.u1, o.z1, top}, {o.u1, o.z0, top}, {o.u1, o.z0, z}, m);
+    pen.quad({o.u1, o.z0, z}, {o.u1, o.z0, top}, {o.u0, o.z0, top}, {o.u0, o.z0, z}, m);
+    pen.quad({o.u0, o.z1, z}, {o.u0, o.z1, top}, {o.u1, o.z1, top}, {o.u1, o.z1, z}, m);
+    draft.freeVolumes.push_back({{}, {o.u0, o.z0, z}, {o.u1, o.z1, top + 0.001f}});
+    light.skyArea += (o.u1 - o.u0) * (o.z1 - o.z0);
+    light.skyWindowOut = Vec3(0, 0, 1);
+}
+
 // The four sides of a hole through the wall, facing its inside.
 void reveal(const Pen& pen, const Opening& o, int sides, int floor) {
     const float d = -o.depth;
@@ -131,6 +169,12 @@ void chooseOpenings(Room& room, Rng& rng, bool sky) {
                 rng.uniform(0.4f, 1.5f), kCorridorSide);
         }
     }
+    if (rng.chance(0.07f)) {
+        Wall& w = anyWall();
+        if (!w.reentrant)
+            cut(w, OpeningKind::Hearth, rng.uniform(0.6f, 1.3f), 0, rng.uniform(0.5f, 1), rng.uniform(0.3f, 0.6f),
+                kCorridorSide);
+    }
     const int windows = rng.integer(0, 4);
     for (int i = 0; i < windows; ++i) {
         Wall& w = anyWall();
@@ -179,6 +223,15 @@ void buildOpening(const Wall& wall, const Opening& o, Draft& draft, Rng& rng, co
         case OpeningKind::Alcove:
             wallQuad(pen, o.u0, o.u1, o.z0, o.z1, -o.depth, palette.accentWall);
             break;
+        case OpeningKind::Hearth:
+            wallQuad(pen, o.u0, o.u1, o.z0, o.z1, -o.depth, palette.accentWall);
+            for (int i = rng.integer(3, 9); i > 0; --i) {  // embers
+                const float r = rng.uniform(0.02f, 0.06f);
+                pen.sphereLight({rng.uniform(o.u0 + 0.15f, o.u1 - 0.15f), -o.depth * rng.uniform(0.3f, 0.7f),
+                                 r + rng.uniform(0.01f, 0.25f)},
+                                r, group(light.hearthGroup), palette.lightBody);
+            }
+            break;
         case OpeningKind::DoorAjar:
             corridor(pen, o, rng, palette, group(light.corridorGroup));
             break;
@@ -194,6 +247,10 @@ void floorAndCeiling(const Room& room, const Pen& pen, const Palette& palette) {
         std::vector<float> xs{x0, x1};
         const float ridge = room.width / 2;
         if (room.ceiling == CeilingKind::Gable && ridge > x0 && ridge < x1) xs.insert(xs.begin() + 1, ridge);
+        if (!room.skylights.empty()) {
+            perforatedCeiling(pen, room.skylights, x0, x1, y0, y1, room.eaves, palette.ceiling);
+            continue;
+        }
         for (size_t i = 0; i + 1 < xs.size(); ++i) {
             const float a = xs[i], b = xs[i + 1], za = room.ceilingAt(a), zb = room.ceilingAt(b);
             pen.quad({a, y1, za}, {b, y1, zb}, {b, y0, zb}, {a, y0, za}, palette.ceiling);
@@ -346,24 +403,43 @@ float Room::hit(const Vec3& origin, const Vec3& direction) const {
     return nearest;
 }
 
-Room makeRoom(Rng& rng, const Palette& palette) {
+Room makeRoom(Rng& rng, const Palette& palette, RoomKind purpose) {
     Room r;
     r.width = rng.uniform(2.5f, 7.5f);
     r.depth = rng.uniform(2.5f, 7.5f);
     if (rng.chance(0.15f)) r.depth = rng.uniform(7, 9);
     if (rng.chance(0.1f)) r.width = 2.5f * rng.uniform(0.7f, 1);
     r.eaves = rng.chance(0.75f) ? rng.uniform(2.3f, 3) : rng.uniform(3, 4.2f);
+    switch (purpose) {
+        case RoomKind::Corridor:
+            r.width = rng.chance(0.7f) ? rng.uniform(1.2f, 2.2f) : rng.uniform(3.3f, 5);  // wide ones turn a corner
+            r.depth = rng.uniform(5, 11);
+            break;
+        case RoomKind::Bath:
+            r.width = rng.uniform(1.8f, 3.6f);
+            r.depth = rng.uniform(1.8f, 4);
+            break;
+        case RoomKind::Hall:
+            r.width = rng.uniform(6, 12);
+            r.depth = rng.uniform(6, 12);
+            r.eaves = rng.uniform(3, 6.5f);
+            break;
+        default:
+            break;
+    }
     const float kind = rng.uniform();
-    if (kind > 0.7f) {
+    if (kind > 0.7f && purpose != RoomKind::Corridor) {
         r.ceiling = kind > 0.85f ? CeilingKind::Gable : CeilingKind::Shed;
         r.eaves = rng.uniform(2.2f, 2.7f);
         r.rise = rng.uniform(0.3f, 1.8f);
     }
     std::vector<Vec2> plan;
     const float w = r.width, d = r.depth;
-    const bool isL = w > 3.2f && d > 3.2f && rng.chance(0.5f);
+    const bool isL = w > 3.2f && d > 3.2f && (purpose == RoomKind::Corridor || rng.chance(0.5f));
     if (isL) {
-        const float cw = w * rng.uniform(0.25f, 0.55f), cd = d * rng.uniform(0.25f, 0.55f);
+        // Both arms of a corridor are narrow.
+        const float cut = purpose == RoomKind::Corridor ? rng.uniform(0.55f, 0.65f) : rng.uniform(0.25f, 0.55f);
+        const float cw = w * cut, cd = d * (purpose == RoomKind::Corridor ? 1 - 1.5f / d : rng.uniform(0.25f, 0.55f));
         plan = {{0, 0}, {w, 0}, {w, d - cd}, {w - cw, d - cd}, {w - cw, d}, {0, d}};
         r.rects = {{0, 0, w, d - cd}, {0, d - cd, w - cw, d}};
     } else {
@@ -372,6 +448,11 @@ Room makeRoom(Rng& rng, const Palette& palette) {
     }
     const bool accent = rng.chance(0.4f);
     const int accentWall = rng.integer(0, static_cast<int>(plan.size()) - 1);
+    if (r.ceiling == CeilingKind::Flat && !isL && w > 1.6f && rng.chance(purpose == RoomKind::Living ? 0.12f : 0.2f)) {
+        const float hx = rng.uniform(0.2f, w * 0.3f), hy = rng.uniform(0.2f, std::min(1.5f, d * 0.3f));
+        const float x = rng.uniform(hx + 0.3f, w - hx - 0.3f), y = rng.uniform(hy + 0.3f, d - hy - 0.3f);
+        r.skylights.push_back({OpeningKind::Sky, x - hx, x + hx, y - hy, y + hy, rng.uniform(0.15f, 0.8f)});
+    }
     for (size_t i = 0; i < plan.size(); ++i) {
         const int material = accent && static_cast<int>(i) == accentWall ? palette.accentWall : palette.wall;
         r.walls.push_back(makeWall(plan[i], plan[(i + 1) % plan.size()], material));
@@ -398,6 +479,7 @@ ShellLight buildShell(Room& room, Draft& draft, Rng& rng, const Palette& palette
         gableEnd(room, w, wallPen);
         for (const Opening& o : w.openings) buildOpening(w, o, draft, rng, palette, light, groups);
     }
+    for (const Opening& o : room.skylights) skylight(o, room.eaves, draft, palette, light);
     if (rng.chance(0.7f)) skirting(room, draft, rng, palette);
     pillarsAndBeams(room, draft, rng, palette);
     if (light.skyArea > 0) outside(room, draft, rng, palette);

@@ -10,7 +10,7 @@
 
 namespace drc::interior {
 
-enum class OpeningKind { Sky, LightPanel, Niche, Alcove, DoorAjar };
+enum class OpeningKind { Sky, LightPanel, Niche, Alcove, DoorAjar, Hearth };
 enum class CeilingKind { Flat, Shed, Gable };
 
 struct Opening {
@@ -48,6 +48,7 @@ struct Room {
     float eaves = 0;  // lowest height of the ceiling
     float rise = 0;
     CeilingKind ceiling = CeilingKind::Flat;
+    std::vector<Opening> skylights;  // of a flat ceiling: u is x, and z0, z1 stand for y
 
     float ceilingAt(float x) const;
     bool contains(float x, float y, float margin) const;
@@ -62,11 +63,12 @@ struct ShellLight {
     int panelGroup = -1;
     int corridorGroup = -1;
     int nicheGroup = -1;
+    int hearthGroup = -1;
     float skyArea = 0;  // of openings to the sky
     Vec3 skyWindowOut{0, 0, 0};
 };
 
-Room makeRoom(Rng& rng, const Palette& palette);
+Room makeRoom(Rng& rng, const Palette& palette, RoomKind kind);
 // Chooses openings, then draws it all. groups counts the emitter groups given out so far.
 ShellLight buildShell(Room& room, Draft& draft, Rng& rng, const Palette& palette, int& groups);
 

@@ -12,6 +12,8 @@
 namespace drc::interior {
 namespace {
 
+constexpr const char* kSkyFile = "textures/sky.pfm";
+
 class Text {
   public:
     template <typename... Args>
@@ -100,8 +102,48 @@ void writeEmitter(Text& out, const Emitter& e, const Draft& draft, const World& 
     out.line("AttributeEnd");
 }
 
+// Lengths inside stay metres: the transformation scales them.
+void writePlacement(Text& out, const Placement& frame, const World& world) {
+    const auto axis = [&](const Vec3& v) { return str(world.vector(frame.vector(v)) * world.scale); };
+    out.line("ConcatTransform [ {} 0 {} 0 {} 0 {} 1 ]", axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1}),
+             str(world.point(frame.origin)));
+}
+
+void writeShape(Text& out, const Shape& s, const Draft& draft, const World& world) {
+    out.line("AttributeBegin");
+    out.line("NamedMaterial \"{}\"", draft.materials[static_cast<size_t>(s.material)].name);
+    writePlacement(out, s.frame, world);
+    out.line("Shape {}", s.parameters);
+    out.line("AttributeEnd");
+}
+
+void writeSky(Text& out, const Draft& draft, const World& world) {
+    if (draft.skyImage.radiance.empty()) {
+        out.line("LightSource \"infinite\" \"rgb L\" [ {} ]", str(draft.sky));
+        return;
+    }
+    const auto axis = [&](const Vec3& v) { return str(world.vector(v)); };
+    out.line("AttributeBegin");
+    out.line("ConcatTransform [ {} 0 {} 0 {} 0 0 0 0 1 ]", axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1}));
+    out.line("LightSource \"infinite\" \"rgb L\" [ {} ] \"string mapname\" [ \"{}\" ]", str(draft.sky), kSkyFile);
+    out.line("AttributeEnd");
+}
+
+// PFM, which begins with the lowest row.
+std::string encodePfm(const SkyImage& image) {
+    std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
+    for (int y = image.height - 1; y >= 0; --y) {
+        const Rgb* row = image.radiance.data() + static_cast<size_t>(y) * static_cast<size_t>(image.width);
+        for (int x = 0; x < image.width; ++x) {
+            const float rgb[3] = {row[x].x, row[x].y, row[x].z};
+            bytes.append(reinterpret_cast<const char*>(rgb), sizeof rgb);
+        }
+    }
+    return bytes;
+}
+
 void writeShapelessLights(Text& out, const Draft& draft, const World& world) {
-    if (!isBlack(draft.sky)) out.line("LightSource \"infinite\" \"rgb L\" [ {} ]", str(draft.sky));
+    if (!isBlack(draft.sky)) writeSky(out, draft, world);
     if (!isBlack(draft.sun)) {
         out.line("LightSource \"distant\" \"rgb L\" [ {} ] \"point from\" [ {} ] \"point to\" [ 0 0 0 ]",
                  str(draft.sun), str(world.vector(draft.sunFrom)));
@@ -158,6 +200,7 @@ std::string toPbrt(const Draft& draft, const World& world, const FilmSize& film,
         out.line("Shape \"sphere\" \"float radius\" [ {:.6g} ]", s.radius * world.scale);
         out.line("AttributeEnd");
     }
+    for (const Shape& s : draft.shapes) writeShape(out, s, draft, world);
     for (const Emitter& e : draft.emitters) writeEmitter(out, e, draft, world);
     out.line("WorldEnd");
     return out.take();
@@ -168,6 +211,7 @@ void writeScene(const std::filesystem::path& directory, const Draft& draft, cons
     std::filesystem::create_directories(directory / "textures", failure);
     if (failure) throw Error({directory.string()}, "the directory could not be made: " + failure.message());
     writeFile(directory / "scene.pbrt", pbrt);
+    if (!draft.skyImage.radiance.empty()) writeFile(directory / kSkyFile, encodePfm(draft.skyImage));
     for (const Texture& t : draft.textures) {
         if (!t.file.empty()) writeFile(directory / t.file, encodeTga(t));
     }

@@ -20,25 +20,36 @@ namespace {
 constexpr int kAttempts = 50;
 
 std::string describe(const Room& room, const Draft& draft) {
-    return fmt::format("{} walls, {:.2f} x {:.2f} x {:.2f} m, {} triangles, {} spheres, {} area lights{}{}{}",
+    return fmt::format("{} walls, {:.2f} x {:.2f} x {:.2f} m, {} triangles, {} other shapes, {} area lights{}{}{}",
                        room.walls.size(), room.width, room.depth, room.eaves + room.rise, draft.triangleCount(),
-                       draft.spheres.size(), draft.emitters.size(), isBlack(draft.sky) ? "" : ", sky",
-                       isBlack(draft.sun) ? "" : ", sun", draft.points.empty() ? "" : ", a point light");
+                       draft.spheres.size() + draft.shapes.size(), draft.emitters.size(),
+                       isBlack(draft.sky) ? "" : ", sky", isBlack(draft.sun) ? "" : ", sun",
+                       draft.points.empty() ? "" : ", a point light");
+}
+
+RoomKind pickKind(Rng& rng) {
+    const float x = rng.uniform();
+    return x < 0.52f   ? RoomKind::Living
+           : x < 0.66f ? RoomKind::Corridor
+           : x < 0.78f ? RoomKind::Bath
+           : x < 0.9f  ? RoomKind::Kitchen
+                       : RoomKind::Hall;
 }
 
 Draft makeDraft(Rng rng) {
     Draft draft;
     Rng paletteRng = rng.fork(), shellRng = rng.fork(), thingsRng = rng.fork(), lightRng = rng.fork(),
         cameraRng = rng.fork();
-    const Palette palette = makePalette(draft, paletteRng);
-    Room room = makeRoom(shellRng, palette);
+    const RoomKind kind = pickKind(shellRng);
+    const Palette palette = makePalette(draft, paletteRng, kind);
+    Room room = makeRoom(shellRng, palette, kind);
     int groups = 0;
     const ShellLight shell = buildShell(room, draft, shellRng, palette, groups);
-    const bool abstractScene = thingsRng.chance(0.15f);
+    const bool abstractScene = kind == RoomKind::Living && thingsRng.chance(0.2f);
     if (abstractScene) {
         scatterPrimitives(room, draft, thingsRng, palette, thingsRng.integer(3, 25));
     } else {
-        furnish(room, draft, thingsRng, palette, thingsRng.uniform(0.05f, 0.5f));
+        furnish(room, draft, thingsRng, palette, kind, thingsRng.uniform(0.05f, 0.5f));
         if (thingsRng.chance(0.15f)) scatterPrimitives(room, draft, thingsRng, palette, thingsRng.integer(1, 6));
     }
     placeLamps(room, draft, lightRng, palette, shell, groups);

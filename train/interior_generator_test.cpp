@@ -112,6 +112,24 @@ TEST(InteriorGenerator, IndicesAndNormalsFit) {
     }
 }
 
+// The mean above the horizon is what the balance of light assumes.
+TEST(InteriorGenerator, SkiesAreNormalised) {
+    for (const Interior& room : rooms()) {
+        const SkyImage& image = room.draft.skyImage;
+        ASSERT_EQ(image.radiance.size(), size_t(image.width) * size_t(image.height));
+        if (image.radiance.empty()) continue;
+        double sum = 0, weights = 0;
+        for (int y = 0; y < image.height / 2; ++y) {
+            const double weight = std::sin((y + 0.5) * double(kPi) / image.height);
+            for (int x = 0; x < image.width; ++x) {
+                sum += weight * luminance(image.radiance[size_t(y * image.width + x)]);
+                weights += weight;
+            }
+        }
+        EXPECT_NEAR(sum / weights, 1, 1e-4);
+    }
+}
+
 // A shape's winding and its normals agree: glass would otherwise take its inside for its outside.
 TEST(InteriorGenerator, NormalsAgreeWithTheWinding) {
     for (const Interior& room : rooms()) {
@@ -166,16 +184,20 @@ TEST(InteriorGenerator, CameraStandsInTheRoomAndInNothing) {
 }
 
 TEST(InteriorGenerator, RoomsVary) {
-    int sky = 0, yUp = 0, interiorLight = 0;
-    std::set<std::string> materials;
+    int sky = 0, paintedSky = 0, yUp = 0, interiorLight = 0;
+    std::set<std::string> materials, shapes;
+    const auto quoted = [](const std::string& parameters, size_t from) {
+        return parameters.substr(from, parameters.find('"', from) - from);
+    };
     for (const Interior& room : rooms()) {
         sky += !isBlack(room.draft.sky);
         yUp += room.world.yUp;
         interiorLight += !room.draft.emitters.empty();
         for (const Material& m : room.draft.materials) {
-            const size_t from = m.parameters.find("[ \"") + 3;
-            materials.insert(m.parameters.substr(from, m.parameters.find('"', from) - from));
+            materials.insert(quoted(m.parameters, m.parameters.find("[ \"") + 3));
         }
+        for (const Shape& s : room.draft.shapes) shapes.insert(quoted(s.parameters, 1));
+        paintedSky += !room.draft.skyImage.radiance.empty();
     }
     EXPECT_GT(sky, 2);
     EXPECT_LT(sky, kRooms - 2);
@@ -183,7 +205,11 @@ TEST(InteriorGenerator, RoomsVary) {
     EXPECT_LT(yUp, kRooms - 4);
     EXPECT_GT(interiorLight, kRooms / 2);
     EXPECT_THAT(materials, testing::UnorderedElementsAre("matte", "plastic", "metal", "mirror", "glass", "uber",
-                                                         "substrate", "translucent", "mix"));
+                                                         "substrate", "disney", "translucent", "mix"));
+    EXPECT_THAT(shapes, testing::UnorderedElementsAre("sphere", "cylinder", "cone", "paraboloid", "hyperboloid",
+                                                      "loopsubdiv", "curve"));
+    EXPECT_GT(paintedSky, 1);
+    EXPECT_LT(paintedSky, sky);
 }
 
 TEST(InteriorGenerator, WritesTheSceneAndItsTextures) {
