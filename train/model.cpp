@@ -20,38 +20,48 @@ std::string moduleName(std::string name) {
 ModelImpl::ModelImpl(const UNetShape& shape) : shape_(shape) {
     const torch::NoGradGuard noGrad;
     for (const ConvShape& conv : shape.convs()) {
-        torch::nn::Conv2d layer(torch::nn::Conv2dOptions(conv.in, conv.out, conv.kernel).padding(conv.kernel / 2));
+        torch::nn::Conv2d layer(torch::nn::Conv2dOptions(conv.in, conv.out, conv.kernel)
+                                    .padding(conv.kernel / 2)
+                                    .groups(conv.depthwise ? conv.in : 1));
         const bool last = conv.name == "out";
         torch::nn::init::kaiming_normal_(layer->weight, last ? 1.0 : kLeakySlope, torch::kFanIn, torch::kLeakyReLU);
         if (last) layer->weight.mul_(0.1);
         torch::nn::init::constant_(layer->bias, last ? kEncodedMean : 0.0);
         layer->weight.set_data(layer->weight.contiguous(torch::MemoryFormat::ChannelsLast));
         convs_.push_back(register_module(moduleName(conv.name), layer));
+        norms_.emplace_back(nullptr);
+        if (conv.affine)
+            norms_.back() = register_module(moduleName(conv.name) + "_norm", torch::nn::BatchNorm2d(conv.out));
     }
 }
 
 torch::Tensor ModelImpl::forward(torch::Tensor x) {
     namespace F = torch::nn::functional;
-    const auto leaky = [](const torch::Tensor& t) { return torch::leaky_relu(t, kLeakySlope); };
     const auto up = F::InterpolateFuncOptions()
                         .scale_factor(std::vector<double>{2.0, 2.0})
                         .mode(torch::kBilinear)
                         .align_corners(false)
                         .recompute_scale_factor(false);
-    auto next = convs_.begin();
-    x = x.contiguous(torch::MemoryFormat::ChannelsLast);
-    std::vector<torch::Tensor> skips;
-    for (int l = 0; l < shape_.levels; ++l) {
-        if (l > 0) x = torch::max_pool2d(x, 2);
-        for (int i = 0; i < 2; ++i) x = leaky((*next++)->forward(x));
-        skips.push_back(x);
+    std::vector<torch::Tensor> values{x.contiguous(torch::MemoryFormat::ChannelsLast)};
+    size_t conv = 0;
+    for (const Layer& layer : shape_.layers()) {
+        torch::Tensor y = values[size_t(layer.source)];
+        if (layer.op == LayerOp::MaxPool) {
+            y = torch::max_pool2d(y, 2);
+        } else if (layer.op == LayerOp::Upsample) {
+            y = F::interpolate(y, up);
+        } else {
+            if (layer.skip >= 0) y = torch::cat({values[size_t(layer.skip)], y}, 1);
+            y = convs_[conv]->forward(y);
+            if (layer.add >= 0) y = y + values[size_t(layer.add)];
+            const bool open = layer.slope == 0 && is_training();
+            if (layer.slope != 1 && !open) y = torch::leaky_relu(y, layer.slope);
+            if (norms_[conv]) y = norms_[conv]->forward(y);
+            ++conv;
+        }
+        values.push_back(y);
     }
-    for (int l = shape_.levels - 2; l >= 0; --l) {
-        x = torch::cat({skips[size_t(l)], F::interpolate(x, up)}, 1);
-        for (int i = 0; i < 2; ++i) x = leaky((*next++)->forward(x));
-    }
-    x = (*next)->forward(x);
-    return is_training() ? x : torch::relu(x);
+    return values.back();
 }
 
 void ModelImpl::setWeights(const UNetWeights& weights) {
@@ -64,7 +74,19 @@ void ModelImpl::setWeights(const UNetWeights& weights) {
         };
         copy(from.weight, convs_[i]->weight);
         copy(from.bias, convs_[i]->bias);
+        if (!norms_[i]) continue;
+        copy(from.scale, norms_[i]->weight);
+        copy(from.shift, norms_[i]->bias);
+        norms_[i]->running_mean.zero_();
+        norms_[i]->running_var.fill_(1 - norms_[i]->options.eps());
     }
+}
+
+void ModelImpl::copyStatistics(const ModelImpl& other) {
+    const torch::NoGradGuard noGrad;
+    const auto from = other.buffers();
+    auto to = buffers();
+    for (size_t i = 0; i < to.size(); ++i) to[i].copy_(from[i]);
 }
 
 std::shared_ptr<const UNetWeights> ModelImpl::weights() const {
@@ -76,7 +98,11 @@ std::shared_ptr<const UNetWeights> ModelImpl::weights() const {
             const torch::Tensor plain = t.detach().contiguous();
             return std::vector<float>(plain.data_ptr<float>(), plain.data_ptr<float>() + plain.numel());
         };
-        list.push_back({shapes[i], values(convs_[i]->weight), values(convs_[i]->bias)});
+        list.push_back({shapes[i], values(convs_[i]->weight), values(convs_[i]->bias), {}, {}});
+        if (!norms_[i]) continue;
+        const torch::Tensor scale = norms_[i]->weight / torch::sqrt(norms_[i]->running_var + norms_[i]->options.eps());
+        list.back().scale = values(scale);
+        list.back().shift = values(norms_[i]->bias - norms_[i]->running_mean * scale);
     }
     return std::make_shared<UNetWeights>(shape_, std::move(list), shape_.toMetadata());
 }

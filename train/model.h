@@ -21,10 +21,14 @@ class ModelImpl : public torch::nn::Module {
     const UNetShape& shape() const { return shape_; }
     void setWeights(const UNetWeights& weights);
     std::shared_ptr<const UNetWeights> weights() const;
+    // Takes over the running means and variances of normalisations, which are no parameters.
+    void copyStatistics(const ModelImpl& other);
 
   private:
     UNetShape shape_;
-    std::vector<torch::nn::Conv2d> convs_;  // as shape_.convs()
+    // As shape_.convs(). A convolution's scale and shift are what its normalisation is at rest; null if it has none.
+    std::vector<torch::nn::Conv2d> convs_;
+    std::vector<torch::nn::BatchNorm2d> norms_;
 };
 TORCH_MODULE(Model);
 

@@ -10,18 +10,19 @@
 namespace drc {
 namespace {
 
-class Parity : public testing::TestWithParam<int> {};
+class Parity : public testing::TestWithParam<std::tuple<UNetKind, int>> {};
 
 TEST_P(Parity, LibtorchAndOneDnnAgree) {
     UNetShape shape;
-    shape.width = GetParam();
+    std::tie(shape.kind, shape.width) = GetParam();
     torch::manual_seed(3);
     Model model(shape);
     model->setWeights(*UNetWeights::random(shape, 11));
     model->eval();
 
     // By way of a file, so that the export is tested as well.
-    const auto path = std::filesystem::temp_directory_path() / fmt::format("drc_parity_{}.safetensors", shape.width);
+    const auto path = std::filesystem::temp_directory_path() /
+                      fmt::format("drc_parity_{}_{}.safetensors", unetKindName(shape.kind), shape.width);
     model->weights()->save(path.string(), {{"projection", "equal-area"}});
     const auto weights = UNetWeights::load(path.string());
     std::filesystem::remove(path);
@@ -39,7 +40,26 @@ TEST_P(Parity, LibtorchAndOneDnnAgree) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, Parity, testing::Values(8, 16, 32));
+INSTANTIATE_TEST_SUITE_P(Shapes, Parity, testing::Combine(testing::ValuesIn(kUNetKinds), testing::Values(8, 16, 32)));
+
+// Statistics that a training gathers are what the exported scale and shift come from.
+TEST(ParityOfNetworks, NormalisationAfterLearning) {
+    UNetShape shape;
+    shape.kind = UNetKind::Paper;
+    shape.width = 8;
+    torch::manual_seed(4);
+    Model model(shape);
+    const torch::NoGradGuard noGrad;
+    model->train();
+    for (int i = 0; i < 20; ++i) model->forward(torch::randn({8, 7, 32, 32}) * 0.5 + 0.2);
+    model->eval();
+    const torch::Tensor input = torch::randn({3, 7, 32, 32}) * 0.3;
+    const torch::Tensor expected = model->forward(input).contiguous();
+    torch::Tensor output = torch::empty_like(expected);
+    UNet(model->weights(), 8, Precision::Fp32).run(input.data_ptr<float>(), output.data_ptr<float>(), 3);
+    EXPECT_LT((output - expected).abs().max().item<double>(), 1e-4);
+    ASSERT_GT(expected.abs().mean().item<double>(), 0.01);
+}
 
 }  // namespace
 }  // namespace drc

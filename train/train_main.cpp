@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 struct Options {
     std::vector<std::string> data, validationScenes;
-    std::string output, curve, checkpoint, init, commit, command, targetMean = "own";
+    std::string output, curve, checkpoint, init, commit, command, targetMean = "own", kind = "plain";
     int width = 32, levels = 4, threads = 0;
     int64_t reportEvery = 20000;
     size_t validationExamples = 512;
@@ -46,6 +46,8 @@ void parse(CLI::App& app, Options& o) {
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
     app.add_option("--batch", t.batch, "Examples a step")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--kind", o.kind, "The network's blocks: plain, residual, separable or paper")
+        ->capture_default_str();
     app.add_option("--width", o.width, "Channels of the first level")->capture_default_str()->check(CLI::Range(1, 512));
     app.add_option("--levels", o.levels, "Levels of the network")->capture_default_str()->check(CLI::Range(1, 6));
     app.add_option("--lr", t.learningRate, "Peak learning rate")->capture_default_str()->check(CLI::PositiveNumber);
@@ -130,6 +132,7 @@ int run(Options o) {
                         split.validation.size(), validation.size()));
 
     UNetShape shape;
+    shape.kind = parseUNetKind(o.kind);
     shape.width = o.width;
     shape.levels = o.levels;
     shape.size = dataset.mapSize();

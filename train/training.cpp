@@ -97,13 +97,14 @@ void Training::updateAverage() {
     auto to = average_->parameters();
     const auto from = model_->parameters();
     for (size_t i = 0; i < to.size(); ++i) to[i].lerp_(from[i], 1 - decay);
+    average_->copyStatistics(*model_);
 }
 
 std::string Training::signature() const {
     const TrainingOptions& o = options_;
-    return fmt::format("width {} levels {} size {} batch {} examples {} lr {} seed {} target-mean {}",
-                       model_->shape().width, model_->shape().levels, model_->shape().size, o.batch, o.examples,
-                       o.learningRate, o.seed, targetMeanName(o.targetMean));
+    return fmt::format("kind {} width {} levels {} size {} batch {} examples {} lr {} seed {} target-mean {}",
+                       unetKindName(model_->shape().kind), model_->shape().width, model_->shape().levels,
+                       model_->shape().size, o.batch, o.examples, o.learningRate, o.seed, targetMeanName(o.targetMean));
 }
 
 void Training::save(const std::string& path) {

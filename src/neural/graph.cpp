@@ -66,13 +66,26 @@ Graph::TensorId Graph::conv(TensorId source, const UNetWeights::Conv& conv, cons
     const Desc src(dims, type_, Tag::any);
     dims[1] = conv.shape.out;
     const Desc dst = options.addTo < 0 ? Desc(dims, type_, Tag::any) : tensors_[size_t(options.addTo)].desc;
-    const Desc weight({conv.shape.out, countIn, k, k}, type_, Tag::any);
+    const Desc weight = conv.shape.depthwise ? Desc({conv.shape.out, 1, 1, k, k}, type_, Tag::any)
+                                             : Desc({conv.shape.out, countIn, k, k}, type_, Tag::any);
     const Desc bias = options.bias ? Desc({conv.shape.out}, Type::f32, Tag::a) : Desc();
+    const Desc perChannel({1, conv.shape.out, 1, 1}, Type::f32, Tag::nchw);
     const dnnl::memory::dims padding{k / 2, k / 2};
 
     dnnl::post_ops after;
+    std::vector<std::pair<int, dnnl::memory>> constants;
     if (options.addTo >= 0) after.append_sum(1.f);
-    if (options.activate) after.append_eltwise(1.f, dnnl::algorithm::eltwise_relu, options.slope, 0.f);
+    if (options.slope != 1) after.append_eltwise(1.f, dnnl::algorithm::eltwise_relu, options.slope, 0.f);
+    if (options.affine && conv.shape.affine) {
+        const auto then = [&](dnnl::algorithm operation, const std::vector<float>& values) {
+            const int place = after.len();
+            after.append_binary(operation, perChannel);
+            constants.emplace_back(DNNL_ARG_ATTR_MULTIPLE_POST_OP(place) | DNNL_ARG_SRC_1,
+                                   packed_.perChannel(values, perChannel));
+        };
+        then(dnnl::algorithm::binary_mul, conv.scale);
+        then(dnnl::algorithm::binary_add, conv.shift);
+    }
     dnnl::primitive_attr withPostOps;
     withPostOps.set_scratchpad_mode(dnnl::scratchpad_mode::user);
     withPostOps.set_post_ops(after);
@@ -87,8 +100,9 @@ Graph::TensorId Graph::conv(TensorId source, const UNetWeights::Conv& conv, cons
     step.primitive = dnnl::convolution_forward(pd);
     step.scratchpad = pd.scratchpad_desc();
     step.tensors = {{DNNL_ARG_SRC, from}, {DNNL_ARG_DST, to}};
-    step.constants = {{DNNL_ARG_WEIGHTS, packed_.weight(conv, options.firstIn, countIn, pd.weights_desc())}};
-    if (options.bias) step.constants.emplace_back(DNNL_ARG_BIAS, packed_.bias(conv));
+    step.constants = std::move(constants);
+    step.constants.emplace_back(DNNL_ARG_WEIGHTS, packed_.weight(conv, options.firstIn, countIn, pd.weights_desc()));
+    if (options.bias) step.constants.emplace_back(DNNL_ARG_BIAS, packed_.perChannel(conv.bias, bias));
     addStep(std::move(step));
     return to;
 }

@@ -16,9 +16,9 @@ class Graph {
     struct ConvOptions {
         int firstIn = 0, countIn = 0;  // which of the weight's input channels `source` holds; countIn 0: all
         bool bias = true;
-        bool activate = true;  // apply max(x, slope x)
-        float slope = 0;       // 0: ReLU
-        TensorId addTo = -1;   // add to this tensor, in place, before the activation, and return it
+        float slope = 1;      // of the activation max(x, slope x); 0: ReLU, 1: none
+        TensorId addTo = -1;  // add to this tensor, in place, before the activation, and return it
+        bool affine = true;   // apply the convolution's scale and shift, if it has them
     };
 
     // The type of all intermediate results; weights are packed to it too. Sums and biases are float.

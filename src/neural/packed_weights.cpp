@@ -16,9 +16,12 @@ dnnl::memory PackedWeights::weight(const UNetWeights::Conv& conv, int firstIn, i
         if (memory.get_desc() == wanted) return memory;
 
     const SingleThreadScope single;
-    const int k = conv.shape.kernel;
-    const dnnl::memory::desc plain({conv.shape.out, countIn, k, k}, dnnl::memory::data_type::f32,
-                                   dnnl::memory::dims{dnnl::memory::dim(conv.shape.in) * k * k, k * k, k, 1});
+    using Dims = dnnl::memory::dims;
+    const int k = conv.shape.kernel, in = conv.shape.inputsPerFilter();
+    const Dims dims = conv.shape.depthwise ? Dims{conv.shape.out, 1, 1, k, k} : Dims{conv.shape.out, countIn, k, k};
+    const Dims strides =
+        conv.shape.depthwise ? Dims{k * k, k * k, k * k, k, 1} : Dims{dnnl::memory::dim(in) * k * k, k * k, k, 1};
+    const dnnl::memory::desc plain(dims, dnnl::memory::data_type::f32, strides);
     dnnl::memory from(plain, cpuEngine(), const_cast<float*>(conv.weight.data()) + size_t(firstIn) * k * k);
     dnnl::memory to(wanted, cpuEngine());
     dnnl::stream stream(cpuEngine());
@@ -28,16 +31,14 @@ dnnl::memory PackedWeights::weight(const UNetWeights::Conv& conv, int firstIn, i
     return to;
 }
 
-dnnl::memory PackedWeights::bias(const UNetWeights::Conv& conv) {
+dnnl::memory PackedWeights::perChannel(const std::vector<float>& values, const dnnl::memory::desc& wanted) {
     const std::lock_guard lock(mutex_);
-    auto& layouts = packed_[conv.shape.name + ".bias"];
-    if (layouts.empty()) {
-        layouts.emplace_back(
-            dnnl::memory::desc({conv.shape.out}, dnnl::memory::data_type::f32, dnnl::memory::format_tag::a),
-            cpuEngine());
-        std::memcpy(layouts[0].get_data_handle(), conv.bias.data(), conv.bias.size() * sizeof(float));
-    }
-    return layouts[0];
+    const auto found = channels_.find(values.data());
+    if (found != channels_.end()) return found->second;
+    dnnl::memory memory(wanted, cpuEngine());
+    std::memcpy(memory.get_data_handle(), values.data(), values.size() * sizeof(float));
+    channels_.emplace(values.data(), memory);
+    return memory;
 }
 
 }  // namespace drc

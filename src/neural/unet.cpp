@@ -32,34 +32,40 @@ struct UNet::State {
     }
 
     void build(const UNetShape& shape) {
-        auto next = weights->convs().begin();
-        Graph::ConvOptions leaky;
-        leaky.slope = kLeakySlope;
-        std::vector<Graph::TensorId> skips;
-        Graph::TensorId x = graph.input(batch, shape.inputs, shape.size);
-        for (int l = 0; l < shape.levels; ++l) {
-            if (l > 0) x = graph.maxPool2(x);
-            x = graph.conv(x, *next++, leaky);
-            x = graph.conv(x, *next++, leaky);
-            skips.push_back(x);
+        auto conv = weights->convs().begin();
+        std::vector<Graph::TensorId> values{graph.input(batch, shape.inputs, shape.size)};
+        std::vector<int> channels{shape.inputs};
+        for (const Layer& layer : shape.layers()) {
+            const auto source = size_t(layer.source);
+            const auto result = [&](Graph::TensorId id, int count) {
+                values.push_back(id);
+                channels.push_back(count);
+            };
+            if (layer.op == LayerOp::MaxPool) {
+                result(graph.maxPool2(values[source]), channels[source]);
+            } else if (layer.op == LayerOp::Upsample) {
+                result(graph.upsample2(values[source]), channels[source]);
+            } else {
+                Graph::ConvOptions options;
+                options.slope = layer.slope;
+                options.firstIn = layer.skip < 0 ? 0 : channels[size_t(layer.skip)];
+                options.countIn = channels[source];
+                if (layer.add >= 0) options.addTo = values[size_t(layer.add)];
+                // A convolution of two stacked arrays is the sum of one of each: no copy to stack them.
+                if (layer.skip >= 0) options.addTo = onSkip(layer, values, *conv, options.firstIn);
+                result(graph.conv(values[source], *conv++, options), layer.conv.out);
+            }
         }
-        for (int l = shape.levels - 2; l >= 0; --l) {
-            const UNetWeights::Conv& both = *next++;
-            // A convolution of two stacked arrays is the sum of one of each: no copy to stack them.
-            Graph::ConvOptions onSkip = leaky, onUp = leaky;
-            onSkip.countIn = shape.channels(l);
-            onSkip.activate = false;
-            onSkip.bias = false;
-            onUp.firstIn = shape.channels(l);
-            onUp.countIn = shape.channels(l + 1);
-            x = graph.upsample2(x);
-            onUp.addTo = graph.conv(skips[size_t(l)], both, onSkip);
-            x = graph.conv(x, both, onUp);
-            x = graph.conv(x, *next++, leaky);
-        }
-        x = graph.conv(x, *next, Graph::ConvOptions{});
-        graph.output(x);
+        graph.output(values.back());
         graph.compile();
+    }
+
+    Graph::TensorId onSkip(const Layer& layer, const std::vector<Graph::TensorId>& values,
+                           const UNetWeights::Conv& conv, int count) {
+        Graph::ConvOptions options;
+        options.countIn = count;
+        options.bias = options.affine = false;
+        return graph.conv(values[size_t(layer.skip)], conv, options);
     }
 
     std::shared_ptr<const UNetWeights> weights;

@@ -22,20 +22,25 @@ struct Planes {
     double padded(int c, int y, int x) const { return y < 0 || x < 0 || y >= size || x >= size ? 0 : at(c, y, x); }
 };
 
-Planes conv(const Planes& in, const UNetWeights::Conv& c, double slope) {
+// `added`: to the sum, before the activation.
+Planes conv(const Planes& in, const UNetWeights::Conv& c, double slope, const Planes* added = nullptr) {
     EXPECT_EQ(in.channels, c.shape.in);
+    const int filterInputs = c.shape.depthwise ? 1 : in.channels;
     const int k = c.shape.kernel;
     Planes out(c.shape.out, in.size);
     for (int o = 0; o < out.channels; ++o)
         for (int y = 0; y < in.size; ++y)
             for (int x = 0; x < in.size; ++x) {
                 double sum = c.bias[size_t(o)];
-                for (int i = 0; i < in.channels; ++i)
+                for (int i = 0; i < filterInputs; ++i)
                     for (int dy = 0; dy < k; ++dy)
                         for (int dx = 0; dx < k; ++dx)
-                            sum += c.weight[((size_t(o) * in.channels + i) * k + dy) * k + dx] *
-                                   in.padded(i, y + dy - k / 2, x + dx - k / 2);
-                out.at(o, y, x) = sum > 0 ? sum : slope * sum;
+                            sum += c.weight[((size_t(o) * filterInputs + i) * k + dy) * k + dx] *
+                                   in.padded(c.shape.depthwise ? o : i, y + dy - k / 2, x + dx - k / 2);
+                if (added) sum += added->at(o, y, x);
+                double y0 = sum > 0 ? sum : slope * sum;
+                if (c.shape.affine) y0 = c.scale[size_t(o)] * y0 + c.shift[size_t(o)];
+                out.at(o, y, x) = y0;
             }
     return out;
 }
@@ -80,19 +85,34 @@ std::vector<double> reference(const UNetWeights& weights, const float* input) {
             if (c.shape.name == name) return c;
         throw Error("no " + name);
     };
+    const auto block = [&](const std::string& level, const Planes& in) {
+        switch (shape.kind) {
+            case UNetKind::Residual: {
+                const Planes straight = conv(in, named(level + ".straight"), 1);
+                return conv(conv(in, named(level + ".0"), 0.2), named(level + ".1"), 0.2, &straight);
+            }
+            case UNetKind::Separable: {
+                Planes y = conv(in, named(level + ".in"), 0.2);
+                for (const char* i : {".0", ".1"})
+                    y = conv(conv(y, named(level + i + ".space"), 1), named(level + i + ".channels"), 0.2);
+                return y;
+            }
+            default:
+                return conv(conv(in, named(level + ".0"), 0.2), named(level + ".1"), 0.2);
+        }
+    };
     Planes x(shape.inputs, shape.size);
     std::copy_n(input, x.v.size(), x.v.begin());
     std::vector<Planes> skips;
     for (int l = 0; l < shape.levels; ++l) {
         const std::string level = "enc" + std::to_string(l);
         if (l) x = pool(x);
-        x = conv(conv(x, named(level + ".0"), 0.2), named(level + ".1"), 0.2);
+        x = block(level, x);
         skips.push_back(x);
     }
     for (int l = shape.levels - 2; l >= 0; --l) {
         const std::string level = "dec" + std::to_string(l);
-        x = stack(skips[size_t(l)], upsample(x));
-        x = conv(conv(x, named(level + ".0"), 0.2), named(level + ".1"), 0.2);
+        x = block(level, stack(skips[size_t(l)], upsample(x)));
     }
     return conv(x, named("out"), 0).v;
 }
@@ -118,6 +138,7 @@ double relativeError(const float* values, const std::vector<double>& expected) {
 
 struct Case {
     int width, levels, size;
+    UNetKind kind = UNetKind::Plain;
 };
 
 class UNetMatches : public testing::TestWithParam<Case> {};
@@ -125,6 +146,7 @@ class UNetMatches : public testing::TestWithParam<Case> {};
 TEST_P(UNetMatches, ANaiveReference) {
     UNetShape shape;
     shape.width = GetParam().width, shape.levels = GetParam().levels, shape.size = GetParam().size;
+    shape.kind = GetParam().kind;
     const auto weights = UNetWeights::random(shape, 3);
     const int count = 3;  // less than the batch, and more than one
     const auto input = randomInput(shape, count);
@@ -143,7 +165,10 @@ TEST_P(UNetMatches, ANaiveReference) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, UNetMatches,
-                         testing::Values(Case{4, 4, 32}, Case{8, 4, 32}, Case{16, 3, 16}, Case{8, 1, 32}));
+                         testing::Values(Case{4, 4, 32}, Case{8, 4, 32}, Case{16, 3, 16}, Case{8, 1, 32},
+                                         Case{8, 4, 32, UNetKind::Residual}, Case{8, 2, 16, UNetKind::Residual},
+                                         Case{8, 4, 32, UNetKind::Separable}, Case{12, 3, 32, UNetKind::Separable},
+                                         Case{8, 4, 32, UNetKind::Paper}, Case{4, 3, 16, UNetKind::Paper}));
 
 TEST(UNet, AnyCountGivesTheSameBitsAsOneAtATime) {
     UNetShape shape;
@@ -201,12 +226,26 @@ TEST(UNet, RefusesAnEmptyBatch) {
     EXPECT_THROW(UNet(UNetWeights::random(shape, 1), 0), Error);
 }
 
-TEST(UNetShape, CountsWhatThePaperCounts) {
+// What the authors' own network counts: 5,465,027 parameters and 495.06 million multiply-adds.
+TEST(UNetShape, PaperIsAsLargeAsTheAuthors) {
+    UNetShape shape;
+    shape.kind = UNetKind::Paper;
+    shape.width = 64;
+    EXPECT_EQ(shape.parameterCount(), 5465027u);
+    EXPECT_NEAR(shape.macs(), 495.06e6, 0.01e6);
+}
+
+TEST(UNetShape, PlainIsTheSymmetricUNet) {
     UNetShape shape;
     shape.width = 64;
-    // 7790723 parameters of the same network with 2560 of them in its batch normalisations.
-    EXPECT_NEAR(double(shape.parameterCount()), 7.79e6, 0.01e6);
-    EXPECT_NEAR(shape.macs(), 664.9e6, 1e6);
+    // 7790723 with batch normalisation of all 2688 channels but those of the first level's encoder.
+    EXPECT_EQ(shape.parameterCount(), 7790723u - 2u * 2688u);
+    EXPECT_NEAR(shape.macs(), 664.93e6, 0.01e6);
+}
+
+TEST(UNetShape, KindsHaveNames) {
+    for (const UNetKind kind : kUNetKinds) EXPECT_EQ(parseUNetKind(unetKindName(kind)), kind);
+    EXPECT_THROW(parseUNetKind("resnet"), Error);
 }
 
 }  // namespace

@@ -17,6 +17,10 @@ std::string shapeText(const std::vector<int64_t>& shape) {
     return text + "]";
 }
 
+std::vector<int64_t> weightDims(const ConvShape& conv) {
+    return {conv.out, conv.inputsPerFilter(), conv.kernel, conv.kernel};
+}
+
 std::vector<float> readTensor(const SafetensorsFile& file, const std::string& name,
                               const std::vector<int64_t>& expected) {
     const SourceLocation where{file.path()};
@@ -46,12 +50,24 @@ std::shared_ptr<const UNetWeights> UNetWeights::load(const std::string& path) {
     const SafetensorsFile file(path);
     const UNetShape shape = UNetShape::fromMetadata(file);
     std::vector<Conv> convs;
-    for (const ConvShape& conv : shape.convs())
-        convs.push_back({conv, readTensor(file, conv.name + ".weight", {conv.out, conv.in, conv.kernel, conv.kernel}),
-                         readTensor(file, conv.name + ".bias", {conv.out})});
-    if (file.tensors().size() != 2 * convs.size())
+    size_t tensors = 0;
+    for (const ConvShape& conv : shape.convs()) {
+        Conv c{conv,
+               readTensor(file, conv.name + ".weight", weightDims(conv)),
+               readTensor(file, conv.name + ".bias", {conv.out}),
+               {},
+               {}};
+        tensors += 2;
+        if (conv.affine) {
+            c.scale = readTensor(file, conv.name + ".scale", {conv.out});
+            c.shift = readTensor(file, conv.name + ".shift", {conv.out});
+            tensors += 2;
+        }
+        convs.push_back(std::move(c));
+    }
+    if (file.tensors().size() != tensors)
         throw Error(SourceLocation{path},
-                    fmt::format("holds {} tensors; this architecture has {}", file.tensors().size(), 2 * convs.size()));
+                    fmt::format("holds {} tensors; this architecture has {}", file.tensors().size(), tensors));
     return std::make_shared<UNetWeights>(shape, std::move(convs), file.metadata(), file.contentHash());
 }
 
@@ -59,12 +75,16 @@ std::shared_ptr<const UNetWeights> UNetWeights::random(const UNetShape& shape, u
     std::mt19937_64 generator(seed);
     std::vector<Conv> convs;
     for (const ConvShape& conv : shape.convs()) {
-        const float fanIn = float(conv.in * conv.kernel * conv.kernel);
+        const float fanIn = float(conv.inputsPerFilter() * conv.kernel * conv.kernel);
         std::normal_distribution<float> normal(0, std::sqrt(2 / ((1 + kLeakySlope * kLeakySlope) * fanIn)));
         std::uniform_real_distribution<float> uniform(-0.1f, 0.1f);
-        Conv c{conv, std::vector<float>(conv.weightCount()), std::vector<float>(size_t(conv.out))};
+        Conv c{conv, std::vector<float>(conv.weightCount()), std::vector<float>(size_t(conv.out)), {}, {}};
         for (float& w : c.weight) w = normal(generator);
         for (float& b : c.bias) b = uniform(generator);
+        for (int i = 0; conv.affine && i < conv.out; ++i) {
+            c.scale.push_back(1 + uniform(generator));
+            c.shift.push_back(uniform(generator));
+        }
         convs.push_back(std::move(c));
     }
     return std::make_shared<UNetWeights>(shape, std::move(convs), shape.toMetadata());
@@ -73,11 +93,11 @@ std::shared_ptr<const UNetWeights> UNetWeights::random(const UNetShape& shape, u
 void UNetWeights::save(const std::string& path, const StringMap& provenance, DType type) const {
     std::vector<TensorToWrite> tensors;
     for (const Conv& c : convs_) {
-        tensors.push_back({c.shape.name + ".weight",
-                           {c.shape.out, c.shape.in, c.shape.kernel, c.shape.kernel},
-                           c.weight.data(),
-                           type});
+        tensors.push_back({c.shape.name + ".weight", weightDims(c.shape), c.weight.data(), type});
         tensors.push_back({c.shape.name + ".bias", {c.shape.out}, c.bias.data(), type});
+        if (!c.shape.affine) continue;
+        tensors.push_back({c.shape.name + ".scale", {c.shape.out}, c.scale.data(), type});
+        tensors.push_back({c.shape.name + ".shift", {c.shape.out}, c.shift.data(), type});
     }
     StringMap metadata = provenance;
     for (const auto& [key, value] : shape_.toMetadata()) metadata[key] = value;

@@ -15,8 +15,9 @@ class UNetWeights {
   public:
     struct Conv {
         ConvShape shape;
-        std::vector<float> weight;  // [out][in][kernel][kernel]
-        std::vector<float> bias;    // [out]
+        std::vector<float> weight;        // [out][in][kernel][kernel], or [out][1][kernel][kernel] if depthwise
+        std::vector<float> bias;          // [out]
+        std::vector<float> scale, shift;  // [out] if affine, else empty
     };
 
     // Reads and checks a weights file: the architecture, the shape of every tensor, that all numbers are finite, and

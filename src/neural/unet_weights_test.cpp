@@ -27,8 +27,10 @@ class UNetWeightsFile : public FolderTest {
         change(convs, metadata);
         std::vector<TensorToWrite> tensors;
         for (const auto& c : convs) {
-            tensors.push_back(
-                {c.shape.name + ".weight", {c.shape.out, c.shape.in, c.shape.kernel, c.shape.kernel}, c.weight.data()});
+            const auto filterInputs = int64_t(c.weight.size()) / (c.shape.out * c.shape.kernel * c.shape.kernel);
+            tensors.push_back({c.shape.name + ".weight",
+                               {c.shape.out, filterInputs, c.shape.kernel, c.shape.kernel},
+                               c.weight.data()});
             tensors.push_back({c.shape.name + ".bias", {c.shape.out}, c.bias.data()});
         }
         writeSafetensors(path_, tensors, metadata);
@@ -45,17 +47,23 @@ class UNetWeightsFile : public FolderTest {
 };
 
 TEST_F(UNetWeightsFile, ComesBackAsSaved) {
-    const auto weights = UNetWeights::random(shape_, 7);
-    weights->save(path_, {{"projection", "equal-area"}, {"data", "none"}});
-    const auto back = UNetWeights::load(path_);
-    EXPECT_EQ(back->shape(), shape_);
-    EXPECT_EQ(back->projection(), "equal-area");
-    EXPECT_EQ(back->metadata().at("data"), "none");
-    EXPECT_EQ(back->hash().size(), 16u);
-    ASSERT_EQ(back->convs().size(), weights->convs().size());
-    for (size_t i = 0; i < back->convs().size(); ++i) {
-        EXPECT_EQ(back->convs()[i].weight, weights->convs()[i].weight);
-        EXPECT_EQ(back->convs()[i].bias, weights->convs()[i].bias);
+    for (const UNetKind kind : kUNetKinds) {
+        shape_.kind = kind;
+        const auto weights = UNetWeights::random(shape_, 7);
+        weights->save(path_, {{"projection", "equal-area"}, {"data", "none"}});
+        const auto back = UNetWeights::load(path_);
+        EXPECT_EQ(back->shape(), shape_);
+        EXPECT_EQ(back->projection(), "equal-area");
+        EXPECT_EQ(back->metadata().at("data"), "none");
+        EXPECT_EQ(back->hash().size(), 16u);
+        ASSERT_EQ(back->convs().size(), weights->convs().size());
+        for (size_t i = 0; i < back->convs().size(); ++i) {
+            EXPECT_EQ(back->convs()[i].weight, weights->convs()[i].weight);
+            EXPECT_EQ(back->convs()[i].bias, weights->convs()[i].bias);
+            EXPECT_EQ(back->convs()[i].scale, weights->convs()[i].scale);
+            EXPECT_EQ(back->convs()[i].shift, weights->convs()[i].shift);
+            EXPECT_EQ(back->convs()[i].scale.empty(), !back->convs()[i].shape.affine);
+        }
     }
 }
 
