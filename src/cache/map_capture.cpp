@@ -3,6 +3,23 @@
 #include "math/morton.h"
 
 namespace drc {
+namespace {
+
+// The sums that a channel's mean and its variance are estimated from.
+struct Moments {
+    double sum = 0, squares = 0;
+    void add(double x) {
+        sum += x;
+        squares += x * x;
+    }
+    float deviationOfMean(int samples) const {
+        const double n = samples;
+        return float(std::sqrt(std::max(0.0, squares - sum * sum / n) / (n * (n - 1))));
+    }
+};
+
+}  // namespace
+
 Frame mapFrame(const Vec3& n, const Vec3& up) {
     if (std::abs(dot(n, up)) > 0.999f) return Frame::fromNormal(n);
     const Vec3 s = normalize(cross(up, n));
@@ -23,6 +40,8 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
     result.radiance.resize(3 * texels);
     result.normal.resize(3 * texels);
     result.distance.resize(texels);
+    const bool deviations = settings.deviations && settings.samplesPerTexel > 1;
+    result.deviation.resize(deviations ? 3 * texels : 0);
 
     const float spread = std::sqrt(layout.solidAngle(n / 2));  // a texel's own cone
     const float weight = 1.f / float(settings.samplesPerTexel);
@@ -37,6 +56,7 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
             // distributed over each part of the map.
             const uint32_t index = mortonIndex({column, row}) * uint32_t(settings.samplesPerTexel);
             Rgb sum(0.f);
+            Moments moments[3];
             for (int s = 0; s < settings.samplesPerTexel; ++s) {
                 sampler.start(stream, index + uint32_t(s));
                 Ray ray;
@@ -46,13 +66,19 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
                 ray.coneWidth = footprint;
                 ray.coneSpread = spread;
                 FirstHit first;
-                sum += tracer.incident(ray, sampler, s == 0 ? &first : nullptr);
+                const Rgb sample = tracer.incident(ray, sampler, s == 0 ? &first : nullptr);
+                sum += sample;
+                if (deviations)
+                    for (int c = 0; c < 3; ++c) moments[c].add(double(sample[c]));
                 if (s > 0) continue;
                 result.distance[texel] = first.distance;
                 const Vec3 normal = frame.toLocal(first.normal);
                 for (size_t c = 0; c < 3; ++c) result.normal[c * texels + texel] = normal[int(c)];
             }
             for (size_t c = 0; c < 3; ++c) result.radiance[c * texels + texel] = sum[int(c)] * weight;
+            if (!deviations) continue;
+            for (size_t c = 0; c < 3; ++c)
+                result.deviation[c * texels + texel] = moments[c].deviationOfMean(settings.samplesPerTexel);
         }
     }
 }

@@ -17,11 +17,15 @@ struct CapturedMap {
     std::vector<float> radiance;  // [3][N*N], W / (sr m^2)
     std::vector<float> normal;    // [3][N*N], in the map's frame, towards the origin; zero where a ray escaped
     std::vector<float> distance;  // [N*N], world units; -1 where a ray escaped
+    // [3][N*N]: square root of the estimated variance of each value of `radiance`. Empty unless asked for. Too large
+    // rather than too small: it takes a texel's samples for independent, and they are stratified.
+    std::vector<float> deviation;
 };
 
 struct CaptureSettings {
     MapLayout layout{Projection::EqualArea, 32};
     int samplesPerTexel = 1;
+    bool deviations = false;  // fill CapturedMap::deviation; needs two samples a texel
 };
 
 // The frame of a map about the unit normal n: the s axis is horizontal for the scene's up, so that the frame turns

@@ -278,6 +278,7 @@ bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& 
     Ray ray = cameraRay;
     result.throughput = Rgb(1.f);
     result.distance = 0;
+    result.bounces = 0;
     for (int chain = 0; chain <= kMaxSpecularChain; ++chain) {
         if (!nextSurface(ray, result.surface)) return false;
         result.distance += result.surface.t;
@@ -306,6 +307,7 @@ bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& 
         result.throughput *= s->f * (absDot(s->wi, result.bsdf.frame().n) / (s->pdf * (1 - probability)));
         if (isBlack(result.throughput)) return false;
         ray = at.spawnRay(s->wi);
+        ++result.bounces;
     }
     return false;
 }

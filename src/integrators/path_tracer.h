@@ -32,6 +32,7 @@ struct PrimaryHit {
     Bsdf bsdf;
     Rgb throughput{1.f};  // specular chain, divided by the probability of the branches chosen
     float distance = 0;   // length of the whole chain
+    int bounces = 0;      // of the chain: mirrors and faces of smooth glass
 };
 
 // Indirect light that a sample of direct light can bring along, at the same points.
