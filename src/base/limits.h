@@ -20,6 +20,12 @@ inline constexpr uint64_t kTableBytes = uint64_t(256) << 10;
 // Of a safetensors header: a line of 100 bytes a tensor, and we have less than a hundred. The parsed header takes up to
 // fifty times as much memory.
 inline constexpr uint64_t kSafetensorsHeaderBytes = uint64_t(1) << 20;
+// Of the header of a shard of examples: ten settings and the scene's name.
+inline constexpr uint64_t kShardHeaderBytes = uint64_t(64) << 10;
+// Texels along a side of an example's maps, and its realisations: together they bound what one record unpacks to, 60
+// MB.
+inline constexpr int kExampleMapSize = 256;
+inline constexpr int kExampleInputs = 64;
 // What a gzip'd file may grow to: the larger of the two. Meshes and scenes shrink to a tenth, rarely to a fiftieth.
 inline constexpr size_t kGunzipBytes = size_t(64) << 20;
 inline constexpr size_t kGunzipRatio = 250;  // to the compressed size
