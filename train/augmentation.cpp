@@ -2,19 +2,7 @@
 
 #include <utility>
 
-#include "base/error.h"
-
 namespace drc {
-
-Projection parseProjection(const std::string& name) {
-    if (name == "equal-area") return Projection::EqualArea;
-    if (name == "latlong") return Projection::LatLong;
-    throw Error("projection '" + name + "' is neither equal-area nor latlong");
-}
-
-std::string projectionName(Projection projection) {
-    return projection == Projection::EqualArea ? "equal-area" : "latlong";
-}
 
 void Example::resize(int newSize) {
     size = newSize;

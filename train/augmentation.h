@@ -3,15 +3,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
-namespace drc {
+#include "cache/projection.h"
 
-enum class Projection { EqualArea, LatLong };
-// "equal-area" or "latlong"; throws drc::Error for anything else.
-Projection parseProjection(const std::string& name);
-std::string projectionName(Projection projection);
+namespace drc {
 
 // One noisy map and its target. Planar, rows v, columns u; u runs along the map's local x, v along its local y.
 struct Example {

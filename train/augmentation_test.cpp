@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
-
 namespace drc {
 namespace {
 
@@ -110,12 +108,6 @@ TEST(Augmentation, SymmetriesAreDifferent) {
 TEST(Augmentation, LatLongKeepsItsAxes) {
     for (uint64_t bits = 0; bits < 5000; ++bits)
         EXPECT_FALSE(Augmentation::random(Projection::LatLong, bits).transpose);
-}
-
-TEST(Augmentation, NamesOfProjections) {
-    EXPECT_EQ(projectionName(parseProjection("equal-area")), "equal-area");
-    EXPECT_EQ(projectionName(parseProjection("latlong")), "latlong");
-    EXPECT_THROW(parseProjection("cube"), Error);
 }
 
 }  // namespace

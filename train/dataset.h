@@ -1,8 +1,4 @@
-// Training examples in safetensors shards, as `drc reference` writes them. Tensors (F32, F16 or BF16):
-//   radiance [N][R][3][S][S]  R independent noisy maps of each of N points
-//   normal   [N][R][3][S][S]  distance [N][R][1][S][S]  what those maps' rays met
-//   target   [N][3][S][S]     the converged map
-// and metadata: format "drc-examples-1", projection "equal-area" or "latlong", scene, and whatever else.
+// The examples of `drc reference` (cache/example_source.h) as one set.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -11,15 +7,15 @@
 #include <vector>
 
 #include "augmentation.h"
-#include "neural/safetensors.h"
+#include "cache/example_source.h"
 
 namespace drc {
 
-// The shards stay mapped; examples are converted when asked for, so that a data set may be larger than memory.
+// Examples are read when asked for, so that a data set may be larger than memory.
 class Dataset {
   public:
-    // All *.safetensors under the directories (or files) named. A bad shard is reported as a warning and skipped;
-    // throws drc::Error if nothing is left, or if shards differ in projection or map size.
+    // All that is under the folders (or files) named. What cannot be read is reported as a warning and skipped, as are
+    // shards whose projection or map size is not that of the first; throws drc::Error if nothing is left.
     explicit Dataset(const std::vector<std::string>& paths);
 
     size_t size() const { return entries_.size(); }
@@ -27,8 +23,8 @@ class Dataset {
     Projection projection() const { return projection_; }
     int skippedShards() const { return skipped_; }
     // Realisations of example i; at least 1.
-    int realisations(size_t i) const { return shards_[entries_[i].shard].realisations; }
-    const std::string& scene(size_t i) const { return shards_[entries_[i].shard].scene; }
+    int realisations(size_t i) const { return shards_[entries_[i].shard]->inputs(); }
+    const std::string& scene(size_t i) const { return shards_[entries_[i].shard]->scene(); }
     std::set<std::string> scenes() const;
     // Changes when any shard changes: for the provenance of weights.
     std::string contentHash() const;
@@ -36,17 +32,12 @@ class Dataset {
     void load(size_t i, int realisation, Example& example) const;
 
   private:
-    struct Shard {
-        std::unique_ptr<SafetensorsFile> file;
-        std::string scene;
-        int realisations = 1;
-    };
     struct Entry {
         uint32_t shard, index;
     };
     void addShard(const std::string& path);
 
-    std::vector<Shard> shards_;
+    std::vector<std::unique_ptr<ExampleSource>> shards_;
     std::vector<Entry> entries_;
     int mapSize_ = 0;
     Projection projection_ = Projection::EqualArea;

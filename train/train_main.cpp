@@ -39,7 +39,7 @@ void parse(CLI::App& app, Options& o) {
         "An interrupted run goes on from its checkpoint when the same command is given again.\n"
         "Where other programs use the processor too, set OMP_WAIT_POLICY=passive.");
     TrainingOptions& t = o.training;
-    app.add_option("--data", o.data, "Directories of *.safetensors shards, or shards")->required();
+    app.add_option("--data", o.data, "What `drc reference` writes: files, or folders of them")->required();
     app.add_option("-o,--output", o.output, "The weights file to write");
     app.add_option("--init", o.init, "Weights to start from; with --examples 0 they are only evaluated");
     app.add_option("--examples", t.examples, "Examples to draw in total")

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "base/error.h"
+#include "cache/example_testing.h"
 #include "validation.h"
 
 namespace drc {
@@ -34,26 +35,24 @@ class TrainingOnFiles : public testing::Test {
     void writeShard(const std::string& scene, int n, int r, const std::string& projection = "equal-area") {
         std::mt19937 random(unsigned(scene.size()) * 100 + unsigned(scene[0]));
         std::uniform_real_distribution<float> uniform(0, 1);
-        const size_t texels = kSize * kSize;
-        std::vector<float> radiance(size_t(n * r) * 3 * texels), normal(radiance.size(), 0.f),
-            distance(size_t(n * r) * texels, 2.f), target(size_t(n) * 3 * texels);
+        const MapLayout layout(projectionFromName(projection), kSize);
+        std::vector<TrainingExample> examples;
         for (int i = 0; i < n; ++i) {
             const float a = 6 * uniform(random), b = 6 * uniform(random);
-            for (size_t t = 0; t < 3 * texels; ++t) {
+            TrainingExample example = randomExample(layout, r, unsigned(i));
+            for (size_t t = 0; t < 3 * kSize * kSize; ++t) {
                 const float x = float(t % kSize) / kSize, y = float(t / kSize % kSize) / kSize;
                 const float value = 1.2f + std::sin(a + 4 * x) * std::cos(b + 3 * y);
-                target[size_t(i) * 3 * texels + t] = value;
-                for (int k = 0; k < r; ++k)
-                    radiance[size_t(i * r + k) * 3 * texels + t] = value * -std::log(1 - uniform(random));
+                example.target[t] = value;
+                for (CapturedMap& input : example.inputs) input.radiance[t] = value * -std::log(1 - uniform(random));
             }
+            for (CapturedMap& input : example.inputs) {
+                input.normal.assign(input.normal.size(), 0);
+                input.distance.assign(input.distance.size(), 2);
+            }
+            examples.push_back(example);
         }
-        const StringMap metadata{{"format", "drc-examples-1"}, {"projection", projection}, {"scene", scene}};
-        writeSafetensors((directory_ / (scene + ".safetensors")).string(),
-                         {{"radiance", {n, r, 3, kSize, kSize}, radiance.data(), DType::F16},
-                          {"normal", {n, r, 3, kSize, kSize}, normal.data(), DType::F16},
-                          {"distance", {n, r, 1, kSize, kSize}, distance.data(), DType::F16},
-                          {"target", {n, 3, kSize, kSize}, target.data(), DType::F32}},
-                         metadata);
+        drc::writeShard((directory_ / (scene + ".examples")).string(), scene, layout, examples);
     }
     Dataset dataset() { return Dataset({directory_.string()}); }
 
@@ -113,12 +112,12 @@ TEST_F(TrainingOnFiles, ResumesAsIfItHadNotStopped) {
 TEST_F(TrainingOnFiles, BadShardsAreSkipped) {
     writeShard("good", 3, 1);
     writeShard("other-projection", 3, 1, "latlong");
-    std::ofstream(directory_ / "bad.safetensors") << "nonsense";
+    std::ofstream(directory_ / "bad.examples") << "nonsense";
     const Dataset data = dataset();
     EXPECT_EQ(data.size(), 3u);
     EXPECT_EQ(data.skippedShards(), 2);
-    fs::remove(directory_ / "good.safetensors");
-    fs::remove(directory_ / "other-projection.safetensors");
+    fs::remove(directory_ / "good.examples");
+    fs::remove(directory_ / "other-projection.examples");
     EXPECT_THROW(dataset(), Error);
     EXPECT_THROW(Dataset({"/nonexistent"}), Error);
 }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "base/log.h"
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "cache/example_source.h"
 #include "cache/map_evaluation.h"
 #include "cache/network_enhancer.h"
 
@@ -55,27 +55,6 @@ constexpr Column kColumns[] = {
     {"equal_energy", "irradiance_relmse", "irradiance", &ExampleScores::equalEnergy, &MapScores::irradiance, false},
 };
 
-// Files as named; of a folder, its *.safetensors by name.
-std::vector<std::string> listFiles(const std::vector<std::string>& paths) {
-    namespace fs = std::filesystem;
-    std::vector<std::string> files;
-    for (const std::string& path : paths) {
-        std::error_code failed;
-        if (!fs::is_directory(path, failed)) {
-            files.push_back(path);  // if it is missing, its reader says so
-            continue;
-        }
-        std::vector<std::string> inside;
-        for (fs::directory_iterator i(path, failed), end; !failed && i != end; i.increment(failed))
-            if (i->path().extension() == ".safetensors") inside.push_back(i->path().string());
-        if (failed) throw Error(path + ": " + failed.message());
-        if (inside.empty()) logWarning(path + ": no .safetensors files in this folder");
-        std::sort(inside.begin(), inside.end());
-        files.insert(files.end(), inside.begin(), inside.end());
-    }
-    return files;
-}
-
 // Empty, with a note, if no weights were named and none are where they are looked for.
 std::string weightsIfAny(const std::string& named) {
     try {
@@ -98,34 +77,36 @@ void makeMethods(const EvaluateOptions& options, const MapLayout& layout, Evalua
 }
 
 // Throws Error if the file cannot be part of the evaluation.
-ExampleFile readFitting(const std::string& path, const std::optional<MapLayout>& layout) {
-    ExampleFile examples = readExampleFile(path);
-    if (layout && (layout->projection() != examples.layout.projection() || layout->size() != examples.layout.size()))
+std::unique_ptr<ExampleSource> openFitting(const std::string& path, const std::optional<MapLayout>& layout) {
+    auto examples = openExamples(path);
+    if (examples->count() == 0) throw Error(SourceLocation{path}, "no examples in it");
+    if (layout &&
+        (layout->projection() != examples->layout().projection() || layout->size() != examples->layout().size()))
         throw Error(SourceLocation{path}, "its maps have another projection or size than those of the files before it");
     return examples;
 }
 
 Evaluation evaluate(const EvaluateOptions& options) {
-    const std::vector<std::string> paths = listFiles(options.paths);
+    const std::vector<std::string> paths = findExamples(options.paths);
     Progress progress("files", int64_t(paths.size()), options.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
     Evaluation result;
     for (const std::string& path : paths) {
         progress.add();
-        std::optional<ExampleFile> examples;
+        std::unique_ptr<ExampleSource> examples;
         try {
-            examples = readFitting(path, result.layout);
+            examples = openFitting(path, result.layout);
         } catch (const Error& e) {
             logWarning(std::string(e.what()) + "; skipped");
             ++result.skipped;
             continue;
         }
-        if (!result.layout) makeMethods(options, examples->layout, result);
-        const int inputs = options.allInputs ? examples->inputs : 1;
+        if (!result.layout) makeMethods(options, examples->layout(), result);
+        const int inputs = options.allInputs ? examples->inputs() : 1;
         for (Method& method : result.methods) {
             const auto scores = evaluateEnhancer(*examples, *method.enhancer, inputs);
             method.scores.insert(method.scores.end(), scores.begin(), scores.end());
         }
-        result.examples += size_t(examples->count);
+        result.examples += size_t(examples->count());
         result.inputs = std::max(result.inputs, inputs);
         ++result.files;
     }
@@ -223,7 +204,7 @@ void run(const EvaluateOptions& options) {
 void addEvaluateCommand(CLI::App& app) {
     auto* command = app.add_subcommand("evaluate", "Measure how close enhanced maps come to converged ones");
     auto o = std::make_shared<EvaluateOptions>();
-    command->add_option("EXAMPLES", o->paths, "Files of `drc reference`, or folders of them")->required();
+    command->add_option("EXAMPLES", o->paths, "What `drc reference` writes: files, or folders of them")->required();
     command->add_option("--weights", o->weights, "Weights of the network, safetensors. Default: the shipped ones");
     command->add_flag("--all-inputs", o->allInputs,
                       "Average over every realisation of an example, not the first alone");

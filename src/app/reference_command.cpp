@@ -1,10 +1,15 @@
+#include <chrono>
 #include <filesystem>
 
 #include "app/command.h"
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/progress.h"
+#include "cache/example_shard.h"
 #include "cache/training_examples.h"
+#include "neural/safetensors.h"
 #include "pbrt/scene_file.h"
 
 namespace drc {
@@ -26,6 +31,95 @@ std::string sceneName(const std::string& path) {
     return p.stem() == "scene" ? p.parent_path().filename().string() : p.stem().string();
 }
 
+uint64_t hashText(const std::string& text) { return hashBytes(text.data(), text.size()); }
+
+// What a run has done so far, all scenes together.
+class Tally {
+  public:
+    void add(bool example) { ++(example ? examples_ : none_); }
+    std::string str() const {
+        const double hours = std::chrono::duration<double, std::ratio<3600>>(Clock::now() - start_).count();
+        return fmt::format("{} examples, {:.0f} an hour, {} viewpoints without one", examples_, examples_ / hours,
+                           none_);
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start_ = Clock::now();
+    int examples_ = 0, none_ = 0;
+};
+
+class ReferenceRun {
+  public:
+    explicit ReferenceRun(const ReferenceOptions& options)
+        : options_(options),
+          settings_(options.examples),
+          progress_("examples", viewpointsLeft(), options.quiet ? ProgressMode::Quiet : ProgressMode::Auto) {
+        settings_.layout = MapLayout(projectionFromName(options.projection), options.size);
+    }
+
+    void run() {
+        int failed = 0;
+        for (const std::string& path : options_.scenes) {
+            try {
+                forgetWarnings();
+                write(path);
+            } catch (const Error& error) {
+                logError(error.what());
+                ++failed;
+            }
+            if (interruptToken().cancelled()) throw Error("interrupted; run the same command again to go on");
+        }
+        progress_.finish();
+        logInfo(fmt::format("{}: {}", options_.directory, tally_.str()));
+        if (failed) throw Error(fmt::format("{} of {} scenes failed", failed, options_.scenes.size()));
+    }
+
+  private:
+    std::string shardPath(const std::string& scene) const {
+        return options_.directory + "/" + sceneName(scene) + kShardExtension;
+    }
+    // At most: shards that are begun have less.
+    int64_t viewpointsLeft() const {
+        int64_t left = 0;
+        for (const std::string& scene : options_.scenes)
+            if (!isFinishedShard(shardPath(scene))) left += options_.examples.viewpoints();
+        return left;
+    }
+
+    void write(const std::string& path) {
+        const std::string name = sceneName(path);
+        ExampleSettings settings = settings_;
+        settings.seed = hashCombine(settings_.seed, hashText(name));
+        ShardHeader header = shardHeader(settings, name, hashText(readFile(path)));
+        header.seed = settings_.seed;  // as the user gave it
+        if (isFinishedShard(shardPath(path))) {
+            ExampleShardWriter(shardPath(path), header);  // refuses one that was made with other settings
+            return;
+        }
+        progress_.setNote(name);
+        const auto scene = pbrt::loadPbrtFile(path);
+        ExampleShardWriter shard(shardPath(path), header);
+        progress_.add(shard.next());
+        const Accel accel(*scene);
+        const LightSampler lights(*scene);
+        const PathTracer tracer(*scene, accel, lights);
+        writeExamples(
+            tracer, settings, shard,
+            [&](bool example) {
+                tally_.add(example);
+                progress_.setNote(name + ": " + tally_.str());
+                progress_.add();
+            },
+            &interruptToken());
+    }
+
+    const ReferenceOptions& options_;
+    ExampleSettings settings_;
+    Progress progress_;
+    Tally tally_;
+};
+
 void writeReferences(const ReferenceOptions& options) {
     setThreadCount(options.threads);
     installInterruptHandler();
@@ -33,36 +127,7 @@ void writeReferences(const ReferenceOptions& options) {
     std::error_code failed;
     std::filesystem::create_directories(options.directory, failed);
     if (failed) throw Error(options.directory + ": " + failed.message());
-
-    ExampleSettings settings = options.examples;
-    settings.layout = MapLayout(projectionFromName(options.projection), options.size);
-    Progress progress("examples", int64_t(options.scenes.size()) * settings.viewpoints,
-                      options.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
-    int total = 0;
-    for (const std::string& path : options.scenes) {
-        const std::string name = sceneName(path);
-        const std::string shard = options.directory + "/" + name + ".safetensors";
-        if (std::filesystem::exists(shard)) {  // an interrupted run goes on where it was
-            progress.add(settings.viewpoints);
-            continue;
-        }
-        progress.setNote(name);
-        const auto scene = pbrt::loadPbrtFile(path);
-        const Accel accel(*scene);
-        const LightSampler lights(*scene);
-        const PathTracer tracer(*scene, accel, lights);
-        settings.seed = hashCombine(options.examples.seed, std::hash<std::string>{}(name));
-        const ExampleSet examples = makeExamples(tracer, settings, &progress, &interruptToken());
-        if (interruptToken().cancelled()) throw Error("interrupted; run the same command again to go on");
-        if (examples.count == 0) {
-            logWarning(path + ": no light reaches what the camera sees; no examples");
-            continue;
-        }
-        writeExamples(shard, examples, settings, name);
-        total += examples.count;
-    }
-    progress.finish();
-    logInfo(fmt::format("{} examples written to {}", total, options.directory));
+    ReferenceRun(options).run();
 }
 
 }  // namespace
@@ -71,25 +136,32 @@ void addReferenceCommand(CLI::App& app) {
     auto* command = app.add_subcommand("reference", "Write examples for the network to learn from");
     auto o = std::make_shared<ReferenceOptions>();
     command->add_option("SCENE", o->scenes, "Scene files, pbrt-v3 or pbrt-v4")->required();
-    command->add_option("-o,--output", o->directory, "Folder for one safetensors file a scene; those there are kept")
+    command
+        ->add_option("-o,--output", o->directory,
+                     "Folder for one file a scene. Those there are kept, and unfinished ones are gone on with")
         ->required();
-    command->add_option("--viewpoints", o->examples.viewpoints, "Maps a scene")
-        ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+    auto* spread = command->add_option("--viewpoints", o->examples.spread, "Maps a scene, spread over the film")
+                       ->capture_default_str()
+                       ->check(CLI::Range(1, 1 << 28));
+    command->add_option("--tiles", o->examples.tiles, "N: a map in each cell of an N x N grid over the film")
+        ->check(CLI::Range(1, 1 << 14))
+        ->excludes(spread);
     command->add_option("--spp", o->examples.targetSamples, "Samples a texel of the target")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(2, 65535));
     command->add_option("--inputs", o->examples.inputs, "One-sample realisations of each map")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, limits::kExampleInputs));
     command->add_option("--projection", o->projection, "equal-area or latlong")->capture_default_str();
     command->add_option("--map-size", o->size, "Texels along each side")
         ->capture_default_str()
-        ->check(CLI::Range(4, 256));
+        ->check(CLI::Range(4, limits::kExampleMapSize));
     command->add_option("--seed", o->examples.seed, "Seed of all random numbers")->capture_default_str();
     command->add_option("--nthreads", o->threads, "Threads; 0: one a core")->capture_default_str();
     command->add_flag("--quiet", o->quiet, "Say nothing but errors");
-    command->footer("Example: drc reference rooms/*/scene.pbrt --viewpoints 160 --spp 64 -o examples");
+    command->footer(
+        "An interrupted run goes on where it was when the same command is given again.\n"
+        "Example: drc reference rooms/*/scene.pbrt --tiles 12 --spp 64 -o examples");
     command->callback([o] { writeReferences(*o); });
 }
 

@@ -1,17 +1,13 @@
 #include "cache/map_evaluation.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "image/color.h"
 #include "image/ssim.h"
-#include "neural/safetensors.h"
 
 namespace drc {
 namespace {
@@ -20,7 +16,6 @@ constexpr int kBatch = 8;
 constexpr int kNormalsAside = 8;
 constexpr double kWhitePercentile = 0.99;
 constexpr double kIrradianceEpsilon = 0.01;
-constexpr int64_t kMaxSize = 256;
 
 // Solid angle of a texel as a share of the hemisphere.
 std::vector<double> texelWeights(const MapLayout& layout) {
@@ -82,20 +77,6 @@ MapScores mean(std::span<const ExampleScores> scores, MapScores ExampleScores::*
     return {sum.l1 / n, sum.ssim / n, sum.irradiance / n};
 }
 
-// The part of `all` that belongs to element `index`.
-std::vector<float> slice(const std::vector<float>& all, size_t index, size_t length) {
-    const auto from = all.begin() + std::ptrdiff_t(index * length);
-    return {from, from + std::ptrdiff_t(length)};
-}
-
-bool allFinite(const std::vector<float>& values) {
-    return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
-}
-
-bool isRadiance(const std::vector<float>& values) {
-    return allFinite(values) && std::all_of(values.begin(), values.end(), [](float v) { return v >= 0; });
-}
-
 }  // namespace
 
 double hemisphereMean(std::span<const float> radiance, const MapLayout& layout) {
@@ -129,67 +110,29 @@ MapScores scoreMap(std::span<const float> radiance, std::span<const float> targe
     return scores;
 }
 
-ExampleFile readExampleFile(const std::string& path) {
-    const SafetensorsFile file(path);
-    const auto fail = [&](const std::string& message) { throw Error(SourceLocation{path}, message); };
-    if (file.metadata("format", "") != "drc-examples-1") fail("not a file of examples as `drc reference` writes them");
-    const std::vector<int64_t> shape = file.tensor("radiance").shape;
-    if (shape.size() != 5 || shape[0] < 1 || shape[1] < 1 || shape[2] != 3 || shape[3] < 1 || shape[3] > kMaxSize ||
-        shape[4] != shape[3] || shape[0] * shape[1] > std::numeric_limits<int>::max())
-        fail("tensor 'radiance': its shape is not [examples][inputs][3][N][N]");
-    const int64_t n = shape[0], inputs = shape[1], size = shape[3];
-    const auto read = [&](const char* name, const std::vector<int64_t>& wanted) {
-        if (file.tensor(name).shape != wanted)
-            fail(fmt::format("tensor '{}': its shape does not fit 'radiance'", name));
-        return file.tensor(name).toFloat();
-    };
-    const auto layout = [&] {
-        try {
-            return MapLayout(projectionFromName(file.metadata("projection", "")), int(size));
-        } catch (const Error& error) {
-            throw Error(SourceLocation{path}, error.what());
-        }
-    };
-    ExampleFile result{.layout = layout(),
-                       .count = int(n),
-                       .inputs = int(inputs),
-                       .radiance = read("radiance", shape),
-                       .normal = read("normal", shape),
-                       .distance = read("distance", {n, inputs, 1, size, size}),
-                       .target = read("target", {n, 3, size, size})};
-    if (!isRadiance(result.radiance) || !isRadiance(result.target)) fail("radiance that is negative, infinite or NaN");
-    if (!allFinite(result.normal) || !allFinite(result.distance)) fail("normals or distances that are infinite or NaN");
-    const auto length = size_t(3 * result.layout.texels());
-    for (int i = 0; i < result.count; ++i)
-        if (!(hemisphereMean({&result.target[size_t(i) * length], length}, result.layout) > 0))
-            fail(fmt::format("the target of example {} is black", i));
-    return result;
-}
-
-std::vector<ExampleScores> evaluateEnhancer(const ExampleFile& examples, const Enhancer& enhancer, int inputs) {
-    inputs = std::min(inputs, examples.inputs);
-    const MapLayout& layout = examples.layout;
-    const auto texels = size_t(layout.texels());
-    std::vector<ExampleScores> perInput(size_t(examples.count) * size_t(inputs));
+std::vector<ExampleScores> evaluateEnhancer(const ExampleSource& examples, const Enhancer& enhancer, int inputs) {
+    inputs = std::min(inputs, examples.inputs());
+    const MapLayout& layout = examples.layout();
+    std::vector<ExampleScores> perInput(size_t(examples.count()) * size_t(inputs));
     parallelFor(0, int(perInput.size()), kBatch, [&](int begin, int end) {
         std::vector<CapturedMap> maps;
+        std::vector<std::vector<float>> targets;
+        TrainingExample example;
         for (int i = begin; i < end; ++i) {
-            const auto map = size_t(i / inputs) * size_t(examples.inputs) + size_t(i % inputs);
-            CapturedMap& captured = maps.emplace_back();
-            captured.radiance = slice(examples.radiance, map, 3 * texels);
-            captured.normal = slice(examples.normal, map, 3 * texels);
-            captured.distance = slice(examples.distance, map, texels);
+            examples.load(i / inputs, i % inputs, 1, example);
+            maps.push_back(std::move(example.inputs.front()));
+            targets.push_back(std::move(example.target));
         }
         enhancer.enhance(maps, layout);
         for (int i = begin; i < end; ++i) {
             const std::vector<float>& radiance = maps[size_t(i - begin)].radiance;
-            const std::span<const float> target(&examples.target[size_t(i / inputs) * 3 * texels], 3 * texels);
+            const std::vector<float>& target = targets[size_t(i - begin)];
             perInput[size_t(i)] = {scoreMap(radiance, target, layout),
                                    scoreMap(withMeanOf(radiance, target, layout), target, layout)};
         }
     });
     std::vector<ExampleScores> result;
-    for (int i = 0; i < examples.count; ++i) {
+    for (int i = 0; i < examples.count(); ++i) {
         const std::span<const ExampleScores> own(&perInput[size_t(i) * size_t(inputs)], size_t(inputs));
         result.push_back({mean(own, &ExampleScores::asRendered), mean(own, &ExampleScores::equalEnergy)});
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cache/enhancer.h"
+#include "cache/example_source.h"
 
 namespace drc {
 
@@ -35,20 +36,9 @@ struct ExampleScores {
     MapScores equalEnergy;  // with the target's mean: what is wrong with the shape alone
 };
 
-// One file of `drc reference`, read whole. Arrays as ExampleSet's.
-struct ExampleFile {
-    MapLayout layout{Projection::EqualArea, 32};
-    int count = 0, inputs = 0;
-    std::vector<float> radiance, normal, distance, target;
-};
-
-// Throws Error that begins with the file's name if the file is no such file, or if it holds what no capture yields:
-// NaN, infinity, negative or missing light.
-ExampleFile readExampleFile(const std::string& path);
-
 // Runs the enhancer over the first `inputs` realisations of each example (at most those there are), eight maps at a
 // time on all threads. One entry an example: the mean over its realisations, which are not independent of each other.
-std::vector<ExampleScores> evaluateEnhancer(const ExampleFile& examples, const Enhancer& enhancer, int inputs);
+std::vector<ExampleScores> evaluateEnhancer(const ExampleSource& examples, const Enhancer& enhancer, int inputs);
 
 struct PairedComparison {
     double p = 1;       // two-sided: chance of so clear a difference between methods that are alike

@@ -1,95 +1,118 @@
 #include "cache/training_examples.h"
 
+#include <fmt/core.h>
+
+#include <atomic>
+#include <map>
+#include <mutex>
+
 #include "neural/safetensors.h"
 
 namespace drc {
 namespace {
 
 constexpr uint64_t kViewpoint = 0x3001, kInput = 0x3002, kTarget = 0x3003;
+// To be raised when the same settings come to give other examples.
+constexpr int kDrawing = 1;
 
-struct Example {
-    std::vector<CapturedMap> inputs;
-    CapturedMap target;
-    bool valid = false;
-};
+Sampler viewpointSampler(const ExampleSettings& settings, int viewpoint) {
+    const uint64_t stream = hashCombine(settings.seed, kViewpoint);
+    // A jitter of its own for each cell; else one sequence over the film, so that any number is spread evenly.
+    if (settings.tiles > 0) return {hashCombine(stream, uint64_t(viewpoint)), 0};
+    return {stream, uint32_t(viewpoint)};
+}
 
-Example makeExample(const PathTracer& tracer, const ExampleSettings& settings, int index) {
+Vec2 onFilm(const ExampleSettings& settings, const PixelRegion& film, int viewpoint, Vec2 u) {
+    if (settings.tiles > 0) {
+        const Vec2 cell(float(viewpoint % settings.tiles), float(viewpoint / settings.tiles));
+        u = (cell + u) / float(settings.tiles);
+    }
+    return {float(film.x0) + u.x * float(film.width()), float(film.y0) + u.y * float(film.height())};
+}
+
+}  // namespace
+
+ShardHeader shardHeader(const ExampleSettings& settings, const std::string& scene, uint64_t sceneHash) {
+    const PathSettings path;
+    const std::string others =
+        fmt::format("{} {:016x} {} {} {}", kDrawing, sceneHash, path.maxDepth, path.rouletteDepth, path.clamp);
+    return {.scene = scene,
+            .layout = settings.layout,
+            .inputs = settings.inputs,
+            .targetSamples = settings.targetSamples,
+            .seed = settings.seed,
+            .viewpoints = settings.viewpoints(),
+            .tiles = settings.tiles,
+            .settings = hashBytes(others.data(), others.size())};
+}
+
+Vec2 viewpointOnFilm(const ExampleSettings& settings, const PixelRegion& film, int viewpoint) {
+    return onFilm(settings, film, viewpoint, viewpointSampler(settings, viewpoint).get2D());
+}
+
+std::optional<TrainingExample> makeExample(const PathTracer& tracer, const ExampleSettings& settings, int viewpoint) {
     const Scene& scene = tracer.scene();
-    const PixelRegion region = scene.settings.region();
-    // One sequence over the film: any number of viewpoints is spread evenly.
-    Sampler sampler(hashCombine(settings.seed, kViewpoint), uint32_t(index));
-    const Vec2 u = sampler.get2D();
-    const Vec2 film(float(region.x0) + u.x * float(region.width()), float(region.y0) + u.y * float(region.height()));
+    Sampler sampler = viewpointSampler(settings, viewpoint);
+    TrainingExample example;
+    example.viewpoint = viewpoint;
+    example.film = onFilm(settings, scene.settings.region(), viewpoint, sampler.get2D());
     const Vec2 uLens = sampler.get2D();
-    const CameraRay camera = scene.camera->generateRay(film, uLens, sampler.get1D());
-    Example example;
+    const CameraRay camera = scene.camera->generateRay(example.film, uLens, sampler.get1D());
     PrimaryHit hit;
-    if (!(camera.weight > 0) || !tracer.primaryHit(camera.ray, sampler, hit)) return example;
+    if (!(camera.weight > 0) || !tracer.primaryHit(camera.ray, sampler, hit)) return std::nullopt;
+    example.bounces = hit.bounces;
+    example.time = captureTime(hit.surface);
     Vec3 n = faceForward(hit.surface.ng, hit.surface.wo);
     // What is seen through the surface is as good an example as what is seen in front of it.
     if (hit.bsdf.hasWideTransmission() && sampler.get1D() < 0.5f) n = -n;
     const Frame frame = mapFrame(n, scene.camera->up());
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
-        const CaptureSettings once{settings.layout, samples};
-        captureMap(tracer, once, hit.surface.p, hit.surface.ng, frame, hit.surface.footprint,
-                   hashCombine(hashCombine(settings.seed, stream), uint64_t(index)), map, captureTime(hit.surface));
+        const CaptureSettings how{settings.layout, samples, samples > 1};
+        captureMap(tracer, how, hit.surface.p, hit.surface.ng, frame, hit.surface.footprint,
+                   hashCombine(hashCombine(settings.seed, stream), uint64_t(viewpoint)), map, example.time);
     };
-    capture(settings.targetSamples, kTarget, example.target);
-    float sum = 0;
-    for (const float r : example.target.radiance) sum += r;
-    if (!(sum > 0)) return example;
+    CapturedMap target;
+    capture(settings.targetSamples, kTarget, target);
+    example.target = std::move(target.radiance);
+    example.targetDeviation = std::move(target.deviation);
+    // A black one is not worth its realisations.
+    if (!isSound(example)) return std::nullopt;
     example.inputs.resize(size_t(settings.inputs));
     for (int i = 0; i < settings.inputs; ++i) capture(1, kInput + (uint64_t(i) << 32), example.inputs[size_t(i)]);
-    example.valid = true;
+    if (!isSound(example)) return std::nullopt;
     return example;
 }
 
-template <typename T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-}
-
-}  // namespace
-
-ExampleSet makeExamples(const PathTracer& tracer, const ExampleSettings& settings, Progress* progress,
-                        const CancelToken* cancel) {
-    std::vector<Example> examples(size_t(settings.viewpoints));
-    parallelFor(
-        0, settings.viewpoints, 1,
-        [&](int begin, int end) {
-            for (int i = begin; i < end; ++i) {
-                examples[size_t(i)] = makeExample(tracer, settings, i);
-                if (progress) progress->add();
+void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, ExampleShardWriter& shard,
+                   const std::function<void(bool)>& done, const CancelToken* cancel) {
+    const int end = settings.viewpoints();
+    std::atomic<int> next{shard.next()};
+    std::mutex mutex;
+    std::map<int, std::string> waiting;  // for an earlier one to be done
+    const auto work = [&] {
+        while (!(cancel && cancel->cancelled())) {
+            const int viewpoint = next.fetch_add(1);
+            if (viewpoint >= end) return;
+            const auto example = makeExample(tracer, settings, viewpoint);
+            std::string record = example ? encodeExample(*example, settings.layout) : "";
+            const std::lock_guard lock(mutex);
+            waiting.emplace(viewpoint, std::move(record));
+            for (auto first = waiting.begin(); first != waiting.end() && first->first == shard.next();
+                 first = waiting.erase(first)) {
+                shard.append(first->second);
+                done(!first->second.empty());
             }
-        },
-        cancel);
-    ExampleSet set;
-    for (const Example& example : examples) {
-        if (!example.valid) continue;
-        ++set.count;
-        for (const CapturedMap& input : example.inputs) {
-            append(set.radiance, input.radiance);
-            append(set.normal, input.normal);
-            append(set.distance, input.distance);
         }
-        append(set.target, example.target.radiance);
-    }
-    return set;
-}
-
-void writeExamples(const std::string& path, const ExampleSet& examples, const ExampleSettings& settings,
-                   const std::string& scene) {
-    const int64_t n = examples.count, r = settings.inputs, s = settings.layout.size();
-    const std::vector<TensorToWrite> tensors{{"radiance", {n, r, 3, s, s}, examples.radiance.data()},
-                                             {"normal", {n, r, 3, s, s}, examples.normal.data()},
-                                             {"distance", {n, r, 1, s, s}, examples.distance.data()},
-                                             {"target", {n, 3, s, s}, examples.target.data()}};
-    writeSafetensors(path, tensors,
-                     {{"format", "drc-examples-1"},
-                      {"projection", projectionName(settings.layout.projection())},
-                      {"scene", scene},
-                      {"spp", std::to_string(settings.targetSamples)},
-                      {"seed", std::to_string(settings.seed)}});
+    };
+    // One piece a thread, each of which takes the next viewpoint: so nothing waits long for an earlier one.
+    parallelFor(0, threadCount(), 1, [&](int, int) {
+        try {
+            work();
+        } catch (...) {
+            next = end;
+            throw;
+        }
+    });
 }
 
 }  // namespace drc

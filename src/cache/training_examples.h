@@ -1,39 +1,41 @@
 // Examples for the network to learn from: maps as a render captures them, and what they would be with many samples
 // (Jiang and Kainz, section 4: the reference mode).
 #pragma once
+#include <functional>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "base/parallel.h"
-#include "base/progress.h"
-#include "cache/map_capture.h"
+#include "cache/example_record.h"
+#include "cache/example_shard_writer.h"
 
 namespace drc {
 
 struct ExampleSettings {
     MapLayout layout{Projection::EqualArea, 32};
-    int viewpoints = 128;    // primary points of camera rays, spread over the film
-    int targetSamples = 64;  // per texel of the target
+    // Viewpoints: primary points of camera rays. With tiles, one at random in each cell of a tiles x tiles grid over
+    // the film, row by row; with none, `spread` of them, spread evenly.
+    int tiles = 0, spread = 128;
+    int targetSamples = 64;  // per texel of the target, at least 2
     int inputs = 4;          // independent one-sample realisations of each map
     uint64_t seed = 0;
+
+    int viewpoints() const { return tiles > 0 ? tiles * tiles : spread; }
 };
 
-// Planar arrays as CapturedMap's, one example after the other. Viewpoints whose ray escapes, and maps that receive no
-// light at all, give no example, so count may be less than asked for.
-struct ExampleSet {
-    int count = 0;
-    std::vector<float> radiance;  // [count][inputs][3][N][N]
-    std::vector<float> normal;    // [count][inputs][3][N][N]
-    std::vector<float> distance;  // [count][inputs][1][N][N]
-    std::vector<float> target;    // [count][3][N][N]
-};
+// The header of the shard of a scene. sceneHash: of the scene's file.
+ShardHeader shardHeader(const ExampleSettings& settings, const std::string& scene, uint64_t sceneHash);
 
-// Deterministic by seed, whatever the number of threads. progress, if not null, is advanced by one a viewpoint.
-ExampleSet makeExamples(const PathTracer& tracer, const ExampleSettings& settings, Progress* progress,
-                        const CancelToken* cancel);
+// Where on the film the viewpoint's ray goes through, pixels.
+Vec2 viewpointOnFilm(const ExampleSettings& settings, const PixelRegion& film, int viewpoint);
 
-// A safetensors file, format "drc-examples-1", with the settings and `scene` in its metadata. All or nothing.
-void writeExamples(const std::string& path, const ExampleSet& examples, const ExampleSettings& settings,
-                   const std::string& scene);
+// None where the camera's ray escapes, and where no light at all arrives. Deterministic by seed and viewpoint.
+std::optional<TrainingExample> makeExample(const PathTracer& tracer, const ExampleSettings& settings, int viewpoint);
+
+// The viewpoints that the shard lacks, on all threads, appended in their order: the file does not depend on the number
+// of threads, nor on interruptions. done is called, by one thread at a time, for each viewpoint in the file, with
+// whether it gave an example. When `cancel` is raised, what was begun is still written.
+void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, ExampleShardWriter& shard,
+                   const std::function<void(bool)>& done, const CancelToken* cancel);
 
 }  // namespace drc

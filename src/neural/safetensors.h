@@ -1,5 +1,5 @@
-// Safetensors files: named arrays of numbers and a map of strings. The weights of the network and the examples it
-// learns from are stored so. Layout: 8 bytes header length (little endian), a JSON header, the raw data.
+// Safetensors files: named arrays of numbers and a map of strings. The weights of the network are stored so. Layout: 8
+// bytes header length (little endian), a JSON header, the raw data.
 #pragma once
 #include <cstddef>
 #include <cstdint>
