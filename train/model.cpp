@@ -1,6 +1,7 @@
 #include "model.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 
@@ -19,13 +20,14 @@ std::string moduleName(std::string name) {
 
 ModelImpl::ModelImpl(const UNetShape& shape) : shape_(shape) {
     const torch::NoGradGuard noGrad;
-    for (const ConvShape& conv : shape.convs()) {
+    for (const Layer& step : shape.layers()) {
+        if (step.op != LayerOp::Conv) continue;
+        const ConvShape& conv = step.conv;
         torch::nn::Conv2d layer(torch::nn::Conv2dOptions(conv.in, conv.out, conv.kernel)
                                     .padding(conv.kernel / 2)
                                     .groups(conv.depthwise ? conv.in : 1));
         const bool last = conv.name == "out";
-        torch::nn::init::kaiming_normal_(layer->weight, last ? 1.0 : kLeakySlope, torch::kFanIn, torch::kLeakyReLU);
-        if (last) layer->weight.mul_(0.1);
+        torch::nn::init::normal_(layer->weight, 0, std::sqrt(step.initialVariance()) * (last ? 0.1 : 1));
         torch::nn::init::constant_(layer->bias, last ? kEncodedMean : 0.0);
         layer->weight.set_data(layer->weight.contiguous(torch::MemoryFormat::ChannelsLast));
         convs_.push_back(register_module(moduleName(conv.name), layer));

@@ -17,7 +17,7 @@ TEST_P(Parity, LibtorchAndOneDnnAgree) {
     std::tie(shape.kind, shape.width) = GetParam();
     torch::manual_seed(3);
     Model model(shape);
-    model->setWeights(*UNetWeights::random(shape, 11));
+    model->setWeights(*UNetWeights::random(shape, 12));
     model->eval();
 
     // By way of a file, so that the export is tested as well.

@@ -44,6 +44,13 @@ struct Layer {
     int skip = -1;    // value that is stacked in front of source
     int add = -1;     // value that is added before the activation; no later layer uses it
     float slope = 1;  // of the activation max(x, slope x); 1: none
+
+    // Variance that random weights should have for results to vary as much as sources do (He et al., "Delving Deep into
+    // Rectifiers", 2015). Where two results are added each brings half.
+    double initialVariance() const {
+        const double gain = 2 / (1 + double(slope) * slope) * (add >= 0 ? 0.5 : 1);
+        return gain / (double(conv.inputsPerFilter()) * conv.kernel * conv.kernel);
+    }
 };
 
 enum class UNetKind { Plain, Residual, Separable, Paper };

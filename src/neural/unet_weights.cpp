@@ -74,9 +74,10 @@ std::shared_ptr<const UNetWeights> UNetWeights::load(const std::string& path) {
 std::shared_ptr<const UNetWeights> UNetWeights::random(const UNetShape& shape, uint64_t seed) {
     std::mt19937_64 generator(seed);
     std::vector<Conv> convs;
-    for (const ConvShape& conv : shape.convs()) {
-        const float fanIn = float(conv.inputsPerFilter() * conv.kernel * conv.kernel);
-        std::normal_distribution<float> normal(0, std::sqrt(2 / ((1 + kLeakySlope * kLeakySlope) * fanIn)));
+    for (const Layer& layer : shape.layers()) {
+        if (layer.op != LayerOp::Conv) continue;
+        const ConvShape& conv = layer.conv;
+        std::normal_distribution<float> normal(0, float(std::sqrt(layer.initialVariance())));
         std::uniform_real_distribution<float> uniform(-0.1f, 0.1f);
         Conv c{conv, std::vector<float>(conv.weightCount()), std::vector<float>(size_t(conv.out)), {}, {}};
         for (float& w : c.weight) w = normal(generator);
