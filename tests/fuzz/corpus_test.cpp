@@ -28,7 +28,8 @@ TEST_P(Corpus, IsReadOrRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus,
                          testing::Values(std::pair("tokenizer", &tokenizer), std::pair("parser", &parser),
-                                         std::pair("ply", &ply), std::pair("safetensors", &safetensors)),
+                                         std::pair("ply", &ply), std::pair("safetensors", &safetensors),
+                                         std::pair("examples", &examples)),
                          [](const auto& tested) { return std::string(tested.param.first); });
 
 TEST(Fuzz, ScenesOpenNoFiles) {

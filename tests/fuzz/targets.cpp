@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "cache/example_shard.h"
 #include "neural/safetensors.h"
 #include "pbrt/ply_reader.h"
 #include "pbrt/scene_file.h"
@@ -80,6 +81,16 @@ void safetensors(std::string_view bytes) {
         const SafetensorsFile read(file.path());
         (void)read.contentHash();
         for (const auto& [name, tensor] : read.tensors()) (void)tensor.toFloat();
+    } catch (const Error&) {
+    }
+}
+
+void examples(std::string_view bytes) {
+    const MemoryFile file(bytes);
+    try {
+        const ExampleShard shard(file.path());
+        TrainingExample example;
+        for (int i = 0; i < shard.count(); ++i) shard.load(i, 0, shard.inputs(), example);
     } catch (const Error&) {
     }
 }

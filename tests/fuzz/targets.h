@@ -10,6 +10,7 @@ void tokenizer(std::string_view bytes);
 void parser(std::string_view bytes);  // a pbrt scene, confined; it reads no other files
 void ply(std::string_view bytes);
 void safetensors(std::string_view bytes);
+void examples(std::string_view bytes);  // a shard of them
 
 // The scene without slashes: what it names is looked for in a folder that does not exist, and nowhere else. Else a
 // fuzzer that hits upon "/dev/..." or a file of the machine would open it.
