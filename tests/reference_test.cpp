@@ -167,5 +167,49 @@ TEST_F(Reference, TakesTilesOrANumber) {
     EXPECT_EQ(ExampleShard(shard("out")).header().viewpoints, 9);
 }
 
+TEST_F(Reference, WritesTheAuthorsLayout) {
+    const std::vector<std::string> common{path("room/scene.pbrt"), "--tiles", "4", "--spp", "16", "--nthreads", "2"};
+    std::vector<std::string> pfm = common, shards = common;
+    pfm.insert(pfm.end(), {"--layout", "iispt", "-o", path("pfm")});
+    shards.insert(shards.end(), {"--projection", "latlong", "--inputs", "1", "-o", path("out")});
+    ASSERT_EQ(run(pfm), 0) << log();
+    ASSERT_EQ(run(shards), 0) << log();
+    EXPECT_EQ(findExamples({path("pfm")}), std::vector<std::string>{path("pfm/room")});
+    const auto a = openExamples(path("pfm/room")), b = openExamples(shard("out"));
+    EXPECT_EQ(a->damage(), "");
+    EXPECT_EQ(a->scene(), "room");
+    ASSERT_EQ(a->count(), b->count());
+    // The same maps; the shard has them by viewpoint, the folder by pixel.
+    TrainingExample x, y;
+    for (int i = 0; i < a->count(); ++i) {
+        a->load(i, 0, 1, x);
+        int same = 0;
+        for (int j = 0; j < b->count(); ++j) {
+            b->load(j, 0, 1, y);
+            if (std::floor(y.film.x) + 0.5f != x.film.x || std::floor(y.film.y) + 0.5f != x.film.y) continue;
+            ++same;
+            for (size_t t = 0; t < 3 * 1024; ++t) {
+                EXPECT_NEAR(x.inputs[0].radiance[t], y.inputs[0].radiance[t], 1e-3f * x.inputs[0].radiance[t]);
+                EXPECT_NEAR(x.inputs[0].normal[t], y.inputs[0].normal[t], 1e-4f);
+                EXPECT_NEAR(x.inputs[0].distance[t / 3], y.inputs[0].distance[t / 3], 1e-2f);
+                EXPECT_NEAR(x.target[t], y.target[t], 1e-3f * x.target[t]);
+            }
+        }
+        EXPECT_EQ(same, 1);
+    }
+    // It goes on where something is missing.
+    const std::string hash = a->contentHash();
+    for (const auto& entry : std::filesystem::directory_iterator(path("pfm/room")))
+        if (entry.path().filename().string().starts_with("p_1")) std::filesystem::remove(entry.path());
+    ASSERT_EQ(run(pfm), 0) << log();
+    EXPECT_EQ(openExamples(path("pfm/room"))->contentHash(), hash);
+    pfm[4] = "8";
+    EXPECT_EQ(run(pfm), 1);
+    EXPECT_THAT(log(), HasSubstr("made with --spp 16, not 8"));
+    pfm.insert(pfm.end(), {"--inputs", "2"});
+    EXPECT_EQ(run(pfm), 1);
+    EXPECT_THAT(log(), HasSubstr("leave out --inputs"));
+}
+
 }  // namespace
 }  // namespace drc

@@ -18,6 +18,7 @@ namespace {
 struct ReferenceOptions {
     std::vector<std::string> scenes;
     std::string directory;
+    std::string layout = "shard";
     std::string projection = "equal-area";
     ExampleSettings examples;
     int size = 32;
@@ -54,8 +55,12 @@ class ReferenceRun {
     explicit ReferenceRun(const ReferenceOptions& options)
         : options_(options),
           settings_(options.examples),
+          iispt_(options.layout == "iispt"),
           progress_("examples", viewpointsLeft(), options.quiet ? ProgressMode::Quiet : ProgressMode::Auto) {
         settings_.layout = MapLayout(projectionFromName(options.projection), options.size);
+        if (!iispt_) return;
+        settings_.layout = MapLayout(Projection::LatLong, 32);
+        settings_.inputs = 1;
     }
 
     void run() {
@@ -76,14 +81,14 @@ class ReferenceRun {
     }
 
   private:
-    std::string shardPath(const std::string& scene) const {
-        return options_.directory + "/" + sceneName(scene) + kShardExtension;
+    std::string outputPath(const std::string& scene) const {
+        return options_.directory + "/" + sceneName(scene) + (iispt_ ? "" : kShardExtension);
     }
     // At most: shards that are begun have less.
     int64_t viewpointsLeft() const {
         int64_t left = 0;
         for (const std::string& scene : options_.scenes)
-            if (!isFinishedShard(shardPath(scene))) left += options_.examples.viewpoints();
+            if (!isFinishedShard(outputPath(scene))) left += options_.examples.viewpoints();
         return left;
     }
 
@@ -93,29 +98,33 @@ class ReferenceRun {
         settings.seed = hashCombine(settings_.seed, hashText(name));
         ShardHeader header = shardHeader(settings, name, hashText(readFile(path)));
         header.seed = settings_.seed;  // as the user gave it
-        if (isFinishedShard(shardPath(path))) {
-            ExampleShardWriter(shardPath(path), header);  // refuses one that was made with other settings
+        const std::string output = outputPath(path);
+        if (!iispt_ && isFinishedShard(output)) {
+            ExampleShardWriter(output, header);  // refuses one that was made with other settings
             return;
         }
         progress_.setNote(name);
         const auto scene = pbrt::loadPbrtFile(path);
-        ExampleShardWriter shard(shardPath(path), header);
-        progress_.add(shard.next());
         const Accel accel(*scene);
         const LightSampler lights(*scene);
         const PathTracer tracer(*scene, accel, lights);
-        writeExamples(
-            tracer, settings, shard,
-            [&](bool example) {
-                tally_.add(example);
-                progress_.setNote(name + ": " + tally_.str());
-                progress_.add();
-            },
-            &interruptToken());
+        const auto done = [&](bool example) {
+            tally_.add(example);
+            progress_.setNote(name + ": " + tally_.str());
+            progress_.add();
+        };
+        if (iispt_) {
+            progress_.add(writeExamples(tracer, settings, IisptWriter(output, header), done, &interruptToken()));
+            return;
+        }
+        ExampleShardWriter shard(output, header);
+        progress_.add(shard.next());
+        writeExamples(tracer, settings, shard, done, &interruptToken());
     }
 
     const ReferenceOptions& options_;
     ExampleSettings settings_;
+    bool iispt_;
     Progress progress_;
     Tally tally_;
 };
@@ -137,8 +146,9 @@ void addReferenceCommand(CLI::App& app) {
     auto o = std::make_shared<ReferenceOptions>();
     command->add_option("SCENE", o->scenes, "Scene files, pbrt-v3 or pbrt-v4")->required();
     command
-        ->add_option("-o,--output", o->directory,
-                     "Folder for one file a scene. Those there are kept, and unfinished ones are gone on with")
+        ->add_option(
+            "-o,--output", o->directory,
+            "Folder for one file (or folder) a scene. Those there are kept, and unfinished ones are gone on with")
         ->required();
     auto* spread = command->add_option("--viewpoints", o->examples.spread, "Maps a scene, spread over the film")
                        ->capture_default_str()
@@ -149,20 +159,32 @@ void addReferenceCommand(CLI::App& app) {
     command->add_option("--spp", o->examples.targetSamples, "Samples a texel of the target")
         ->capture_default_str()
         ->check(CLI::Range(2, 65535));
-    command->add_option("--inputs", o->examples.inputs, "One-sample realisations of each map")
+    auto* inputs = command->add_option("--inputs", o->examples.inputs, "One-sample realisations of each map")
+                       ->capture_default_str()
+                       ->check(CLI::Range(1, limits::kExampleInputs));
+    auto* projection =
+        command->add_option("--projection", o->projection, "equal-area or latlong")->capture_default_str();
+    auto* size = command->add_option("--map-size", o->size, "Texels along each side")
+                     ->capture_default_str()
+                     ->check(CLI::Range(4, limits::kExampleMapSize));
+    command
+        ->add_option("--layout", o->layout,
+                     "shard, or iispt: a folder of PFM files a scene, as the authors' programs read and write them")
         ->capture_default_str()
-        ->check(CLI::Range(1, limits::kExampleInputs));
-    command->add_option("--projection", o->projection, "equal-area or latlong")->capture_default_str();
-    command->add_option("--map-size", o->size, "Texels along each side")
-        ->capture_default_str()
-        ->check(CLI::Range(4, limits::kExampleMapSize));
+        ->check(CLI::IsMember({"shard", "iispt"}));
     command->add_option("--seed", o->examples.seed, "Seed of all random numbers")->capture_default_str();
     command->add_option("--nthreads", o->threads, "Threads; 0: one a core")->capture_default_str();
     command->add_flag("--quiet", o->quiet, "Say nothing but errors");
     command->footer(
         "An interrupted run goes on where it was when the same command is given again.\n"
         "Example: drc reference rooms/*/scene.pbrt --tiles 12 --spp 64 -o examples");
-    command->callback([o] { writeReferences(*o); });
+    command->callback([=] {
+        if (o->layout == "iispt" && (*inputs || *projection || *size))
+            throw Error(
+                "--layout iispt has one input and latlong maps of 32 x 32: leave out --inputs, --projection and "
+                "--map-size");
+        writeReferences(*o);
+    });
 }
 
 }  // namespace drc

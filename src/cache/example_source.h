@@ -36,7 +36,8 @@ class ExampleSource {
     int inputs_ = 1, count_ = 0;
 };
 
-// What openExamples can open, sorted by path: files as named; of folders, everything below. Throws Error for a path
+// What openExamples can open, sorted by path: files as named; of folders, every shard and every folder of PFM files
+// (iispt_folder.h) in them, at any depth. Throws Error for a path
 // that does not exist.
 std::vector<std::string> findExamples(const std::vector<std::string>& paths);
 

@@ -33,7 +33,24 @@ T numberAt(std::string_view bytes, size_t at) {
     return value;
 }
 
-std::string toJson(const ShardHeader& h) {
+int wholeNumber(const Json& json, const char* key, int least, int most) {
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_number_integer() || *found < least || *found > most)
+        throw Error(fmt::format("its header's '{}' is not a whole number from {} to {}", key, least, most));
+    return found->get<int>();
+}
+
+std::string word(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_string()) throw Error(fmt::format("its header's '{}' is no text", key));
+    return found->get<std::string>();
+}
+
+uint32_t recordHash(std::string_view four) { return uint32_t(hashBytes(four.data(), four.size())); }
+
+}  // namespace
+
+std::string headerJson(const ShardHeader& h) {
     const Json json{{"scene", h.scene},
                     {"projection", projectionName(h.layout.projection())},
                     {"map_size", h.layout.size()},
@@ -47,25 +64,23 @@ std::string toJson(const ShardHeader& h) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-int wholeNumber(const Json& json, const char* key, int least, int most) {
-    const auto found = json.find(key);
-    if (found == json.end() || !found->is_number_integer() || *found < least || *found > most)
-        throw Error(fmt::format("its header's '{}' is not a whole number from {} to {}", key, least, most));
-    return found->get<int>();
+ShardHeader parseHeaderJson(std::string_view text) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object()) throw Error("its header is damaged");
+    const auto seed = json.find("seed");
+    return {.scene = word(json, "scene"),
+            .layout = MapLayout(projectionFromName(word(json, "projection")),
+                                wholeNumber(json, "map_size", 1, limits::kExampleMapSize)),
+            .inputs = wholeNumber(json, "inputs", 1, limits::kExampleInputs),
+            .targetSamples = wholeNumber(json, "target_spp", 1, 1 << 30),
+            .seed = seed != json.end() && seed->is_number_unsigned() ? seed->get<uint64_t>() : 0,
+            .viewpoints = wholeNumber(json, "viewpoints", 1, 1 << 30),
+            .tiles = wholeNumber(json, "tiles", 0, 1 << 15),
+            .settings = std::strtoull(word(json, "settings").c_str(), nullptr, 16)};
 }
-
-std::string text(const Json& json, const char* key) {
-    const auto found = json.find(key);
-    if (found == json.end() || !found->is_string()) throw Error(fmt::format("its header's '{}' is no text", key));
-    return found->get<std::string>();
-}
-
-uint32_t recordHash(std::string_view four) { return uint32_t(hashBytes(four.data(), four.size())); }
-
-}  // namespace
 
 std::string shardHeaderBytes(const ShardHeader& header) {
-    const std::string json = toJson(header);
+    const std::string json = headerJson(header);
     if (json.size() > limits::kShardHeaderBytes) throw Error("the scene's name is too long");
     std::string bytes(kMagic);
     append(bytes, kVersion);
@@ -83,20 +98,9 @@ ShardHeader parseShardHeader(std::string_view shard, size_t& records) {
     if (size > limits::kShardHeaderBytes || size > shard.size() - kPreambleBytes)
         throw Error("it ends within its header");
     const std::string_view bytes = shard.substr(kPreambleBytes, size);
-    const Json json = Json::parse(bytes, nullptr, false);
-    if (numberAt<uint64_t>(shard, 16) != hashBytes(bytes.data(), bytes.size()) || !json.is_object())
-        throw Error("its header is damaged");
+    if (numberAt<uint64_t>(shard, 16) != hashBytes(bytes.data(), bytes.size())) throw Error("its header is damaged");
     records = kPreambleBytes + size;
-    const auto seed = json.find("seed");
-    return {.scene = text(json, "scene"),
-            .layout = MapLayout(projectionFromName(text(json, "projection")),
-                                wholeNumber(json, "map_size", 1, limits::kExampleMapSize)),
-            .inputs = wholeNumber(json, "inputs", 1, limits::kExampleInputs),
-            .targetSamples = wholeNumber(json, "target_spp", 1, 1 << 30),
-            .seed = seed != json.end() && seed->is_number_unsigned() ? seed->get<uint64_t>() : 0,
-            .viewpoints = wholeNumber(json, "viewpoints", 1, 1 << 30),
-            .tiles = wholeNumber(json, "tiles", 0, 1 << 15),
-            .settings = std::strtoull(text(json, "settings").c_str(), nullptr, 16)};
+    return parseHeaderJson(bytes);
 }
 
 std::string firstDifference(const ShardHeader& there, const ShardHeader& asked) {

@@ -30,6 +30,10 @@ struct ShardHeader {
     uint64_t settings = 0;  // hash of whatever else the examples follow from
 };
 
+std::string headerJson(const ShardHeader& header);
+// Throws Error, without a file's name.
+ShardHeader parseHeaderJson(std::string_view json);
+
 std::string shardHeaderBytes(const ShardHeader& header);
 // Sets `records` to where the first record begins. Throws Error, without a file's name.
 ShardHeader parseShardHeader(std::string_view shard, size_t& records);

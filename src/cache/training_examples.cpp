@@ -5,6 +5,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <set>
 
 #include "neural/safetensors.h"
 
@@ -113,6 +114,38 @@ void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, Ex
             throw;
         }
     });
+}
+
+int writeExamples(const PathTracer& tracer, const ExampleSettings& settings, const IisptWriter& folder,
+                  const std::function<void(bool)>& done, const CancelToken* cancel) {
+    const PixelRegion film = tracer.scene().settings.region();
+    std::set<std::pair<int, int>> taken;
+    std::vector<char> first(size_t(settings.viewpoints()));
+    for (int i = 0; i < settings.viewpoints(); ++i) {
+        const Vec2 at = viewpointOnFilm(settings, film, i);
+        first[size_t(i)] = taken.emplace(int(at.x), int(at.y)).second;
+    }
+    std::mutex mutex;
+    std::atomic<int> there{0};
+    const auto write = [&](int viewpoint) {
+        if (!first[size_t(viewpoint)]) return false;
+        const auto example = makeExample(tracer, settings, viewpoint);
+        if (example) folder.write(*example);
+        return example.has_value();
+    };
+    parallelFor(
+        0, settings.viewpoints(), 1,
+        [&](int viewpoint, int) {
+            if (first[size_t(viewpoint)] && folder.has(viewpointOnFilm(settings, film, viewpoint))) {
+                ++there;
+                return;
+            }
+            const bool gave = write(viewpoint);
+            const std::lock_guard lock(mutex);
+            done(gave);
+        },
+        cancel);
+    return there;
 }
 
 }  // namespace drc

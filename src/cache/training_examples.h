@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "cache/example_record.h"
 #include "cache/example_shard_writer.h"
+#include "cache/iispt_folder.h"
 
 namespace drc {
 
@@ -37,5 +38,9 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
 // whether it gave an example. When `cancel` is raised, what was begun is still written.
 void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, ExampleShardWriter& shard,
                    const std::function<void(bool)>& done, const CancelToken* cancel);
+// The same into a folder of PFM files, which takes the first input of each. Of viewpoints in one pixel it gets the
+// first. Returns how many were there already, for which done is not called; those without an example are tried again.
+int writeExamples(const PathTracer& tracer, const ExampleSettings& settings, const IisptWriter& folder,
+                  const std::function<void(bool)>& done, const CancelToken* cancel);
 
 }  // namespace drc

@@ -43,7 +43,7 @@ bool isPfm(std::string_view bytes) {
     return bytes.size() > 3 && bytes[0] == 'P' && (bytes[1] == 'F' || bytes[1] == 'f') && isSpace(bytes[2]);
 }
 
-Image decodePfm(std::string_view bytes, const std::string& path) {
+Image decodePfm(std::string_view bytes, const std::string& path, PfmOrder order) {
     if (!isPfm(bytes)) throw Error(fmt::format("cannot read {}: it is no PFM file", path));
     const bool colour = nextWord(bytes) == "PF";
     const int width = nextNumber<int>(bytes, path, "width"), height = nextNumber<int>(bytes, path, "height");
@@ -59,7 +59,8 @@ Image decodePfm(std::string_view bytes, const std::string& path) {
         throw Error(fmt::format("cannot read {}: it ends after {} of {} bytes of pixels", path, bytes.size(),
                                 rowBytes * size_t(height)));
     Image image(width, height, colour ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"});
-    const bool swap = (scale < 0) != (std::endian::native == std::endian::little);
+    const bool little = (scale < 0) == (order == PfmOrder::AsNamed);
+    const bool swap = little != (std::endian::native == std::endian::little);
     for (int y = 0; y < height; ++y) {
         const char* row = bytes.data() + rowBytes * size_t(height - 1 - y);
         float* out = image.pixel(0, y);
@@ -71,6 +72,16 @@ Image decodePfm(std::string_view bytes, const std::string& path) {
         }
     }
     return image;
+}
+
+std::string encodePfm(const Image& image) {
+    static_assert(std::endian::native == std::endian::little);
+    const int channels = image.channels() < 3 ? 1 : 3;
+    std::string bytes = fmt::format("{}\n{} {}\n-1\n", channels == 3 ? "PF" : "Pf", image.width(), image.height());
+    for (int y = image.height() - 1; y >= 0; --y)
+        for (int x = 0; x < image.width(); ++x)
+            bytes.append(reinterpret_cast<const char*>(image.pixel(x, y)), size_t(channels) * sizeof(float));
+    return bytes;
 }
 
 }  // namespace drc
