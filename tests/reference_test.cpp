@@ -41,14 +41,15 @@ class Reference : public FolderTest {
   protected:
     Reference() { folder_.write("room/scene.pbrt", kScene); }
 
-    pid_t start(const std::vector<std::string>& arguments) const {
-        std::vector<std::string> words{DRC_PROGRAM, "reference"};
+    pid_t start(const std::vector<std::string>& arguments, const std::string& subcommand = "reference") const {
+        std::vector<std::string> words{DRC_PROGRAM, subcommand};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
         posix_spawn_file_actions_t files;
         posix_spawn_file_actions_init(&files);
+        posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_addopen(&files, STDERR_FILENO, path("log").c_str(), O_WRONLY | O_CREAT | O_TRUNC,
                                          0666);
         pid_t child = 0;
@@ -197,6 +198,7 @@ TEST_F(Reference, WritesTheAuthorsLayout) {
         }
         EXPECT_EQ(same, 1);
     }
+    EXPECT_EQ(wait(start({path("pfm"), path("out")}, "evaluate")), 0) << log();
     // It goes on where something is missing.
     const std::string hash = a->contentHash();
     for (const auto& entry : std::filesystem::directory_iterator(path("pfm/room")))

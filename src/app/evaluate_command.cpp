@@ -72,8 +72,14 @@ void makeMethods(const EvaluateOptions& options, const MapLayout& layout, Evalua
     const std::string path = weightsIfAny(options.weights);
     if (path.empty()) return;
     const auto weights = UNetWeights::load(path);
-    result.weightsHash = weights->hash();
-    result.methods.push_back({makeNetworkEnhancer(weights, layout), {}});
+    try {
+        result.methods.push_back({makeNetworkEnhancer(weights, layout), {}});
+        result.weightsHash = weights->hash();
+    } catch (const Error& error) {
+        // The shipped weights are for one kind of map; examples may have another.
+        if (!options.weights.empty()) throw;
+        logInfo(std::string("the network is left out: ") + error.what() + "; name others with --weights");
+    }
 }
 
 // Throws Error if the file cannot be part of the evaluation.
