@@ -25,11 +25,12 @@ Batch emptyBatch(int64_t count, int64_t size) {
     return batch;
 }
 
-void encode(const Example& example, TargetMean which, int64_t slot, Batch& batch) {
+void encode(const Example& example, const Encoding& encoding, int64_t slot, Batch& batch) {
     const size_t texels = size_t(example.size) * example.size;
-    float mean = encodeInput(example.radiance.data(), example.normal.data(), example.distance.data(), texels,
-                             batch.input.data_ptr<float>() + slot * int64_t(kInputPlanes * texels));
-    if (which == TargetMean::Own) mean = meanRadiance(example.target.data(), example.target.size());
+    float* planes = batch.input.data_ptr<float>() + slot * int64_t(kInputPlanes * texels);
+    float mean = encodeInput(example.radiance.data(), example.normal.data(), example.distance.data(), texels, planes);
+    ablate(encoding.ablation, texels, planes);
+    if (encoding.mean == TargetMean::Own) mean = meanRadiance(example.target.data(), example.target.size());
     encodeTarget(example.target.data(), example.target.size(), mean,
                  batch.target.data_ptr<float>() + slot * int64_t(kOutputPlanes * texels));
     batch.targetMean.data_ptr<float>()[slot] = mean;
@@ -46,8 +47,8 @@ TargetMean parseTargetMean(const std::string& name) {
 std::string targetMeanName(TargetMean mean) { return mean == TargetMean::Own ? "own" : "input"; }
 
 TrainingBatches::TrainingBatches(const Dataset& dataset, std::vector<size_t> indices, int batch, uint64_t seed,
-                                 TargetMean mean)
-    : dataset_(dataset), indices_(std::move(indices)), batch_(batch), seed_(splitMix(seed)), mean_(mean) {}
+                                 const Encoding& encoding)
+    : dataset_(dataset), indices_(std::move(indices)), batch_(batch), seed_(splitMix(seed)), encoding_(encoding) {}
 
 void TrainingBatches::shuffle(int64_t epoch) {
     if (epoch == epoch_) return;
@@ -70,13 +71,13 @@ Batch TrainingBatches::draw(int64_t step) {
         const uint64_t bits = splitMix(seed_ + draw);
         dataset_.load(i, int((bits >> 32) % uint64_t(dataset_.realisations(i))), source);
         Augmentation::random(dataset_.projection(), bits).apply(source, changed);
-        encode(changed, mean_, slot, batch);
+        encode(changed, encoding_, slot, batch);
     }
     return batch;
 }
 
 Batch plainBatch(const Dataset& dataset, const std::vector<size_t>& indices, size_t first, size_t count,
-                 TargetMean mean) {
+                 const Encoding& encoding) {
     const int64_t size = dataset.mapSize();
     Batch batch = emptyBatch(int64_t(count), size);
     batch.radiance = torch::empty({int64_t(count), 3, size, size});
@@ -84,7 +85,7 @@ Batch plainBatch(const Dataset& dataset, const std::vector<size_t>& indices, siz
     Example example;
     for (size_t k = 0; k < count; ++k) {
         dataset.load(indices[first + k], 0, example);
-        encode(example, mean, int64_t(k), batch);
+        encode(example, encoding, int64_t(k), batch);
         const auto copy = [&](const std::vector<float>& from, torch::Tensor& to) {
             std::copy(from.begin(), from.end(), to.data_ptr<float>() + int64_t(k * from.size()));
         };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dataset.h"
+#include "neural/transforms.h"
 
 namespace drc {
 
@@ -13,6 +14,12 @@ namespace drc {
 enum class TargetMean { Own, Input };
 TargetMean parseTargetMean(const std::string& name);
 std::string targetMeanName(TargetMean mean);
+
+// How examples become tensors, for all of one training.
+struct Encoding {
+    TargetMean mean = TargetMean::Own;
+    Ablation ablation = Ablation::None;
+};
 
 struct Batch {
     torch::Tensor input;       // [B][7][S][S]
@@ -26,7 +33,8 @@ struct Batch {
 // realisation and augmentation. A function of (seed, step) alone, so that an interrupted training resumes exactly.
 class TrainingBatches {
   public:
-    TrainingBatches(const Dataset& dataset, std::vector<size_t> indices, int batch, uint64_t seed, TargetMean mean);
+    TrainingBatches(const Dataset& dataset, std::vector<size_t> indices, int batch, uint64_t seed,
+                    const Encoding& encoding);
     Batch draw(int64_t step);
 
   private:
@@ -36,12 +44,12 @@ class TrainingBatches {
     std::vector<size_t> indices_, order_;
     int batch_;
     uint64_t seed_;
-    TargetMean mean_;
+    Encoding encoding_;
     int64_t epoch_ = -1;
 };
 
 // Examples [first, first + count) of `indices` as they are: realisation 0, no augmentation, with the plain radiance.
 Batch plainBatch(const Dataset& dataset, const std::vector<size_t>& indices, size_t first, size_t count,
-                 TargetMean mean);
+                 const Encoding& encoding);
 
 }  // namespace drc

@@ -18,11 +18,12 @@
 namespace drc {
 namespace {
 
+namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-    std::vector<std::string> data, validationScenes;
-    std::string output, curve, checkpoint, init, commit, command, targetMean = "own", kind = "plain";
+    std::vector<std::string> data, validationData, validationScenes;
+    std::string output, curve, checkpoint, init, commit, command, targetMean = "own", kind = "plain", ablation = "none";
     int width = 32, levels = 4, threads = 0;
     int64_t reportEvery = 20000;
     size_t validationExamples = 512;
@@ -59,7 +60,10 @@ void parse(CLI::App& app, Options& o) {
     app.add_option("--target-mean", o.targetMean, "Whose mean scales a target")
         ->capture_default_str()
         ->check(CLI::IsMember({"own", "input"}));
-    app.add_option("--validation-scenes", o.validationScenes, "Scenes to validate on (comma-separated)")
+    app.add_option("--ablate", o.ablation, "What the network is not shown: none, normals, distance or both")
+        ->capture_default_str();
+    app.add_option("--validation-data", o.validationData, "Folders of examples to validate on");
+    app.add_option("--validation-scenes", o.validationScenes, "Or scenes of --data to validate on (comma-separated)")
         ->delimiter(',');
     app.add_option("--validation-fraction", o.validationFraction,
                    "Else the share of scenes, chosen by their names' hash")
@@ -70,7 +74,7 @@ void parse(CLI::App& app, Options& o) {
     app.add_option("--report-every", o.reportEvery, "Examples between two validations")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    app.add_option("--curve", o.curve, "CSV file of the losses over time");
+    app.add_option("--curve", o.curve, "CSV file of the losses over time; train/plot-curve draws it");
     app.add_option("--checkpoint", o.checkpoint, "File to save the state to each minute, and to resume from");
     app.add_option("--threads", o.threads, "Threads; 0: all")->capture_default_str()->check(CLI::NonNegativeNumber);
     app.add_option("--commit", o.commit, "Commit of the source, noted in the weights");
@@ -89,7 +93,8 @@ std::vector<size_t> thinned(const std::vector<size_t>& indices, size_t most) {
 
 // The curve of an interrupted run is continued: rows beyond the checkpoint are dropped.
 std::ofstream openCurve(const std::string& path, int64_t resumedAt) {
-    std::string kept = "examples,seconds,learning_rate,train_log_l1,val_log_l1,val_intensity_l1\n";
+    std::string kept =
+        "examples,seconds,learning_rate,train_log_l1,val_log_l1,val_intensity_l1,noisy_log_l1,gaussian_log_l1\n";
     if (resumedAt > 0) {
         std::ifstream old(path);
         std::string line;
@@ -107,6 +112,7 @@ void exportWeights(const Options& o, const Training& training, Model& model, con
                    const Validation& v) {
     const StringMap provenance{{"projection", projectionName(dataset.projection())},
                                {"target_mean", o.targetMean},
+                               {"ablation", o.ablation},
                                {"data", fmt::format("{} examples of {} scenes, content {}", dataset.size(),
                                                     dataset.scenes().size(), dataset.contentHash())},
                                {"examples_drawn", std::to_string(training.done() * o.training.batch)},
@@ -120,10 +126,15 @@ void exportWeights(const Options& o, const Training& training, Model& model, con
 }
 
 int run(Options o) {
-    o.training.targetMean = parseTargetMean(o.targetMean);
+    o.training.encoding = {parseTargetMean(o.targetMean), parseAblation(o.ablation)};
     at::set_num_threads(o.threads > 0 ? o.threads : int(std::max(1u, std::thread::hardware_concurrency())));
     if (o.output.empty() && o.training.examples > 0) throw Error("--output is missing: where to write the weights?");
 
+    if (!o.validationData.empty()) {
+        const auto scenes = Dataset(o.validationData).scenes();
+        o.validationScenes.insert(o.validationScenes.end(), scenes.begin(), scenes.end());
+        o.data.insert(o.data.end(), o.validationData.begin(), o.validationData.end());
+    }
     const Dataset dataset(o.data);
     const Split split = splitByScene(dataset, o.validationScenes, o.validationFraction);
     const auto validation = thinned(split.validation, o.validationExamples);
@@ -154,7 +165,7 @@ int run(Options o) {
         logInfo(fmt::format("resumed at example {}", training.done() * o.training.batch));
     }
 
-    const auto check = [&] { return validate(training.average(), dataset, validation, o.training.targetMean); };
+    const auto check = [&] { return validate(training.average(), dataset, validation, o.training.encoding); };
     Validation v = check();
     if (!validation.empty())
         logInfo(fmt::format(
@@ -191,8 +202,9 @@ int run(Options o) {
                             lossSum / double(lossCount), v.network.log, v.none.log, v.gaussian.log, v.network.intensity,
                             v.none.intensity, v.gaussian.intensity));
             if (curve.is_open())
-                curve << fmt::format("{},{:.1f},{:.3g},{:.6f},{:.6f},{:.6f}\n", examples, secondsSince(start), rate,
-                                     lossSum / double(lossCount), v.network.log, v.network.intensity)
+                curve << fmt::format("{},{:.1f},{:.3g},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", examples,
+                                     secondsSince(start), rate, lossSum / double(lossCount), v.network.log,
+                                     v.network.intensity, v.none.log, v.gaussian.log)
                       << std::flush;
             lossSum = 0, lossCount = 0;
         }

@@ -43,7 +43,7 @@ Model seededModel(const UNetShape& shape, uint64_t seed) {
 Training::Training(const UNetShape& shape, const Dataset& dataset, std::vector<size_t> indices,
                    const TrainingOptions& options)
     : options_(options),
-      batches_(dataset, std::move(indices), options.batch, options.seed, options.targetMean),
+      batches_(dataset, std::move(indices), options.batch, options.seed, options.encoding),
       model_(seededModel(shape, options.seed)),
       average_(shape),
       optimizer_(model_->parameters(), torch::optim::AdamOptions(options.learningRate)) {
@@ -102,9 +102,11 @@ void Training::updateAverage() {
 
 std::string Training::signature() const {
     const TrainingOptions& o = options_;
-    return fmt::format("kind {} width {} levels {} size {} batch {} examples {} lr {} seed {} target-mean {}",
-                       unetKindName(model_->shape().kind), model_->shape().width, model_->shape().levels,
-                       model_->shape().size, o.batch, o.examples, o.learningRate, o.seed, targetMeanName(o.targetMean));
+    return fmt::format(
+        "kind {} width {} levels {} size {} batch {} examples {} lr {} seed {} target-mean {} ablation {}",
+        unetKindName(model_->shape().kind), model_->shape().width, model_->shape().levels, model_->shape().size,
+        o.batch, o.examples, o.learningRate, o.seed, targetMeanName(o.encoding.mean),
+        ablationName(o.encoding.ablation));
 }
 
 void Training::save(const std::string& path) {

@@ -19,7 +19,7 @@ struct TrainingOptions {
     double clipNorm = 1;          // of the gradient of all parameters; 0: no clipping
     double averageDecay = 0.999;  // of the running average of the weights, a step
     uint64_t seed = 1;
-    TargetMean targetMean = TargetMean::Own;
+    Encoding encoding;
     bool bf16 = false;  // autocast of the forward pass
 
     int64_t steps() const { return (examples + batch - 1) / batch; }

@@ -68,7 +68,7 @@ TEST_F(TrainingOnFiles, LossGoesDownAndBeatsTheNoise) {
     const Split split = splitByScene(data, {"bb"}, 0);
     EXPECT_EQ(split.validation.size(), 16u);
     for (TargetMean mean : {TargetMean::Own, TargetMean::Input}) {
-        options_.targetMean = mean;
+        options_.encoding.mean = mean;
         Training training(shape_, data, split.training, options_);
         double first = 0, last = 0;
         for (int i = 0; i < 60; ++i) {
@@ -76,7 +76,7 @@ TEST_F(TrainingOnFiles, LossGoesDownAndBeatsTheNoise) {
             (i < 5 ? first : last) += i < 5 || i >= 55 ? loss : 0;
         }
         EXPECT_LT(last, 0.7 * first);
-        const Validation v = validate(training.average(), data, split.validation, mean);
+        const Validation v = validate(training.average(), data, split.validation, options_.encoding);
         EXPECT_LT(v.network.log, v.none.log);
         EXPECT_LT(v.gaussian.log, v.none.log);
         EXPECT_LT(v.network.intensity, v.none.intensity);

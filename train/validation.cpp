@@ -33,7 +33,8 @@ torch::Tensor gaussianBlur(const torch::Tensor& maps, double sigma) {
     return (pass(planes) / pass(torch::ones_like(planes.slice(0, 0, 1)))).view(maps.sizes());
 }
 
-Validation validate(Model& model, const Dataset& dataset, const std::vector<size_t>& indices, TargetMean mean) {
+Validation validate(Model& model, const Dataset& dataset, const std::vector<size_t>& indices,
+                    const Encoding& encoding) {
     constexpr size_t kBatch = 32;
     const torch::NoGradGuard noGrad;
     const bool wasTraining = model->is_training();
@@ -41,7 +42,7 @@ Validation validate(Model& model, const Dataset& dataset, const std::vector<size
     Validation result;
     for (size_t first = 0; first < indices.size(); first += kBatch) {
         const size_t count = std::min(kBatch, indices.size() - first);
-        const Batch batch = plainBatch(dataset, indices, first, count, mean);
+        const Batch batch = plainBatch(dataset, indices, first, count, encoding);
         const torch::Tensor truth = batch.clean / meanOf(batch.clean);
         const auto add = [&](L1& sum, const torch::Tensor& log, const torch::Tensor& radiance) {
             sum.log += double(count) * l1(log, batch.target);
@@ -50,9 +51,9 @@ Validation validate(Model& model, const Dataset& dataset, const std::vector<size
         const torch::Tensor output = model->forward(batch.input).contiguous();
         add(result.network, output, torch::expm1(output));
         const torch::Tensor noisy = batch.radiance.nan_to_num(0, 0, 0).clamp_min(0);
-        add(result.none, encoded(noisy, batch, mean), noisy);
+        add(result.none, encoded(noisy, batch, encoding.mean), noisy);
         const torch::Tensor blurred = gaussianBlur(noisy, 1);
-        add(result.gaussian, encoded(blurred, batch, mean), blurred);
+        add(result.gaussian, encoded(blurred, batch, encoding.mean), blurred);
     }
     result.examples = indices.size();
     if (!indices.empty())

@@ -18,7 +18,7 @@ struct Validation {
     size_t examples = 0;
 };
 
-Validation validate(Model& model, const Dataset& dataset, const std::vector<size_t>& indices, TargetMean mean);
+Validation validate(Model& model, const Dataset& dataset, const std::vector<size_t>& indices, const Encoding& encoding);
 
 // Each channel blurred with a Gaussian of `sigma` texels; texels outside the map have no weight.
 torch::Tensor gaussianBlur(const torch::Tensor& maps, double sigma);

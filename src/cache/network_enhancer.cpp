@@ -14,7 +14,9 @@ constexpr int kBatch = 8;  // enough for all the speed there is (measured: 1 is 
 class NetworkEnhancer final : public Enhancer {
   public:
     NetworkEnhancer(std::shared_ptr<const UNetWeights> weights, size_t texels, Precision precision)
-        : texels_(texels), workers_([weights, texels, precision] { return Worker(weights, texels, precision); }) {}
+        : texels_(texels),
+          ablation_(weights->ablation()),
+          workers_([weights, texels, precision] { return Worker(weights, texels, precision); }) {}
 
     void enhance(std::span<CapturedMap> maps, const MapLayout& layout) const override {
         Worker& worker = workers_.local();
@@ -37,9 +39,12 @@ class NetworkEnhancer final : public Enhancer {
     };
 
     void enhanceBatch(std::span<CapturedMap> maps, const MapLayout& layout, Worker& worker) const {
-        for (size_t i = 0; i < maps.size(); ++i)
-            worker.mean[i] = encodeInput(maps[i].radiance.data(), maps[i].normal.data(), maps[i].distance.data(),
-                                         texels_, worker.input.data() + i * kInputPlanes * texels_);
+        for (size_t i = 0; i < maps.size(); ++i) {
+            float* planes = worker.input.data() + i * kInputPlanes * texels_;
+            worker.mean[i] =
+                encodeInput(maps[i].radiance.data(), maps[i].normal.data(), maps[i].distance.data(), texels_, planes);
+            ablate(ablation_, texels_, planes);
+        }
         worker.net.run(worker.input.data(), worker.output.data(), int(maps.size()));
         for (size_t i = 0; i < maps.size(); ++i) {
             decodeOutput(worker.output.data() + i * kOutputPlanes * texels_, kOutputPlanes * texels_, worker.mean[i],
@@ -50,6 +55,7 @@ class NetworkEnhancer final : public Enhancer {
     }
 
     size_t texels_;
+    Ablation ablation_;
     mutable tbb::enumerable_thread_specific<Worker> workers_;
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.h"
+
 namespace drc {
 namespace {
 
@@ -55,6 +57,22 @@ float encodeInput(const float* radiance, const float* normal, const float* dista
     const float inverseDistance = inverseScale(texels ? float(sum / double(texels)) : 0.f);
     for (size_t i = 0; i < texels; ++i) distances[i] = logScale(shifted(distance[i]), inverseDistance) - kOffset;
     return mean;
+}
+
+Ablation parseAblation(const std::string& name) {
+    for (const Ablation a : {Ablation::None, Ablation::Normals, Ablation::Distance, Ablation::Both})
+        if (name == ablationName(a)) return a;
+    throw Error("an ablation is one of none, normals, distance and both, not '" + name + "'");
+}
+
+std::string ablationName(Ablation ablation) {
+    constexpr const char* kNames[] = {"none", "normals", "distance", "both"};
+    return kNames[size_t(ablation)];
+}
+
+void ablate(Ablation ablation, size_t texels, float* planes) {
+    if (ablation == Ablation::Normals || ablation == Ablation::Both) std::fill_n(planes + 3 * texels, 3 * texels, 0.f);
+    if (ablation == Ablation::Distance || ablation == Ablation::Both) std::fill_n(planes + 6 * texels, texels, 0.f);
 }
 
 void encodeTarget(const float* radiance, size_t count, float mean, float* encoded) {

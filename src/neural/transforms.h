@@ -6,6 +6,7 @@
 // (Jiang & Kainz, "Deep Radiance Caching: Convolutional Autoencoders Deeper in Ray Tracing", section on the network.)
 #pragma once
 #include <cstddef>
+#include <string>
 
 namespace drc {
 
@@ -20,6 +21,14 @@ float meanRadiance(const float* radiance, size_t count);
 // on a miss. Returns the radiance's mean m. Whatever is non-finite is taken as nothing: 0, or -1 for a distance; the
 // planes are always finite. A black map has m = 0 and a radiance of -0.1 everywhere.
 float encodeInput(const float* radiance, const float* normal, const float* distance, size_t texels, float* planes);
+
+// What a network is not shown, to learn what the normals and distances of a map are worth (section on ablation).
+enum class Ablation { None, Normals, Distance, Both };
+// "none", "normals", "distance", "both"; throws drc::Error for any other name.
+Ablation parseAblation(const std::string& name);
+std::string ablationName(Ablation ablation);
+// Sets the planes of encodeInput that are left out to zero.
+void ablate(Ablation ablation, size_t texels, float* planes);
 
 // Radiance -> the network's output scale; 0 throughout if mean is 0.
 void encodeTarget(const float* radiance, size_t count, float mean, float* encoded);

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "base/error.h"
+
 namespace drc {
 namespace {
 
@@ -93,6 +95,22 @@ TEST(Transforms, DoNotDependOnTheUnitOfLength) {
     encodeInput(radiance.data(), normal.data(), metres.data(), kTexels, a.data());
     encodeInput(radiance.data(), normal.data(), centimetres.data(), kTexels, b.data());
     for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-5f);
+}
+
+TEST(Transforms, AblationsHideTheirPlanesAlone) {
+    for (const Ablation a : {Ablation::None, Ablation::Normals, Ablation::Distance, Ablation::Both}) {
+        EXPECT_EQ(parseAblation(ablationName(a)), a);
+        std::vector<float> planes(7 * kTexels, 1.f);
+        ablate(a, kTexels, planes.data());
+        const bool normals = a == Ablation::Normals || a == Ablation::Both;
+        const bool distance = a == Ablation::Distance || a == Ablation::Both;
+        for (size_t i = 0; i < planes.size(); ++i) {
+            const size_t plane = i / kTexels;
+            const bool hidden = plane < 3 ? false : plane < 6 ? normals : distance;
+            EXPECT_EQ(planes[i], hidden ? 0.f : 1.f) << i;
+        }
+    }
+    EXPECT_THROW(parseAblation("colour"), Error);
 }
 
 }  // namespace

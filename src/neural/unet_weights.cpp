@@ -17,6 +17,11 @@ std::string shapeText(const std::vector<int64_t>& shape) {
     return text + "]";
 }
 
+std::string valueOr(const StringMap& map, const std::string& key, const std::string& fallback) {
+    const auto found = map.find(key);
+    return found == map.end() ? fallback : found->second;
+}
+
 std::vector<int64_t> weightDims(const ConvShape& conv) {
     return {conv.out, conv.inputsPerFilter(), conv.kernel, conv.kernel};
 }
@@ -41,6 +46,7 @@ UNetWeights::UNetWeights(const UNetShape& shape, std::vector<Conv> convs, String
     : shape_(shape),
       convs_(std::move(convs)),
       metadata_(std::move(metadata)),
+      ablation_(parseAblation(valueOr(metadata_, "ablation", "none"))),
       hash_(std::move(hash)),
       packed_(std::make_unique<PackedWeights>()) {}
 
@@ -49,6 +55,11 @@ UNetWeights::~UNetWeights() = default;
 std::shared_ptr<const UNetWeights> UNetWeights::load(const std::string& path) {
     const SafetensorsFile file(path);
     const UNetShape shape = UNetShape::fromMetadata(file);
+    try {
+        parseAblation(file.metadata("ablation", "none"));
+    } catch (const Error& error) {
+        throw Error(SourceLocation{path}, fmt::format("metadata 'ablation': {}", error.what()));
+    }
     std::vector<Conv> convs;
     size_t tensors = 0;
     for (const ConvShape& conv : shape.convs()) {
@@ -105,9 +116,6 @@ void UNetWeights::save(const std::string& path, const StringMap& provenance, DTy
     writeSafetensors(path, tensors, metadata);
 }
 
-std::string UNetWeights::projection() const {
-    const auto found = metadata_.find("projection");
-    return found == metadata_.end() ? "" : found->second;
-}
+std::string UNetWeights::projection() const { return valueOr(metadata_, "projection", ""); }
 
 }  // namespace drc

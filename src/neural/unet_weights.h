@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "neural/transforms.h"
 #include "neural/unet_shape.h"
 
 namespace drc {
@@ -40,6 +41,8 @@ class UNetWeights {
     const StringMap& metadata() const { return metadata_; }
     // The maps' projection that the network learned with; "" if unknown.
     std::string projection() const;
+    // What it was not shown while it learned, and therefore must not be shown.
+    Ablation ablation() const { return ablation_; }
     // contentHash of the file; "" for weights that did not come from one.
     const std::string& hash() const { return hash_; }
     // The same numbers in the layouts that the convolutions want. Thread-safe; each layout is made once.
@@ -49,6 +52,7 @@ class UNetWeights {
     UNetShape shape_;
     std::vector<Conv> convs_;
     StringMap metadata_;
+    Ablation ablation_ = Ablation::None;
     std::string hash_;
     std::unique_ptr<PackedWeights> packed_;
 };

@@ -67,6 +67,15 @@ TEST_F(UNetWeightsFile, ComesBackAsSaved) {
     }
 }
 
+TEST_F(UNetWeightsFile, KnowsWhatItWasNotShown) {
+    const auto weights = UNetWeights::random(shape_, 7);
+    EXPECT_EQ(weights->ablation(), Ablation::None);
+    weights->save(path_, {{"ablation", "distance"}});
+    EXPECT_EQ(UNetWeights::load(path_)->ablation(), Ablation::Distance);
+    weights->save(path_, {{"ablation", "colour"}});
+    EXPECT_THAT(loadError(), HasSubstr("metadata 'ablation': an ablation is one of"));
+}
+
 TEST_F(UNetWeightsFile, HalfPrecisionIsClose) {
     const auto weights = UNetWeights::random(shape_, 7);
     for (DType type : {DType::F16, DType::BF16}) {
