@@ -88,11 +88,14 @@ double referenceShare(int width, Precision precision) {
     }
 }
 
-// Arguments: width, bf16. An iteration is a batch and a turn of the loop; the time given is the batch's.
+// Arguments: kind (as UNetKind counts), width, bf16. An iteration is a batch and a turn of the loop; the time given is
+// the batch's.
 void networkShare(benchmark::State& state) {
     UNetShape shape;
-    shape.width = int(state.range(0));
-    const auto precision = state.range(1) ? Precision::Bf16 : Precision::Fp32;
+    shape.kind = UNetKind(state.range(0));
+    shape.width = int(state.range(1));
+    state.SetLabel(unetKindName(shape.kind));
+    const auto precision = state.range(2) ? Precision::Bf16 : Precision::Fp32;
     const PeakLoop peak = peakLoop(precision);
     if (peak == nullptr || (precision == Precision::Bf16 && !cpuHasBf16())) {
         state.SkipWithError("not on this processor");
@@ -126,11 +129,15 @@ void networkShare(benchmark::State& state) {
     c["share_of_peak"] = rate / peakRate;
     c["best_ms/map"] = 1e3 * bestNet / kBatch;
     c["best_share_of_peak"] = flop / bestNet * bestPeak;
-    c["reference_share"] = referenceShare(shape.width, precision);
+    c["MMAC"] = 1e-6 * shape.macs();
+    if (shape.kind == UNetKind::Plain) c["reference_share"] = referenceShare(shape.width, precision);
 }
 BENCHMARK(networkShare)
-    ->ArgNames({"width", "bf16"})
-    ->ArgsProduct({{16, 32, 64}, {0, 1}})
+    ->ArgNames({"kind", "width", "bf16"})
+    ->ArgsProduct({{int(UNetKind::Plain)}, {8, 12, 16, 24, 32, 64}, {0, 1}})
+    ->ArgsProduct({{int(UNetKind::Residual)}, {16, 24}, {0, 1}})
+    ->ArgsProduct({{int(UNetKind::Separable)}, {16, 32, 48}, {0, 1}})
+    ->ArgsProduct({{int(UNetKind::Paper)}, {64}, {0, 1}})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 
