@@ -52,6 +52,9 @@ void parse(CLI::App& app, Options& o) {
     app.add_option("--width", o.width, "Channels of the first level")->capture_default_str()->check(CLI::Range(1, 512));
     app.add_option("--levels", o.levels, "Levels of the network")->capture_default_str()->check(CLI::Range(1, 6));
     app.add_option("--lr", t.learningRate, "Peak learning rate")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--irradiance", t.irradianceWeight, "Weight of the irradiance's error in the loss")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--clip", t.clipNorm, "Largest norm of the gradient; 0: any")->capture_default_str();
     app.add_option("--average", t.averageDecay, "Decay of the weights' running average")
         ->capture_default_str()
@@ -94,7 +97,8 @@ std::vector<size_t> thinned(const std::vector<size_t>& indices, size_t most) {
 // The curve of an interrupted run is continued: rows beyond the checkpoint are dropped.
 std::ofstream openCurve(const std::string& path, int64_t resumedAt) {
     std::string kept =
-        "examples,seconds,learning_rate,train_log_l1,val_log_l1,val_intensity_l1,noisy_log_l1,gaussian_log_l1\n";
+        "examples,seconds,learning_rate,train_log_l1,val_log_l1,val_intensity_l1,val_irradiance,noisy_log_l1,gaussian_"
+        "log_l1\n";
     if (resumedAt > 0) {
         std::ifstream old(path);
         std::string line;
@@ -197,14 +201,16 @@ int run(Options o) {
             const double perSecond = double(stepsHere) * o.training.batch / trainingSeconds;
             logInfo(
                 fmt::format("{:>9} examples, {:.0f}/s, {:.0f} min left: train {:.4f}, validation {:.4f} "
-                            "(noisy {:.4f}, Gaussian {:.4f}), intensity {:.3f} (noisy {:.3f}, Gaussian {:.3f})",
+                            "(noisy {:.4f}, Gaussian {:.4f}), intensity {:.3f} (noisy {:.3f}, Gaussian {:.3f}), "
+                            "irradiance {:.4f} ({:.4f}, {:.4f})",
                             examples, perSecond, double(steps - training.done()) * o.training.batch / perSecond / 60,
                             lossSum / double(lossCount), v.network.log, v.none.log, v.gaussian.log, v.network.intensity,
-                            v.none.intensity, v.gaussian.intensity));
+                            v.none.intensity, v.gaussian.intensity, v.network.irradiance, v.none.irradiance,
+                            v.gaussian.irradiance));
             if (curve.is_open())
-                curve << fmt::format("{},{:.1f},{:.3g},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", examples,
+                curve << fmt::format("{},{:.1f},{:.3g},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", examples,
                                      secondsSince(start), rate, lossSum / double(lossCount), v.network.log,
-                                     v.network.intensity, v.none.log, v.gaussian.log)
+                                     v.network.intensity, v.network.irradiance, v.none.log, v.gaussian.log)
                       << std::flush;
             lossSum = 0, lossCount = 0;
         }

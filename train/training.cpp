@@ -44,6 +44,7 @@ Training::Training(const UNetShape& shape, const Dataset& dataset, std::vector<s
                    const TrainingOptions& options)
     : options_(options),
       batches_(dataset, std::move(indices), options.batch, options.seed, options.encoding),
+      loss_(MapLayout(dataset.projection(), dataset.mapSize()), options.irradianceWeight),
       model_(seededModel(shape, options.seed)),
       average_(shape),
       optimizer_(model_->parameters(), torch::optim::AdamOptions(options.learningRate)) {
@@ -72,7 +73,7 @@ torch::Tensor Training::forwardLoss(const Batch& batch) {
         const Autocast autocast(options_.bf16);
         output = model_->forward(batch.input);
     }
-    return torch::l1_loss(output.to(torch::kFloat32), batch.target);
+    return loss_(output.to(torch::kFloat32), batch.target);
 }
 
 double Training::step() {
@@ -103,9 +104,10 @@ void Training::updateAverage() {
 std::string Training::signature() const {
     const TrainingOptions& o = options_;
     return fmt::format(
-        "kind {} width {} levels {} size {} batch {} examples {} lr {} seed {} target-mean {} ablation {}",
+        "kind {} width {} levels {} size {} batch {} examples {} lr {} seed {} irradiance {} target-mean {} ablation "
+        "{}",
         unetKindName(model_->shape().kind), model_->shape().width, model_->shape().levels, model_->shape().size,
-        o.batch, o.examples, o.learningRate, o.seed, targetMeanName(o.encoding.mean),
+        o.batch, o.examples, o.learningRate, o.seed, o.irradianceWeight, targetMeanName(o.encoding.mean),
         ablationName(o.encoding.ablation));
 }
 

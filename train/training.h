@@ -1,5 +1,5 @@
-// One training from start to end: Adam with a warm-up and a cosine decay to zero on the L1 of the network's scale,
-// gradients clipped, and a running average of the weights, which is what is validated and exported.
+// One training from start to end: Adam with a warm-up and a cosine decay to zero, gradients clipped, and a running
+// average of the weights, which is what is validated and exported.
 #pragma once
 #include <torch/torch.h>
 
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "batch.h"
+#include "loss.h"
 #include "model.h"
 
 namespace drc {
@@ -18,6 +19,7 @@ struct TrainingOptions {
     double warmUp = 0.02;         // share of the steps in which the rate climbs from 0 to its peak
     double clipNorm = 1;          // of the gradient of all parameters; 0: no clipping
     double averageDecay = 0.999;  // of the running average of the weights, a step
+    double irradianceWeight = 0;  // see Loss
     uint64_t seed = 1;
     Encoding encoding;
     bool bf16 = false;  // autocast of the forward pass
@@ -51,6 +53,7 @@ class Training {
 
     TrainingOptions options_;
     TrainingBatches batches_;
+    Loss loss_;
     Model model_, average_;
     torch::optim::Adam optimizer_;
     int64_t step_ = 0;

@@ -39,14 +39,16 @@ Validation validate(Model& model, const Dataset& dataset, const std::vector<size
     const torch::NoGradGuard noGrad;
     const bool wasTraining = model->is_training();
     model->eval();
+    const Loss loss(MapLayout(dataset.projection(), dataset.mapSize()), 0);
     Validation result;
     for (size_t first = 0; first < indices.size(); first += kBatch) {
         const size_t count = std::min(kBatch, indices.size() - first);
         const Batch batch = plainBatch(dataset, indices, first, count, encoding);
         const torch::Tensor truth = batch.clean / meanOf(batch.clean);
-        const auto add = [&](L1& sum, const torch::Tensor& log, const torch::Tensor& radiance) {
+        const auto add = [&](MapErrors& sum, const torch::Tensor& log, const torch::Tensor& radiance) {
             sum.log += double(count) * l1(log, batch.target);
             sum.intensity += double(count) * l1(radiance / meanOf(radiance), truth);
+            sum.irradiance += double(count) * loss.irradianceErrors(log, batch.target).square().mean().item<double>();
         };
         const torch::Tensor output = model->forward(batch.input).contiguous();
         add(result.network, output, torch::expm1(output));
@@ -57,8 +59,11 @@ Validation validate(Model& model, const Dataset& dataset, const std::vector<size
     }
     result.examples = indices.size();
     if (!indices.empty())
-        for (L1* sum : {&result.network, &result.none, &result.gaussian})
-            sum->log /= double(indices.size()), sum->intensity /= double(indices.size());
+        for (MapErrors* sum : {&result.network, &result.none, &result.gaussian}) {
+            sum->log /= double(indices.size());
+            sum->intensity /= double(indices.size());
+            sum->irradiance /= double(indices.size());
+        }
     model->train(wasTraining);
     return result;
 }

@@ -3,18 +3,21 @@
 #include <torch/torch.h>
 
 #include "batch.h"
+#include "loss.h"
 #include "model.h"
 
 namespace drc {
 
-// Mean absolute errors. `log`: on the network's scale, which is what the training minimises. `intensity`: of the final
-// radiance, each map divided by its own mean (energy is matched after the network, so that only the shape counts).
-struct L1 {
+// `log` and `intensity` are mean absolute errors. `log`: on the network's scale, which is what the training minimises.
+// `intensity`: of the final radiance, each map divided by its own mean (energy is matched after the network, so that
+// only the shape counts).
+struct MapErrors {
     double log = 0, intensity = 0;
+    double irradiance = 0;  // mean square of Loss::irradianceErrors
 };
 
 struct Validation {
-    L1 network, none, gaussian;  // none: the noisy map as it is; gaussian: blurred, sigma 1 texel
+    MapErrors network, none, gaussian;  // none: the noisy map as it is; gaussian: blurred, sigma 1 texel
     size_t examples = 0;
 };
 
