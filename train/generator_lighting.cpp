@@ -189,7 +189,8 @@ void candles(const Kit& k) {
     for (int i = k.rng.integer(1, 8); i > 0; --i) {
         const Surface& s = k.rng.pick(k.draft.surfaces);
         const float h = k.rng.uniform(0.04f, 0.2f), r = k.rng.uniform(0.006f, 0.012f);
-        const Vec3 at(k.rng.uniform(s.lo.x, s.hi.x), k.rng.uniform(s.lo.y, s.hi.y), 0);
+        const float y = k.rng.uniform(s.lo.y, s.hi.y), x = k.rng.uniform(s.lo.x, s.hi.x);
+        const Vec3 at(x, y, 0);
         if (s.clearance < h + 0.06f || !isClear(k.draft, s.frame.point(at + Vec3(0, 0, h + 0.03f)))) continue;
         const Pen pen(k.draft, s.frame);
         pen.cylinder(at, 0.02f, h, k.palette.shade.front(), 16);
