@@ -35,14 +35,6 @@ Image greyPicture(std::span<const float> radiance, const MapLayout& layout, floa
     return picture;
 }
 
-// What makes the target's 99th percentile white. Where less than a hundredth of the map is lit, its brightest texel is.
-float exposureOf(std::span<const float> target, const MapLayout& layout) {
-    std::vector<float> values = greyPicture(target, layout, 1).data();
-    std::sort(values.begin(), values.end());
-    const float white = values[size_t(kWhitePercentile * double(values.size() - 1))];
-    return 1 / (white > 0 ? white : values.back());
-}
-
 // Irradiance over pi at each normal: [normals][3].
 std::vector<double> irradiances(std::span<const float> radiance, const MapLayout& layout,
                                 std::span<const double> weights) {
@@ -94,6 +86,13 @@ std::vector<float> withMeanOf(std::span<const float> radiance, std::span<const f
     return result;
 }
 
+float exposureOf(std::span<const float> target, const MapLayout& layout) {
+    std::vector<float> values = greyPicture(target, layout, 1).data();
+    std::sort(values.begin(), values.end());
+    const float white = values[size_t(kWhitePercentile * double(values.size() - 1))];
+    return 1 / (white > 0 ? white : values.back());
+}
+
 MapScores scoreMap(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout) {
     const std::vector<double> weights = texelWeights(layout);
     const double unit = hemisphereMean(target, layout);
@@ -110,60 +109,42 @@ MapScores scoreMap(std::span<const float> radiance, std::span<const float> targe
     return scores;
 }
 
-std::vector<ExampleScores> evaluateEnhancer(const ExampleSource& examples, const Enhancer& enhancer, int inputs) {
+std::vector<EvaluatedExample> evaluateEnhancers(const ExampleSource& examples,
+                                                std::span<const Enhancer* const> enhancers, int inputs) {
     inputs = std::min(inputs, examples.inputs());
     const MapLayout& layout = examples.layout();
-    std::vector<ExampleScores> perInput(size_t(examples.count()) * size_t(inputs));
-    parallelFor(0, int(perInput.size()), kBatch, [&](int begin, int end) {
-        std::vector<CapturedMap> maps;
+    const size_t methods = enhancers.size();
+    std::vector<EvaluatedExample> result(size_t(examples.count()));
+    // [example][input][method]
+    std::vector<ExampleScores> all(result.size() * size_t(inputs) * methods);
+    parallelFor(0, examples.count() * inputs, kBatch, [&](int begin, int end) {
+        std::vector<CapturedMap> captured;
         std::vector<std::vector<float>> targets;
         TrainingExample example;
         for (int i = begin; i < end; ++i) {
             examples.load(i / inputs, i % inputs, 1, example);
-            maps.push_back(std::move(example.inputs.front()));
+            captured.push_back(std::move(example.inputs.front()));
             targets.push_back(std::move(example.target));
+            if (i % inputs == 0) result[size_t(i / inputs)] = {example.viewpoint, example.film, {}};
         }
-        enhancer.enhance(maps, layout);
-        for (int i = begin; i < end; ++i) {
-            const std::vector<float>& radiance = maps[size_t(i - begin)].radiance;
-            const std::vector<float>& target = targets[size_t(i - begin)];
-            perInput[size_t(i)] = {scoreMap(radiance, target, layout),
-                                   scoreMap(withMeanOf(radiance, target, layout), target, layout)};
+        for (size_t m = 0; m < methods; ++m) {
+            std::vector<CapturedMap> maps = captured;
+            enhancers[m]->enhance(maps, layout);
+            for (int i = begin; i < end; ++i) {
+                const std::vector<float>& radiance = maps[size_t(i - begin)].radiance;
+                const std::vector<float>& target = targets[size_t(i - begin)];
+                all[size_t(i) * methods + m] = {scoreMap(radiance, target, layout),
+                                                scoreMap(withMeanOf(radiance, target, layout), target, layout)};
+            }
         }
     });
-    std::vector<ExampleScores> result;
-    for (int i = 0; i < examples.count(); ++i) {
-        const std::span<const ExampleScores> own(&perInput[size_t(i) * size_t(inputs)], size_t(inputs));
-        result.push_back({mean(own, &ExampleScores::asRendered), mean(own, &ExampleScores::equalEnergy)});
-    }
+    std::vector<ExampleScores> own(static_cast<size_t>(inputs));
+    for (size_t i = 0; i < result.size(); ++i)
+        for (size_t m = 0; m < methods; ++m) {
+            for (size_t k = 0; k < own.size(); ++k) own[k] = all[(i * own.size() + k) * methods + m];
+            result[i].scores.push_back({mean(own, &ExampleScores::asRendered), mean(own, &ExampleScores::equalEnergy)});
+        }
     return result;
-}
-
-PairedComparison compareSmaller(std::span<const double> a, std::span<const double> b) {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-    std::vector<double> differences;
-    size_t smaller = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        const double d = b[i] - a[i];
-        if (std::isnan(d)) return {kNaN, kNaN};
-        smaller += d > 0;
-        if (d != 0) differences.push_back(d);
-    }
-    const double better = a.empty() ? 0 : double(smaller) / double(a.size());
-    if (differences.empty()) return {1, better};
-    std::sort(differences.begin(), differences.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
-
-    const auto n = double(differences.size());
-    double positiveRanks = 0, ties = 0;
-    for (size_t i = 0, j = 0; i < differences.size(); i = j) {
-        while (j < differences.size() && std::abs(differences[j]) == std::abs(differences[i])) ++j;
-        const double rank = 0.5 * double(i + 1 + j);
-        for (size_t k = i; k < j; ++k) positiveRanks += differences[k] > 0 ? rank : 0;
-        const auto tied = double(j - i);
-        ties += tied * tied * tied - tied;
-    }
-    const double expected = n * (n + 1) / 4, variance = n * (n + 1) * (2 * n + 1) / 24 - ties / 48;
-    return {std::erfc(std::abs(positiveRanks - expected) / std::sqrt(2 * variance)), better};
 }
 
 }  // namespace drc

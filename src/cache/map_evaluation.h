@@ -1,5 +1,4 @@
-// How close an enhancer's maps come to converged ones: the measures of one map, the examples they are taken over, and
-// the test that tells a difference between two enhancers from chance.
+// How close an enhancer's maps come to converged ones: the measures of one map, and the examples they are taken over.
 #pragma once
 #include <span>
 #include <string>
@@ -23,9 +22,13 @@ double hemisphereMean(std::span<const float> radiance, const MapLayout& layout);
 // `radiance` scaled to the mean of `target`. A black map stays black.
 std::vector<float> withMeanOf(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout);
 
+// What the target's luminances are multiplied by to be shown: its 99th percentile is white. Where less than a hundredth
+// of the map is lit, its brightest texel is. The target must not be black.
+float exposureOf(std::span<const float> target, const MapLayout& layout);
+
 // The target's mean must be positive.
-// SSIM is that of `drc compare` between the luminances of the two maps, shown as grey pictures under one exposure: the
-// target's 99th percentile is white, what is brighter is clipped, the rest sRGB-encoded. The window is 11 x 11 texels.
+// SSIM is that of `drc compare` between the luminances of the two maps, shown as grey pictures under one exposure
+// (exposureOf): what is brighter than white is clipped, the rest sRGB-encoded. The window is 11 x 11 texels.
 // Irradiance is sampled at the normals of an 8 x 8 equal-area map of the hemisphere; light below the map's horizon
 // counts as none. Its error is (e - t)^2 / (t^2 + 0.01), e and t irradiances over pi in units of the target's mean.
 MapScores scoreMap(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout);
@@ -36,18 +39,15 @@ struct ExampleScores {
     MapScores equalEnergy;  // with the target's mean: what is wrong with the shape alone
 };
 
-// Runs the enhancer over the first `inputs` realisations of each example (at most those there are), eight maps at a
-// time on all threads. One entry an example: the mean over its realisations, which are not independent of each other.
-std::vector<ExampleScores> evaluateEnhancer(const ExampleSource& examples, const Enhancer& enhancer, int inputs);
-
-struct PairedComparison {
-    double p = 1;       // two-sided: chance of so clear a difference between methods that are alike
-    double better = 0;  // share of pairs in which `a` is smaller
+struct EvaluatedExample {
+    int viewpoint = 0;                  // as TrainingExample::viewpoint
+    Vec2 film{0.f};                     // as TrainingExample::film
+    std::vector<ExampleScores> scores;  // one an enhancer: the mean over realisations, which are not independent
 };
 
-// Wilcoxon's signed-rank test of pairs (Wilcoxon, "Individual Comparisons by Ranking Methods", 1945), by its normal
-// approximation: for some twenty pairs and more. Equal pairs are left out, equal differences share their ranks. NaN if
-// a score is NaN. The sizes must be equal.
-PairedComparison compareSmaller(std::span<const double> a, std::span<const double> b);
+// Runs the enhancers over the first `inputs` realisations of each example (at most those there are), eight maps at a
+// time on all threads. One entry an example, in the order of `examples`.
+std::vector<EvaluatedExample> evaluateEnhancers(const ExampleSource& examples,
+                                                std::span<const Enhancer* const> enhancers, int inputs);
 
 }  // namespace drc

@@ -114,26 +114,6 @@ TEST(MapEvaluation, ADarkMapWithOneLitTexelHasAnExposure) {
     EXPECT_NEAR(scoreMap(target, target, kFull).ssim, 1, 1e-9);
 }
 
-TEST(MapEvaluation, WilcoxonAgreesWithAKnownExample) {
-    // Darwin's maize: differences of height of 15 pairs. The smaller sum of ranks is 24, expected 60 with the variance
-    // 310: z = -2.0447.
-    const std::vector<double> difference{6, 8, 14, 16, 23, 24, 28, 29, 41, -48, 49, 56, 60, -67, 75}, zero(15, 0.0);
-    const PairedComparison result = compareSmaller(zero, difference);
-    EXPECT_NEAR(result.p, 0.0409, 1e-4);
-    EXPECT_NEAR(result.better, 13.0 / 15, 1e-12);
-    EXPECT_NEAR(compareSmaller(difference, zero).p, result.p, 1e-12);
-}
-
-TEST(MapEvaluation, WilcoxonSharesRanksOfTiesAndLeavesOutEqualPairs) {
-    // With differences of one size it is the sign test: z = (4 - 1) / sqrt(5).
-    const std::vector<double> a(7, 0.0), b{1, 1, -1, 0, 1, 1, 0};
-    EXPECT_NEAR(compareSmaller(a, b).p, std::erfc(3 / std::sqrt(5.0) / std::sqrt(2.0)), 1e-12);
-    EXPECT_NEAR(compareSmaller(a, b).better, 4.0 / 7, 1e-12);
-    EXPECT_EQ(compareSmaller(a, a).p, 1);
-    const std::vector<double> broken{1, NAN}, fine{2, 3};
-    EXPECT_TRUE(std::isnan(compareSmaller(broken, fine).p));
-}
-
 // Of two examples with three inputs each.
 TEST(MapEvaluation, EachInputMeetsItsOwnTarget) {
     const TemporaryFolder folder;
@@ -147,16 +127,40 @@ TEST(MapEvaluation, EachInputMeetsItsOwnTarget) {
 
     const ExampleShard file(path);
     const auto none = makeIdentityEnhancer();
-    const auto first = evaluateEnhancer(file, *none, 1), all = evaluateEnhancer(file, *none, 100);
+    const Enhancer* const enhancers[] = {none.get()};
+    const auto first = evaluateEnhancers(file, enhancers, 1), all = evaluateEnhancers(file, enhancers, 100);
     ASSERT_EQ(first.size(), 2u);
     ASSERT_EQ(all.size(), 2u);
-    EXPECT_GT(first[0].asRendered.l1, 0.5);
-    EXPECT_EQ(first[1].asRendered.l1, 0);
+    EXPECT_GT(first[0].scores[0].asRendered.l1, 0.5);
+    EXPECT_EQ(first[1].scores[0].asRendered.l1, 0);
+    EXPECT_EQ(first[1].viewpoint, 1);
+    EXPECT_EQ(first[1].film, examples[1].film);
     const double a = scoreMap(noise(kFull, 0), noise(kFull, 1), kFull).l1;
     const double b = scoreMap(noise(kFull, 2), noise(kFull, 1), kFull).l1;
     constexpr double kHalf = 1.0 / 2048;  // examples are stored as halves
-    EXPECT_NEAR(first[0].asRendered.l1, a, a * kHalf);
-    EXPECT_NEAR(all[0].asRendered.l1, (a + b) / 3, a * kHalf);
+    EXPECT_NEAR(first[0].scores[0].asRendered.l1, a, a * kHalf);
+    EXPECT_NEAR(all[0].scores[0].asRendered.l1, (a + b) / 3, a * kHalf);
+}
+
+// Each enhancer sees the captured map, not what the one before it left.
+TEST(MapEvaluation, EnhancersDoNotSeeEachOther) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("test.examples");
+    std::vector<TrainingExample> examples;
+    for (unsigned i = 0; i < 11; ++i) examples.push_back(randomExample(kFull, 2, i));
+    writeShard(path, "test", kFull, examples);
+    const ExampleShard file(path);
+    const auto none = makeIdentityEnhancer(), gaussian = makeGaussianEnhancer(1);
+    const Enhancer* const together[] = {none.get(), gaussian.get(), none.get(), gaussian.get()};
+    const auto scores = evaluateEnhancers(file, together, 2);
+    ASSERT_EQ(scores.size(), examples.size());
+    for (size_t i = 0; i < scores.size(); ++i) {
+        ASSERT_EQ(scores[i].scores.size(), 4u);
+        EXPECT_EQ(scores[i].viewpoint, int(i));
+        EXPECT_EQ(scores[i].scores[0].asRendered.l1, scores[i].scores[2].asRendered.l1);
+        EXPECT_EQ(scores[i].scores[1].asRendered.ssim, scores[i].scores[3].asRendered.ssim);
+        EXPECT_GT(scores[i].scores[0].asRendered.l1, scores[i].scores[1].asRendered.l1);
+    }
 }
 
 }  // namespace

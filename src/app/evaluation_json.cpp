@@ -1,0 +1,94 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/evaluation_text.h"
+
+namespace drc {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no NaN: it becomes null.
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json pValue(double p) {
+    if (p < kSmallestP) return {{"p", kSmallestP}, {"p_is_bound", true}};
+    return {{"p", number(p)}};
+}
+
+Json toJson(const Summary& s) {
+    return {{"mean", number(s.mean)}, {"median", number(s.median)}, {"q1", number(s.q1)},
+            {"q3", number(s.q3)},     {"p5", number(s.p5)},         {"p95", number(s.p95)}};
+}
+
+Json toJson(const KruskalWallis& k) {
+    Json json{{"h", number(k.h)}, {"degrees_of_freedom", k.degreesOfFreedom}};
+    json.update(pValue(k.p));
+    return json;
+}
+
+// {"as_rendered": {"l1": of(0), ...}, "equal_energy": ...}
+template <typename F>
+Json perMeasure(const F& of) {
+    Json json;
+    for (size_t m = 0; m < kMeasureCount; ++m) json[kMeasures[m].group][kMeasures[m].key] = of(m);
+    return json;
+}
+
+Json toJson(const PairReport& pair, bool withMeans) {
+    Json json{{"first", pair.first}, {"second", pair.second}};
+    json.update(perMeasure([&](size_t m) {
+        Json cell;
+        if (withMeans) cell = {{"first_mean", number(pair.firstMean[m])}, {"second_mean", number(pair.secondMean[m])}};
+        cell["first_better"] = number(pair.paired[m].better);
+        cell["wilcoxon"] = pValue(pair.paired[m].p);
+        cell["kruskal_wallis"] = toJson(pair.kruskalWallis[m]);
+        return cell;
+    }));
+    return json;
+}
+
+Json toJson(const EvaluatedGroup& group, const GroupReport& report) {
+    Json json{{"projection", projectionName(group.layout.projection())},
+              {"map_size", group.layout.size()},
+              {"examples", group.examples.size()},
+              {"files", Json::array()}};
+    for (const EvaluatedFile& file : group.files)
+        json["files"].push_back({{"path", file.source->path()},
+                                 {"scene", file.source->scene()},
+                                 {"examples", file.source->count()},
+                                 {"inputs", file.inputs}});
+    for (const MethodReport& method : report.methods)
+        json["methods"][method.name] = perMeasure([&](size_t m) { return toJson(method.summary[m]); });
+    json["all_methods"]["kruskal_wallis"] = perMeasure([&](size_t m) { return toJson(report.all[m]); });
+    json["comparisons"] = Json::array();
+    for (const PairReport& pair : report.pairs) json["comparisons"].push_back(toJson(pair, false));
+    return json;
+}
+
+}  // namespace
+
+std::string evaluationJson(const Evaluation& evaluation, const EvaluationReport& report) {
+    Json json{{"examples", evaluation.examples}, {"files", evaluation.files}, {"skipped_files", evaluation.skipped}};
+    json["networks"] = Json::array();
+    for (const EvaluatedNetwork& network : evaluation.networks)
+        json["networks"].push_back({{"name", network.name},
+                                    {"path", network.path},
+                                    {"content", network.weights->hash()},
+                                    {"metadata", network.weights->metadata()}});
+    json["projections"] = Json::array();
+    for (size_t g = 0; g < evaluation.groups.size(); ++g)
+        json["projections"].push_back(toJson(evaluation.groups[g], report.groups[g]));
+    json["across_projections"] = Json::array();
+    for (const AcrossReport& across : report.across) {
+        Json& entry = json["across_projections"].emplace_back();
+        entry["first"] = evaluation.groups[across.first].name();
+        entry["second"] = evaluation.groups[across.second].name();
+        entry["viewpoints"] = across.viewpoints;
+        for (const PairReport& pair : across.pairs) entry["comparisons"].push_back(toJson(pair, true));
+    }
+    // File names may be in any encoding.
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace drc

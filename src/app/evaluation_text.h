@@ -1,0 +1,18 @@
+// An evaluation as text for people and as JSON for programs. Both are grouped by the projection of the maps.
+#pragma once
+#include <string>
+
+#include "app/evaluation_report.h"
+
+namespace drc {
+
+// Several tables, ready to print.
+std::string evaluationTable(const Evaluation& evaluation, const EvaluationReport& report);
+
+// One object on one line. What is not a number is null; a p of kSmallestP beside `"p_is_bound": true` is a bound.
+std::string evaluationJson(const Evaluation& evaluation, const EvaluationReport& report);
+
+// "equal-area maps of 32x32 texels, 494 examples of 25 files, one input each"
+std::string describeGroup(const EvaluatedGroup& group);
+
+}  // namespace drc

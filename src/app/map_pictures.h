@@ -1,0 +1,29 @@
+// Radiance maps as pictures of N x N pixels, a texel a pixel, in linear values in [0, 1] that writePng encodes.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "cache/map_capture.h"
+#include "image/image.h"
+
+namespace drc {
+
+// Radiance [3][N*N] times exposure; what is brighter than 1 is clipped.
+Image radiancePicture(std::span<const float> radiance, const MapLayout& layout, float exposure);
+
+// Grey, logarithmic, from the nearest (dark) to the farthest texel (white); blue where a ray escaped.
+Image distancePicture(const CapturedMap& map, const MapLayout& layout);
+
+// x, y and z in the map's frame as red, green and blue, -1 to 1 as 0 to 255; black where a ray escaped.
+Image normalPicture(const CapturedMap& map, const MapLayout& layout);
+
+// Of each texel: the mean absolute difference of the three channels, in units of `unit`. Its mean over the hemisphere,
+// with the target's mean as the unit, is MapScores::l1.
+std::vector<float> texelErrors(std::span<const float> radiance, std::span<const float> target, float unit);
+
+// Errors in false colour: black at nought, through violet and orange to pale yellow at `white` and above.
+Image errorPicture(std::span<const float> errors, const MapLayout& layout, float white);
+// The colours of errorPicture from nought to its white, 256 x 1.
+Image errorScale();
+
+}  // namespace drc
