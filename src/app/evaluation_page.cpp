@@ -58,11 +58,16 @@ std::string plots(const Evaluation& evaluation, const GroupReport& group, const 
     return html + "</div>\n";
 }
 
+std::string spaced(std::string key) {
+    std::replace(key.begin(), key.end(), '_', ' ');
+    return key;
+}
+
 // One line a key, one column a network; keys in the order given.
 std::string metadataRows(const std::vector<EvaluatedNetwork>& networks, const std::vector<std::string>& keys) {
     std::string html;
     for (const std::string& key : keys) {
-        html += fmt::format("<tr><td class=\"name soft\">{}</td>", escapeHtml(key));
+        html += fmt::format("<tr><td class=\"name soft\">{}</td>", escapeHtml(spaced(key)));
         for (const EvaluatedNetwork& network : networks) {
             const StringMap& metadata = network.weights->metadata();
             const auto found = metadata.find(key);
@@ -130,16 +135,15 @@ std::string header(const Evaluation& evaluation) {
     return html + fileTable(evaluation);
 }
 
-// "Equal-area maps": at the head of a section.
-std::string groupHeading(const EvaluatedGroup& group) {
-    std::string name = group.name();
+// At the head of a section.
+std::string capitalised(std::string name) {
     name[0] = char(std::toupper(name[0]));
-    return heading(2, name + " maps");
+    return name;
 }
 
 std::string acrossSection(const Evaluation& evaluation, const AcrossReport& across) {
     const std::string first = evaluation.groups[across.first].name(), second = evaluation.groups[across.second].name();
-    return heading(2, first + " against " + second) +
+    return heading(2, capitalised(first) + " against " + second) +
            fmt::format(
                "<p class=\"note\">{} viewpoints that both have, in pairs. \u201cBetter in\u201d: share of them in "
                "which {} is. "
@@ -152,8 +156,8 @@ std::string acrossSection(const Evaluation& evaluation, const AcrossReport& acro
 std::string groupSection(const Evaluation& evaluation, const EvaluationReport& report, size_t g,
                          const PerMeasure<PlotAxis>& axes) {
     const EvaluatedGroup& group = evaluation.groups[g];
-    return groupHeading(group) + fmt::format("<p class=\"lead\">{}.</p>\n", escapeHtml(describeGroup(group))) +
-           scoreTable(report.groups[g]) +
+    return heading(2, capitalised(group.name()) + " maps") +
+           fmt::format("<p class=\"lead\">{}.</p>\n", escapeHtml(describeGroup(group))) + scoreTable(report.groups[g]) +
            "<p class=\"note\">Bold: the best of its block. Quartiles: a quarter of the examples lies below the first, "
            "a "
            "quarter above the second.</p>\n" +
@@ -161,7 +165,7 @@ std::string groupSection(const Evaluation& evaluation, const EvaluationReport& r
            "<p class=\"note\">Boxes from quartile to quartile, a line at the median, a circle at the mean; whiskers "
            "from the "
            "5th to the 95th percentile." +
-           (report.groups.size() > 1 ? " Axes are those of the other projections.</p>\n" : "</p>\n") +
+           (report.groups.size() > 1 ? " All projections have the same axes.</p>\n" : "</p>\n") +
            heading(3, "Is the difference chance?") + testTable(report.groups[g]) +
            "<p class=\"note\">\u201cBetter in\u201d: share of the examples in which the first method is. Wilcoxon: "
            "signed ranks of "
@@ -182,9 +186,10 @@ std::string sampleSection(const EvaluatedGroup& group, const PageSamples& sample
                "(near is dark, far is bright, logarithmic; blue where nothing was hit) and radiance, all of an example "
                "under one exposure, in which the reference\u2019s 99th percentile is white. Lower row: normals (x, y, "
                "z in "
-               "the map\u2019s frame as red, green, blue) and the error against the reference in false colour, of "
-               "one scale an example: it ends where one texel in a hundred of all methods but none is worse. Scores "
-               "are those as rendered.</p>\n",
+               "the map\u2019s frame as red, green, blue) and the error against the reference in false colour. The "
+               "scale of an example\u2019s errors is the same for all methods; it ends where one texel in twenty is "
+               "worse, "
+               "the captured map not counted. Scores are those as rendered.</p>\n",
                chosen.size(), group.examples.size(), samples.seed) +
            sampleMaps(group, chosen);
 }

@@ -90,7 +90,7 @@ EvaluationReport makeReport(const Evaluation& evaluation) {
 
 std::string formatP(double p) {
     if (std::isnan(p)) return "nan";
-    return p < kSmallestP ? fmt::format("< {:.0e}", kSmallestP) : fmt::format("{:.2g}", p);
+    return p < kSmallestP ? fmt::format("< {:.0e}", kSmallestP) : fmt::format("{:#.2g}", p);
 }
 
 }  // namespace drc

@@ -119,6 +119,8 @@ TEST_F(EvaluationReportTest, JsonHasWhatTheReportHas) {
 
 TEST(EvaluationReport, PValuesAsText) {
     EXPECT_EQ(formatP(0.0123), "0.012");
+    EXPECT_EQ(formatP(0.5), "0.50");
+    EXPECT_EQ(formatP(1e-80), "1.0e-80");
     EXPECT_EQ(formatP(1.3e-82), "1.3e-82");
     EXPECT_EQ(formatP(0), "< 1e-300");
     EXPECT_EQ(formatP(NAN), "nan");

@@ -10,7 +10,7 @@
 namespace drc {
 namespace {
 
-constexpr double kErrorPercentile = 0.99;
+constexpr double kErrorPercentile = 0.95;
 constexpr size_t kMethodsAtFullSize = 4;  // more than these get smaller pictures
 
 std::string image(const Image& linear, const std::string& what, const char* style = "") {
@@ -22,7 +22,7 @@ struct EnhancedMap {
     MapScores scores;
 };
 
-// Where the false colours end: what one texel in a hundred exceeds, over the methods that do something. The captured
+// Where the false colours end: what one texel in twenty exceeds, over the methods that do something. The captured
 // map's own errors are so much larger that they would leave nothing of the others to see.
 float errorWhite(const std::vector<EnhancedMap>& maps) {
     std::vector<float> pooled;

@@ -46,7 +46,9 @@ tbody.group + tbody.group tr:first-child > * { border-top: 1px solid var(--rule)
 tbody:last-child tr:last-child > * { border-bottom: 1px solid var(--ink); }
 tbody tr:first-child > * { padding-top: .35rem; }
 tbody tr:last-child > * { padding-bottom: .35rem; }
-table.measures td { min-width: 7.4rem; } table.measures th:first-child { min-width: 8.6rem; }
+table.measures { table-layout: fixed; width: 100%; min-width: 60rem; }
+table.measures thead th:first-child { width: 9.5rem; }
+table.measures .name, .block { white-space: normal; overflow-wrap: anywhere; }
 .name { text-align: left; }
 .block { text-align: left; font-weight: 600; }
 td.best { font-weight: 700; }
@@ -137,7 +139,7 @@ std::string htmlNumber(double x) { return std::isnan(x) ? "&#8211;" : fmt::forma
 std::string htmlP(double p) {
     if (std::isnan(p)) return htmlNumber(p);
     if (p < kSmallestP) return fmt::format("&lt;&#8201;10<sup>&#8722;{:.0f}</sup>", -std::log10(kSmallestP));
-    if (p >= 0.001) return fmt::format("{:.2g}", p);
+    if (p >= 0.001) return fmt::format("{:#.2g}", p);
     const std::string scientific = fmt::format("{:.1e}", p);  // rounds 9.96e-5 to 1.0e-04
     const size_t e = scientific.find('e');
     return fmt::format("{}&#8201;&#215;&#8201;10<sup>&#8722;{}</sup>", scientific.substr(0, e),

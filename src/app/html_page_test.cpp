@@ -42,7 +42,8 @@ TEST(HtmlPage, IsOneWellFormedFile) {
 }
 
 TEST(HtmlPage, PValuesKeepTwoDigits) {
-    EXPECT_EQ(htmlP(1), "1");
+    EXPECT_EQ(htmlP(1), "1.0");
+    EXPECT_EQ(htmlP(0.5), "0.50");
     EXPECT_EQ(htmlP(0.0409), "0.041");
     EXPECT_EQ(htmlP(1.33e-82), "1.3&#8201;&#215;&#8201;10<sup>&#8722;82</sup>");
     EXPECT_EQ(htmlP(9.96e-5), "1.0&#8201;&#215;&#8201;10<sup>&#8722;4</sup>");

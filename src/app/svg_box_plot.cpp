@@ -11,6 +11,7 @@ namespace drc {
 namespace {
 
 constexpr double kWidth = 360, kTop = 24, kRow = 24, kBox = 12, kFoot = 18, kRight = 12;
+constexpr double kSliver = 0.03;
 constexpr size_t kLabelLetters = 18;
 constexpr double kLetter = 6.1;
 
@@ -23,7 +24,8 @@ double roundStep(double x) {
 }
 
 PlotAxis linearAxis(double low, double high) {
-    if (low > 0) low = 0;
+    // From nought, also where a sliver is below it, which is not worth a step.
+    if (low > -kSliver * (high - low)) low = std::min(0.0, high);
     if (!(high > low)) high = low + 1;
     const double step = roundStep((high - low) / 5);
     PlotAxis axis{step * std::floor(low / step), step * std::ceil(high / step), false, {}};

@@ -18,8 +18,8 @@ struct PlotAxis {
 };
 
 // The axis that shows all of the summaries from their 5th to their 95th percentile, with round ends; a linear one
-// begins at nought if no value is negative. A logarithmic axis is only given for positive values: else a linear one is.
-// NaN are left out.
+// begins at nought if no value is much below it. A logarithmic axis is only given for positive values: else a linear
+// one is. NaN are left out.
 PlotAxis axisFor(std::span<const Summary> summaries, bool logarithmic);
 
 struct BoxPlotRow {

@@ -22,6 +22,7 @@ TEST(SvgBoxPlot, LinearAxesHaveRoundEndsAroundAllValues) {
     EXPECT_EQ(axis.place(-3), 0);
     EXPECT_EQ(axis.place(3), 1);
     EXPECT_NEAR(axisFor(std::vector<Summary>{{-0.3, -0.7, -0.5, -0.3, -0.2, 0.1}}, false).low, -0.8, 1e-12);
+    EXPECT_EQ(axisFor(std::vector<Summary>{{0.3, -0.01, 0.1, 0.3, 0.5, 0.6}}, false).low, 0);
 }
 
 TEST(SvgBoxPlot, LogarithmicAxesHaveDecades) {
