@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kColours = 8;
 // What says most of a network comes first; the rest of its metadata is folded.
-constexpr const char* kMainKeys[] = {"projection", "data", "examples_drawn", "validation", "commit"};
+constexpr const char* kMainKeys[] = {"projection", "ablation", "data", "examples_drawn", "validation", "commit"};
 
 std::string heading(int level, const std::string& text) {
     return fmt::format("<h{0}>{1}</h{0}>\n", level, escapeHtml(text));
@@ -63,17 +63,20 @@ std::string spaced(std::string key) {
     return key;
 }
 
-// One line a key, one column a network; keys in the order given.
+// One line a key that any of them has, one column a network; keys in the order given.
 std::string metadataRows(const std::vector<EvaluatedNetwork>& networks, const std::vector<std::string>& keys) {
     std::string html;
     for (const std::string& key : keys) {
-        html += fmt::format("<tr><td class=\"name soft\">{}</td>", escapeHtml(spaced(key)));
+        std::string cells;
+        bool any = false;
         for (const EvaluatedNetwork& network : networks) {
             const StringMap& metadata = network.weights->metadata();
             const auto found = metadata.find(key);
-            html += fmt::format("<td class=\"text\">{}</td>", found == metadata.end() ? "" : escapeHtml(found->second));
+            any = any || found != metadata.end();
+            cells +=
+                fmt::format("<td class=\"text\">{}</td>", found == metadata.end() ? "" : escapeHtml(found->second));
         }
-        html += "</tr>\n";
+        if (any) html += fmt::format("<tr><td class=\"name soft\">{}</td>{}</tr>\n", escapeHtml(spaced(key)), cells);
     }
     return html;
 }
