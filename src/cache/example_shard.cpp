@@ -1,13 +1,7 @@
 #include "cache/example_shard.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 
 #include "base/error.h"
@@ -19,43 +13,16 @@ namespace {
 
 constexpr int kGrain = 16;
 
-std::string_view mapFile(const std::string& path) {
-    const auto fail = [&](const std::string& message) { throw Error(SourceLocation{path}, message); };
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (fd < 0) fail(fmt::format("cannot open: {}", std::strerror(errno)));
-    struct stat info = {};
-    if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) {
-        ::close(fd);
-        fail("not a regular file");
-    }
-    const auto size = size_t(info.st_size);
-    void* address = size ? ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0) : nullptr;
-    const int reason = errno;
-    ::close(fd);
-    if (address == MAP_FAILED) fail(fmt::format("cannot read: {}", std::strerror(reason)));
-    return {static_cast<const char*>(address), size};
-}
-
-void unmap(std::string_view bytes) {
-    if (!bytes.empty()) ::munmap(const_cast<char*>(bytes.data()), bytes.size());
-}
-
 }  // namespace
 
-ExampleShard::ExampleShard(const std::string& path) : bytes_(mapFile(path)) {
+ExampleShard::ExampleShard(const std::string& path) : file_(path), bytes_(file_.bytes()) {
     path_ = path;
     try {
         read();
     } catch (const Error& error) {
-        unmap(bytes_);
         throw Error(SourceLocation{path}, error.what());
-    } catch (...) {
-        unmap(bytes_);
-        throw;
     }
 }
-
-ExampleShard::~ExampleShard() { unmap(bytes_); }
 
 void ExampleShard::read() {
     header_ = parseShardHeader(bytes_, leadingBytes_);

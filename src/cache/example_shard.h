@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "base/mapped_file.h"
 #include "cache/example_source.h"
 #include "cache/shard_format.h"
 
@@ -14,7 +15,6 @@ class ExampleShard final : public ExampleSource {
     // Checks every record, on all threads. Those that are damaged are left out, see damage(); the sound ones before
     // and after them are there. Throws Error if the header is none.
     explicit ExampleShard(const std::string& path);
-    ~ExampleShard() override;
 
     const ShardHeader& header() const { return header_; }
     // Whether every viewpoint is done.
@@ -32,7 +32,8 @@ class ExampleShard final : public ExampleSource {
     std::vector<ShardRecord> scan();
     bool isSoundRecord(const ShardRecord& record) const;
 
-    std::string_view bytes_;
+    MappedFile file_;
+    std::string_view bytes_;  // all of it
     ShardHeader header_;
     std::vector<ShardRecord> examples_;
     size_t leadingBytes_ = 0;

@@ -58,7 +58,7 @@ void checkFrequencies(const Scene& scene, const Vec3& p) {
         ++cells;
     }
     if (cells > 1) {
-        EXPECT_GT(test::chiSquareTail(statistic, cells - 1), test::kChiSquareLevel);
+        EXPECT_GT(chiSquareUpperTail(statistic, cells - 1), test::kChiSquareLevel);
     }
 }
 

@@ -1,19 +1,13 @@
 #include "neural/safetensors.h"
 
 #include <Imath/half.h>
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -82,53 +76,25 @@ std::vector<float> TensorView::toFloat() const {
     return values;
 }
 
-SafetensorsFile::SafetensorsFile(const std::string& path) : path_(path) {
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (fd < 0) fail(fmt::format("cannot open: {}", std::strerror(errno)));
-    struct stat info = {};
-    if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) {
-        ::close(fd);
-        fail("not a regular file");
-    }
-    size_ = size_t(info.st_size);
-    void* address = size_ ? ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, fd, 0) : nullptr;
-    ::close(fd);
-    if (address == MAP_FAILED) fail(fmt::format("cannot read: {}", std::strerror(errno)));
-    bytes_ = static_cast<const std::byte*>(address);
-    try {
-        parse();
-    } catch (...) {
-        if (bytes_) ::munmap(const_cast<std::byte*>(bytes_), size_);
-        throw;
-    }
-}
-
-SafetensorsFile::~SafetensorsFile() {
-    if (bytes_) ::munmap(const_cast<std::byte*>(bytes_), size_);
-}
-
-SafetensorsFile::SafetensorsFile(SafetensorsFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      bytes_(std::exchange(other.bytes_, nullptr)),
-      size_(std::exchange(other.size_, 0)),
-      metadata_(std::move(other.metadata_)),
-      tensors_(std::move(other.tensors_)) {}
+SafetensorsFile::SafetensorsFile(const std::string& path) : path_(path), file_(path) { parse(); }
 
 void SafetensorsFile::fail(const std::string& message) const { throw Error(SourceLocation{path_}, message); }
 
 void SafetensorsFile::parse() {
-    if (size_ < 8) fail(fmt::format("truncated: {} bytes are too few for a safetensors file", size_));
+    const size_t size = file_.bytes().size();
+    const auto* bytes = reinterpret_cast<const std::byte*>(file_.bytes().data());
+    if (size < 8) fail(fmt::format("truncated: {} bytes are too few for a safetensors file", size));
     uint64_t headerBytes;
-    std::memcpy(&headerBytes, bytes_, 8);
+    std::memcpy(&headerBytes, bytes, 8);
     if (headerBytes > limits::kSafetensorsHeaderBytes)
         fail(fmt::format("not a safetensors file: a header of {} bytes (limit {})", headerBytes,
                          limits::kSafetensorsHeaderBytes));
-    if (headerBytes > size_ - 8)
-        fail(fmt::format("truncated: the header needs {} bytes, the file has {}", headerBytes + 8, size_));
-    const std::byte* data = bytes_ + 8 + headerBytes;
-    const uint64_t dataBytes = size_ - 8 - headerBytes;
+    if (headerBytes > size - 8)
+        fail(fmt::format("truncated: the header needs {} bytes, the file has {}", headerBytes + 8, size));
+    const std::byte* data = bytes + 8 + headerBytes;
+    const uint64_t dataBytes = size - 8 - headerBytes;
 
-    const char* text = reinterpret_cast<const char*>(bytes_ + 8);
+    const char* text = reinterpret_cast<const char*>(bytes + 8);
     const auto header = nlohmann::json::parse(text, text + headerBytes, nullptr, false);
     if (!header.is_object()) fail("not a safetensors file: its header is not a JSON object");
 
@@ -201,7 +167,9 @@ const TensorView& SafetensorsFile::tensor(const std::string& name) const {
     return found->second;
 }
 
-std::string SafetensorsFile::contentHash() const { return fmt::format("{:016x}", hashBytes(bytes_, size_)); }
+std::string SafetensorsFile::contentHash() const {
+    return fmt::format("{:016x}", hashBytes(file_.bytes().data(), file_.bytes().size()));
+}
 
 void writeSafetensors(const std::string& path, const std::vector<TensorToWrite>& tensors, const StringMap& metadata) {
     nlohmann::ordered_json header;

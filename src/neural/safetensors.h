@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/mapped_file.h"
+
 namespace drc {
 
 enum class DType { F32, F16, BF16 };
@@ -31,11 +33,6 @@ struct TensorView {
 class SafetensorsFile {
   public:
     explicit SafetensorsFile(const std::string& path);
-    ~SafetensorsFile();
-    SafetensorsFile(SafetensorsFile&& other) noexcept;
-    SafetensorsFile(const SafetensorsFile&) = delete;
-    SafetensorsFile& operator=(const SafetensorsFile&) = delete;
-    SafetensorsFile& operator=(SafetensorsFile&&) = delete;
 
     const std::string& path() const { return path_; }
     const StringMap& metadata() const { return metadata_; }
@@ -53,8 +50,7 @@ class SafetensorsFile {
     [[noreturn]] void fail(const std::string& message) const;
 
     std::string path_;
-    const std::byte* bytes_ = nullptr;
-    size_t size_ = 0;
+    MappedFile file_;
     StringMap metadata_;
     std::map<std::string, TensorView> tensors_;
 };

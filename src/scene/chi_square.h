@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "math/rank_statistics.h"
 #include "math/vec.h"
 
 namespace drc::test {
@@ -22,22 +23,6 @@ struct ChiSquare {
     double pValue = 1;
     double pdfIntegral = 0;
 };
-
-// P(X >= x) of the chi-square distribution: the upper regularised incomplete gamma function Q(k/2, x/2), by its series
-// or its continued fraction, whichever converges (DLMF 8.7.1, 8.9.2).
-inline double chiSquareTail(double x, double k) {
-    const double a = k / 2, z = x / 2;
-    if (z <= 0) return 1;
-    const double front = std::exp(a * std::log(z) - z - std::lgamma(a));
-    if (z < a + 1) {
-        double term = 1 / a, sum = term;
-        for (int n = 1; n < 10000 && term > sum * 1e-15; ++n) sum += term *= z / (a + n);
-        return 1 - front * sum;
-    }
-    double f = 0;  // backwards from deep inside the fraction
-    for (int n = 500; n >= 1; --n) f = n * (n - a) / (2 * n + 1 + z - a - f);
-    return front / (z + 1 - a - f);
-}
 
 // Integral of g over [x0, x1] x [y0, y1]: Gauss-Legendre on ever smaller quarters where it matters.
 template <typename F>
@@ -129,7 +114,7 @@ ChiSquare chiSquareTest(const Sample& sample, const Pdf& pdf, int samples, uint3
     else if (pooledObserved > pooledExpected + 5 * std::sqrt(pooledExpected + 1) + 3)
         result.statistic = kInfinity;
     result.degreesOfFreedom = std::max(1, cells - 1);
-    result.pValue = std::isfinite(result.statistic) ? chiSquareTail(result.statistic, result.degreesOfFreedom) : 0;
+    result.pValue = std::isfinite(result.statistic) ? chiSquareUpperTail(result.statistic, result.degreesOfFreedom) : 0;
     return result;
 }
 

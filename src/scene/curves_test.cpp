@@ -219,7 +219,7 @@ TEST(Curves, DirectionsFollowTheDensity) {
             ++counted;
         }
         EXPECT_GT(counted, 8);
-        EXPECT_GT(test::chiSquareTail(chiSquare, counted), test::kChiSquareLevel) << chiSquare << " of " << counted;
+        EXPECT_GT(chiSquareUpperTail(chiSquare, counted), test::kChiSquareLevel) << chiSquare << " of " << counted;
         // In all it is one; samples that fall off the very edges are few.
         EXPECT_NEAR(sum / kSamples, 1, 4 * std::sqrt(variance) / kSamples + 5e-3);
         // Where a ribbon is seen edge-on its density has a pole.

@@ -63,7 +63,7 @@ void checkFrequencies(const LightTree& tree, int count, const Vec3& p, int sampl
         ++cells;
     }
     ASSERT_GT(cells, 1);
-    EXPECT_GT(test::chiSquareTail(statistic, cells - 1), test::kChiSquareLevel);
+    EXPECT_GT(chiSquareUpperTail(statistic, cells - 1), test::kChiSquareLevel);
 }
 
 TEST(LightTree, ProbabilitiesAreThoseOfSampling) {
