@@ -82,19 +82,19 @@ void SafetensorsFile::fail(const std::string& message) const { throw Error(Sourc
 
 void SafetensorsFile::parse() {
     const size_t size = file_.bytes().size();
-    const auto* bytes = reinterpret_cast<const std::byte*>(file_.bytes().data());
+    const auto* file = reinterpret_cast<const std::byte*>(file_.bytes().data());
     if (size < 8) fail(fmt::format("truncated: {} bytes are too few for a safetensors file", size));
     uint64_t headerBytes;
-    std::memcpy(&headerBytes, bytes, 8);
+    std::memcpy(&headerBytes, file, 8);
     if (headerBytes > limits::kSafetensorsHeaderBytes)
         fail(fmt::format("not a safetensors file: a header of {} bytes (limit {})", headerBytes,
                          limits::kSafetensorsHeaderBytes));
     if (headerBytes > size - 8)
         fail(fmt::format("truncated: the header needs {} bytes, the file has {}", headerBytes + 8, size));
-    const std::byte* data = bytes + 8 + headerBytes;
+    const std::byte* data = file + 8 + headerBytes;
     const uint64_t dataBytes = size - 8 - headerBytes;
 
-    const char* text = reinterpret_cast<const char*>(bytes + 8);
+    const char* text = reinterpret_cast<const char*>(file + 8);
     const auto header = nlohmann::json::parse(text, text + headerBytes, nullptr, false);
     if (!header.is_object()) fail("not a safetensors file: its header is not a JSON object");
 
