@@ -318,8 +318,8 @@ bool place(Room& room, Draft& draft, Rng& rng, const Palette& palette, const Pie
             frame = wall->frame.inner(Placement{{u, rng.uniform(0.025f, 0.06f), 0}, 1, 0});
         } else {
             const float turns[] = {0, kPi / 2, kPi, -kPi / 2, rng.uniform(0, 2 * kPi)};
-            frame =
-                Placement::at({rng.uniform(0, room.width), rng.uniform(0, room.depth), 0}, turns[rng.integer(0, 4)]);
+            const Vec3 at{rng.uniform(0, room.width), rng.uniform(0, room.depth), 0};
+            frame = Placement::at(at, turns[rng.integer(0, 4)]);
         }
         const OrientedBox box{frame, {-size.x / 2, 0, 0}, {size.x / 2, size.y, size.z}};
         if (!fits(room, draft, box)) continue;
@@ -378,8 +378,8 @@ void scatterPrimitives(const Room& room, Draft& draft, Rng& rng, const Palette& 
     };
     for (int i = 0; i < count; ++i) {
         const float r = rng.logUniform(0.06f, 0.5f), h = rng.logUniform(0.08f, 1.6f);
-        const Placement frame =
-            Placement::at({rng.uniform(0, room.width), rng.uniform(0, room.depth), 0}, rng.uniform(0, 2 * kPi));
+        const Vec3 at{rng.uniform(0, room.width), rng.uniform(0, room.depth), 0};
+        const Placement frame = Placement::at(at, rng.uniform(0, 2 * kPi));
         const OrientedBox box{frame, {-r, -r, 0}, {r, r, h}};
         if (!fits(room, draft, box)) continue;
         const Pen pen(draft, frame);

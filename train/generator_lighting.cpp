@@ -107,7 +107,8 @@ void lampOn(const Kit& k, const Pen& pen, float height) {
     const float bulb = shade * 0.25f;
     pen.rod({0, 0, 0.02f}, {0, 0, z + shadeHeight * 0.5f - bulb - 0.004f}, 0.01f, k.palette.metal.front());
     pen.sphereLight({0, 0, z + shadeHeight * 0.5f}, bulb, k.group, k.palette.lightBody);
-    pen.shade({0, 0, z}, shade, shade * k.rng.uniform(0.5f, 1), shadeHeight, k.rng.pick(k.palette.shade));
+    const float top = shade * k.rng.uniform(0.5f, 1);
+    pen.shade({0, 0, z}, shade, top, shadeHeight, k.rng.pick(k.palette.shade));
 }
 
 void floorLamp(const Kit& k) {

@@ -49,11 +49,13 @@ int coated(Draft& draft, Rng& rng, const std::string& kd) {
         case 2:
             return add(draft, type("plastic") + kd + rgb("Ks", specular * 4) + number("roughness", roughness) +
                                   R"( "bool remaproughness" [ "false" ])");
-        case 3:
-            return add(draft, type("disney") + asColor(kd) + number("roughness", rng.uniform(0.1f, 0.9f)) +
-                                  number("metallic", rng.chance(0.2f) ? rng.uniform(0.2f, 1) : 0) +
-                                  number("sheen", rng.chance(0.3f) ? rng.uniform(0, 1) : 0) +
-                                  number("clearcoat", rng.chance(0.3f) ? rng.uniform(0, 1) : 0));
+        case 3: {
+            const float rough = rng.uniform(0.1f, 0.9f), metallic = rng.chance(0.2f) ? rng.uniform(0.2f, 1) : 0,
+                        sheen = rng.chance(0.3f) ? rng.uniform(0, 1) : 0,
+                        clearcoat = rng.chance(0.3f) ? rng.uniform(0, 1) : 0;
+            return add(draft, type("disney") + asColor(kd) + number("roughness", rough) + number("metallic", metallic) +
+                                  number("sheen", sheen) + number("clearcoat", clearcoat));
+        }
         default:
             return add(draft, type("uber") + kd + rgb("Ks", specular * 3) + exactRoughness(roughness));
     }
@@ -98,9 +100,8 @@ int makeFloor(Draft& draft, Rng& rng) {
         return coated(draft, rng, kd);
     }
     if (kind < 0.7f) {
-        const std::string kd =
-            textured("Kd", addCheckerboard(draft, randomAlbedo(rng, 0.5f, 0.85f, 0.15f),
-                                           randomAlbedo(rng, 0.04f, 0.4f, 0.4f), rng.uniform(0.8f, 4)));
+        const Rgb light = randomAlbedo(rng, 0.5f, 0.85f, 0.15f), dark = randomAlbedo(rng, 0.04f, 0.4f, 0.4f);
+        const std::string kd = textured("Kd", addCheckerboard(draft, light, dark, rng.uniform(0.8f, 4)));
         return rng.chance(0.5f) ? coated(draft, rng, kd) : add(draft, type("matte") + kd);
     }
     const Rgb color = randomAlbedo(rng, 0.08f, 0.7f, 0.4f);
@@ -205,17 +206,20 @@ Palette makePalette(Draft& draft, Rng& rng, RoomKind kind) {
     const float silver = rng.uniform(0.8f, 0.98f);
     p.mirror = add(draft, type("mirror") + rgb("Kr", Rgb(silver, silver, silver)));
     p.stem = add(draft, type("matte") + rgb("Kd", Rgb(0.2f, 0.13f, 0.06f)));
-    const Rgb green(rng.uniform(0.08f, 0.3f), rng.uniform(0.25f, 0.5f), rng.uniform(0.04f, 0.15f));
-    p.leaf = rng.chance(0.6f) ? makeTranslucent(draft, green, rng.uniform(0.3f, 0.6f),
-                                                addImageTexture(draft, rng, Pattern::LeafMask, green, 1))
-                              : add(draft, type("matte") + rgb("Kd", green));
+    const Rgb green{rng.uniform(0.08f, 0.3f), rng.uniform(0.25f, 0.5f), rng.uniform(0.04f, 0.15f)};
+    if (rng.chance(0.6f)) {
+        const float transmit = rng.uniform(0.3f, 0.6f);
+        p.leaf = makeTranslucent(draft, green, transmit, addImageTexture(draft, rng, Pattern::LeafMask, green, 1));
+    } else {
+        p.leaf = add(draft, type("matte") + rgb("Kd", green));
+    }
     for (int i = rng.integer(2, 4); i > 0; --i) p.furniture.push_back(makeFurniture(draft, rng));
     for (int i = rng.integer(2, 3); i > 0; --i) p.fabric.push_back(makeFabric(draft, rng));
     for (int i = rng.integer(1, 2); i > 0; --i) p.metal.push_back(makeMetal(draft, rng));
     for (int i = rng.integer(5, 8); i > 0; --i) p.ornament.push_back(makeOrnament(draft, rng, p));
     for (int i = 5; i > 0; --i)
         p.paper.push_back(add(draft, type("matte") + rgb("Kd", randomAlbedo(rng, 0.05f, 0.8f, 0.8f))));
-    const Rgb cream(0.85f, rng.uniform(0.65f, 0.85f), rng.uniform(0.4f, 0.8f));
+    const Rgb cream{0.85f, rng.uniform(0.65f, 0.85f), rng.uniform(0.4f, 0.8f)};
     p.shade.push_back(makeTranslucent(draft, cream, rng.uniform(0.3f, 0.7f)));
     p.shade.push_back(p.metal.front());
     return p;

@@ -157,23 +157,25 @@ void chooseOpenings(Room& room, Rng& rng, bool sky) {
     };
     if (rng.chance(0.45f)) {
         Wall& w = anyWall();
-        if (!w.reentrant)
-            cut(w, OpeningKind::DoorAjar, rng.uniform(0.75f, 0.95f), 0, kDoorHeight, rng.uniform(0.1f, 0.25f),
-                kCorridorSide + 0.05f);
+        if (!w.reentrant) {
+            const float width = rng.uniform(0.75f, 0.95f), depth = rng.uniform(0.1f, 0.25f);
+            cut(w, OpeningKind::DoorAjar, width, 0, kDoorHeight, depth, kCorridorSide + 0.05f);
+        }
     }
     if (rng.chance(0.25f)) {
         Wall& w = anyWall();
         if (!w.reentrant) {
-            const float top = rng.uniform(1.9f, 2.6f);
-            cut(w, OpeningKind::Alcove, rng.uniform(0.8f, 2.2f), 0, std::min(top, room.eaves - 0.1f),
-                rng.uniform(0.4f, 1.5f), kCorridorSide);
+            const float top = std::min(rng.uniform(1.9f, 2.6f), room.eaves - 0.1f);
+            const float width = rng.uniform(0.8f, 2.2f), depth = rng.uniform(0.4f, 1.5f);
+            cut(w, OpeningKind::Alcove, width, 0, top, depth, kCorridorSide);
         }
     }
     if (rng.chance(0.07f)) {
         Wall& w = anyWall();
-        if (!w.reentrant)
-            cut(w, OpeningKind::Hearth, rng.uniform(0.6f, 1.3f), 0, rng.uniform(0.5f, 1), rng.uniform(0.3f, 0.6f),
-                kCorridorSide);
+        if (!w.reentrant) {
+            const float width = rng.uniform(0.6f, 1.3f), top = rng.uniform(0.5f, 1), depth = rng.uniform(0.3f, 0.6f);
+            cut(w, OpeningKind::Hearth, width, 0, top, depth, kCorridorSide);
+        }
     }
     const int windows = rng.integer(0, 4);
     for (int i = 0; i < windows; ++i) {
@@ -181,13 +183,13 @@ void chooseOpenings(Room& room, Rng& rng, bool sky) {
         const bool tall = rng.chance(0.3f);
         const float z0 = tall ? rng.uniform(0.02f, 0.2f) : rng.uniform(0.5f, 1.3f);
         const float z1 = std::min(room.eaves - 0.1f, z0 + (tall ? rng.uniform(1.8f, 2.6f) : rng.uniform(0.5f, 1.6f)));
-        cut(w, sky ? OpeningKind::Sky : OpeningKind::LightPanel, rng.uniform(0.4f, 2.6f), z0, z1,
-            rng.uniform(0.12f, 0.45f), 0.2f);
+        const float width = rng.uniform(0.4f, 2.6f), depth = rng.uniform(0.12f, 0.45f);
+        cut(w, sky ? OpeningKind::Sky : OpeningKind::LightPanel, width, z0, z1, depth, 0.2f);
     }
     for (int i = rng.integer(0, 2); i > 0; --i) {
-        const float z0 = rng.uniform(0.6f, 1.3f);
-        cut(anyWall(), OpeningKind::Niche, rng.uniform(0.3f, 1.5f), z0, z0 + rng.uniform(0.25f, 1.0f),
-            rng.uniform(0.1f, 0.35f), 0.4f);
+        const float z0 = rng.uniform(0.6f, 1.3f), z1 = z0 + rng.uniform(0.25f, 1);
+        const float width = rng.uniform(0.3f, 1.5f), depth = rng.uniform(0.1f, 0.35f);
+        cut(anyWall(), OpeningKind::Niche, width, z0, z1, depth, 0.4f);
     }
 }
 

@@ -109,7 +109,7 @@ Shader tiles(Rng& rng, const Rgb& base) {
 Shader floral(Rng& rng, const Rgb& base) {
     const uint32_t seed = rng.bits();
     const int cells = rng.integer(3, 6);
-    const Rgb petal(rng.uniform(0.1f, 0.9f), rng.uniform(0.1f, 0.7f), rng.uniform(0.1f, 0.7f));
+    const Rgb petal{rng.uniform(0.1f, 0.9f), rng.uniform(0.1f, 0.7f), rng.uniform(0.1f, 0.7f)};
     const auto petals = static_cast<float>(rng.integer(3, 7));
     return [=](float u, float v) {
         const float x = u * static_cast<float>(cells), y = v * static_cast<float>(cells);

@@ -68,8 +68,8 @@ World makeWorld(Rng& rng) {
     w.yUp = rng.chance(0.5f);
     // Metres, centimetres, millimetres / 100, inches: the renderer must not care.
     w.scale = rng.pick(std::vector<float>{1, 1, 1, 100, 100, 10, 39.37f, 0.1f});
-    w.frame = Placement::at({rng.uniform(-5, 5), rng.uniform(-5, 5), rng.chance(0.5f) ? 0 : rng.uniform(-3, 3)},
-                            rng.chance(0.4f) ? 0 : rng.uniform(0, 2 * kPi));
+    const Vec3 origin{rng.uniform(-5, 5), rng.uniform(-5, 5), rng.chance(0.5f) ? 0 : rng.uniform(-3, 3)};
+    w.frame = Placement::at(origin, rng.chance(0.4f) ? 0 : rng.uniform(0, 2 * kPi));
     return w;
 }
 
