@@ -25,9 +25,8 @@ constexpr int kMaps = 64;
 constexpr uint64_t kSeed = 1;
 
 struct Site {
-    Vec3 p, ng;
+    SpawnPoint from;
     Frame frame;
-    float footprint;
     uint64_t stream;
     std::vector<RecordedRay> rays;
 };
@@ -46,18 +45,14 @@ std::vector<Site> findSites(const Scene& scene, const PathTracer& tracer) {
         if (!tracer.primaryHit(scene.camera->generateRay(film, uLens, sampler.get1D()).ray, sampler, hit)) continue;
         if (!hit.bsdf.hasNonSpecular()) continue;
         const SurfaceInteraction& at = hit.surface;
-        sites.push_back({at.p,
-                         at.ng,
-                         mapFrame(faceForward(at.ng, at.wo), scene.camera->up()),
-                         at.footprint,
-                         hashCombine(kSeed, i),
-                         {}});
+        const Frame frame = mapFrame(faceForward(at.ng, at.wo), scene.camera->up());
+        sites.push_back({at.spawnPoint(), frame, hashCombine(kSeed, i), {}});
     }
     return sites;
 }
 
 void capture(const PathTracer& tracer, const Site& site, CapturedMap& map) {
-    captureMap(tracer, CaptureSettings{}, site.p, site.ng, site.frame, site.footprint, site.stream, map);
+    captureMap(tracer, CaptureSettings{}, site.from, site.frame, site.stream, map);
 }
 
 // What nearly free shading comes to at a hit: no material, texture, distribution or weight.

@@ -87,7 +87,7 @@ TEST(MovingMaps, AverageTheExposureWhereTheyStandStill) {
     const auto hitsNearThePole = [&](std::optional<float> time) {
         CapturedMap map;
         const Vec3 up(0, 0, 1);
-        captureMap(pipeline.tracer, settings, Vec3(0, 0, 0), up, Frame::fromNormal(up), 0, 7, map, time);
+        captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up}, Frame::fromNormal(up), 7, map, time);
         int hits = 0, all = 0;
         for (int row = 8; row < 24; ++row)
             for (int column = 8; column < 24; ++column, ++all) hits += map.distance[size_t(row * 32 + column)] > 0;

@@ -346,7 +346,9 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
     } else {
         fill(found.shape, hit);
     }
+    hit.largest = 0;
     if (toWorld) {
+        hit.largest = toWorld->largestOfSums(hit.p);
         hit.p = toWorld->point(hit.p);
         hit.ng = normalize(toWorld->normal(hit.ng));
         hit.ns = normalize(toWorld->normal(hit.ns));

@@ -1,7 +1,5 @@
 #include "accel/interaction.h"
 
-#include <bit>
-
 #include "scene/bump.h"
 #include "scene/texture_footprint.h"
 
@@ -64,27 +62,12 @@ Rgb SurfaceInteraction::emitted() const {
 
 Ray SurfaceInteraction::spawnRay(const Vec3& d, float spread) const {
     Ray ray;
-    ray.o = offsetOrigin(p, ng, d);
+    ray.o = spawnPoint().towards(d);
     ray.d = d;
     ray.time = time;
     ray.coneWidth = footprint;
     ray.coneSpread = std::max(spread, coneSpread);
     return ray;
-}
-
-Vec3 offsetOrigin(const Vec3& p, const Vec3& ng, const Vec3& d) {
-    constexpr float kOrigin = 1 / 32.f, kFloatScale = 1 / 65536.f, kIntScale = 256.f;
-    const Vec3 n = dot(ng, d) < 0 ? -ng : ng;
-    Vec3 r;
-    for (int i = 0; i < 3; ++i) {
-        if (std::abs(p[i]) < kOrigin) {
-            r[i] = p[i] + kFloatScale * n[i];
-        } else {
-            const int offset = int(kIntScale * n[i]);
-            r[i] = std::bit_cast<float>(std::bit_cast<int>(p[i]) + (p[i] < 0 ? -offset : offset));
-        }
-    }
-    return r;
 }
 
 }  // namespace drc

@@ -1,5 +1,6 @@
 // What is known of the point where a ray meets a surface. World space throughout.
 #pragma once
+#include "accel/spawn_point.h"
 #include "scene/bsdf.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
@@ -17,6 +18,7 @@ struct SurfaceInteraction {
     BumpTangents bumpTangents = BumpTangents::Derivatives;
     float t = 0;          // distance along the ray
     float footprint = 0;  // width of the ray's cone at p
+    float largest = 0;    // see SpawnPoint
     float coneSpread = 0;
     float time = 0;      // the ray's
     bool moves = false;  // whether the surface is elsewhere at another time
@@ -33,14 +35,11 @@ struct SurfaceInteraction {
     // Radiance emitted from here towards wo.
     Rgb emitted() const;
     EmitterHit emitterHit() const { return {p, ng, triangle, uv}; }
+    SpawnPoint spawnPoint() const { return {p, ng, footprint, largest}; }
     // Ray that leaves this point in direction d, its origin moved off the surface on the side of d. The cone grows
     // with the given spread: at least the arriving cone's own.
     Ray spawnRay(const Vec3& d, float spread) const;
     Ray spawnRay(const Vec3& d) const { return spawnRay(d, coneSpread); }
 };
-
-// p moved off the surface by a few units in the last place along n, to the side of d (Waechter and Binder, "A Fast and
-// Robust Method for Avoiding Self-Intersection", Ray Tracing Gems 2019).
-Vec3 offsetOrigin(const Vec3& p, const Vec3& ng, const Vec3& d);
 
 }  // namespace drc

@@ -179,5 +179,42 @@ TEST(ShapeHits, LieOnTheShapeHoweverFarTheRayCame) {
     }
 }
 
+// As above, where coordinates are large: of the instance in the world, of the shape in its object, of both. The floor
+// of the offset is what keeps such rays off the ball: those in the normal's direction are the easy ones, so the rest
+// are tried too.
+TEST(ShapeHits, RaysLeaveAPlacedShapeForGood) {
+    const Transform turn = Transform::rotate(40, Vec3(1, 2, -1));
+    for (const float far : {0.f, 30.f, 1000.f, 30'000.f}) {
+        const Transform out = Transform::translate(Vec3(1, 0.01f, -0.4f) * far);
+        const Transform back = Transform::translate(Vec3(-1, -0.01f, 0.4f) * far);
+        const std::pair<Transform, Transform> placements[] = {
+            {out * turn, Transform()}, {back * turn, turn.inverse() * out}, {turn, out}, {turn * back, out}};
+        for (const auto& [instance, within] : placements) {
+            Scene scene;
+            scene.objects.push_back({"o", {}});
+            scene.objects[0].primitives.push_back(primitiveOf(makeSphere({.objectToWorld = within})));
+            scene.instances.push_back({0, instance});
+            const Accel accel(scene);
+            const Vec3 center = instance.point(within.point(Vec3(0.f)));
+            Pcg32 rng(5);
+            int again = 0, hits = 0;
+            for (int i = 0; i < 2000; ++i) {
+                const Vec3 o = center + sampleUniformSphere(rng.nextVec2()) * 5.f;
+                SurfaceInteraction hit, next;
+                if (!accel.intersect(rayFrom(o, normalize(center + sampleUniformSphere(rng.nextVec2()) * 0.8f - o)),
+                                     hit))
+                    continue;
+                ++hits;
+                const Vec3 side = Frame::fromNormal(hit.ng).toWorld(sampleCosineHemisphere(rng.nextVec2()));
+                again += accel.intersect(hit.spawnRay(hit.ng), next);
+                again += accel.intersect(hit.spawnRay(side), next);
+                again += !accel.intersect(hit.spawnRay(-hit.ng), next);
+            }
+            EXPECT_GT(hits, 1500) << far;
+            EXPECT_EQ(again, 0) << far;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace drc

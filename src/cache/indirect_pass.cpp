@@ -54,8 +54,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
     struct Request {
         MapSite* site;
         bool back;
-        Vec3 ng;
-        float footprint;
+        SpawnPoint from;
         std::optional<float> time;
         uint64_t stream;
     };
@@ -78,10 +77,10 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
             site.n = faceForward(hit.surface.ng, hit.surface.wo);
             const std::optional<float> time = captureTime(hit.surface);
             uint8_t& n = counts[size_t(i)];
-            found[size_t(i)][n++] = {&site, false, hit.surface.ng, hit.surface.footprint, time, hashCombine(stream, 2)};
+            const SpawnPoint from = hit.surface.spawnPoint();
+            found[size_t(i)][n++] = {&site, false, from, time, hashCombine(stream, 2)};
             if (hit.bsdf.hasWideTransmission())
-                found[size_t(i)][n++] = {
-                    &site, true, hit.surface.ng, hit.surface.footprint, time, hashCombine(stream, 3)};
+                found[size_t(i)][n++] = {&site, true, from, time, hashCombine(stream, 3)};
         }
     });
     std::vector<Request> requests;
@@ -101,8 +100,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
             for (int i = begin; i < end; ++i) {
                 const Request& r = requests[size_t(i)];
                 const Frame frame = mapFrame(r.back ? -r.site->n : r.site->n, up);
-                captureMap(tracer_, settings_.capture, r.site->p, r.ng, frame, r.footprint, r.stream,
-                           maps[size_t(i - begin)], r.time);
+                captureMap(tracer_, settings_.capture, r.from, frame, r.stream, maps[size_t(i - begin)], r.time);
             }
             const auto captured = Clock::now();
             enhancer_.enhance(maps, layout);
@@ -249,8 +247,8 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
                         const uint64_t stream = hashCombine(pixelStream(x, y, kCapture), uint64_t(index));
                         const auto capture = [&](const Vec3& n, uint64_t side) {
                             // Of the sample's own moment: no other pixel looks at this map.
-                            captureMap(tracer_, settings_.capture, site.p, hit.surface.ng, mapFrame(n, up),
-                                       hit.surface.footprint, hashCombine(stream, side), captured[0], hit.surface.time);
+                            captureMap(tracer_, settings_.capture, hit.surface.spawnPoint(), mapFrame(n, up),
+                                       hashCombine(stream, side), captured[0], hit.surface.time);
                             enhancer_.enhance(captured, layout);
                             maps.fetch_add(1, std::memory_order_relaxed);
                             return RadianceMap(captured[0], layout);

@@ -30,12 +30,12 @@ std::optional<float> captureTime(const SurfaceInteraction& at) {
     return at.moves ? std::optional(at.time) : std::nullopt;
 }
 
-void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const Vec3& origin, const Vec3& ng,
-                const Frame& frame, float footprint, uint64_t stream, CapturedMap& result, std::optional<float> time) {
+void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const SpawnPoint& from, const Frame& frame,
+                uint64_t stream, CapturedMap& result, std::optional<float> time) {
     const MapLayout& layout = settings.layout;
     const int n = layout.size();
     const auto texels = size_t(layout.texels());
-    result.origin = origin;
+    result.origin = from.p;
     result.frame = frame;
     result.radiance.resize(3 * texels);
     result.normal.resize(3 * texels);
@@ -61,9 +61,9 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
                 sampler.start(stream, index + uint32_t(s));
                 Ray ray;
                 ray.d = frame.toWorld(layout.direction(column, row, sampler.get2D()));
-                ray.o = offsetOrigin(origin, ng, ray.d);
+                ray.o = from.towards(ray.d);
                 ray.time = drawTime ? shutter.motion(sampler.get1D()) : time.value_or(0);
-                ray.coneWidth = footprint;
+                ray.coneWidth = from.footprint;
                 ray.coneSpread = spread;
                 FirstHit first;
                 const Rgb sample = tracer.incident(ray, sampler, s == 0 ? &first : nullptr);

@@ -36,9 +36,8 @@ Frame mapFrame(const Vec3& n, const Vec3& up);
 // distance and normal are those of the first.
 // time: of the map's rays. None: each has its own, uniformly while the camera's shutter is open, so that the map is the
 // mean over the exposure. See captureTime.
-void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const Vec3& origin, const Vec3& ng,
-                const Frame& frame, float footprint, uint64_t stream, CapturedMap& result,
-                std::optional<float> time = std::nullopt);
+void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const SpawnPoint& from, const Frame& frame,
+                uint64_t stream, CapturedMap& result, std::optional<float> time = std::nullopt);
 
 // The time of a map that stands on this surface: none, but where the surface moves. At other times than that of the hit
 // it is elsewhere, and the map would look out of its inside, or stand off it.

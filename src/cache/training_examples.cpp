@@ -69,7 +69,7 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     const Frame frame = mapFrame(n, scene.camera->up());
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
         const CaptureSettings how{settings.layout, samples, samples > 1};
-        captureMap(tracer, how, hit.surface.p, hit.surface.ng, frame, hit.surface.footprint,
+        captureMap(tracer, how, hit.surface.spawnPoint(), frame,
                    hashCombine(hashCombine(settings.seed, stream), uint64_t(viewpoint)), map, example.time);
     };
     CapturedMap target;

@@ -72,7 +72,7 @@ Rgb PathTracer::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, i
 }
 
 bool PathTracer::shadowed(const SurfaceInteraction& at, const LightSample& light) const {
-    const Vec3 o = offsetOrigin(at.p, at.ng, light.wi);
+    const Vec3 o = at.spawnPoint().towards(light.wi);
     if (std::isinf(light.distance)) return accel_.occluded(o, light.wi, kInfinity, at.time);
     // From the origin as it was moved, and short of the light, whose own surface must not hide it: by a share of the
     // distance, and by what rounding can move its position.

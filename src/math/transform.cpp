@@ -87,6 +87,14 @@ Vec3 Transform::point(const Vec3& p) const {
     return Vec3(float(r[0] * w), float(r[1] * w), float(r[2] * w));
 }
 
+float Transform::largestOfSums(const Vec3& p) const {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        largest = std::max(largest, std::abs(m_[i][0] * p.x) + std::abs(m_[i][1] * p.y) + std::abs(m_[i][2] * p.z) +
+                                        std::abs(m_[i][3]));
+    return float(largest);
+}
+
 Vec3 Transform::vector(const Vec3& v) const {
     double r[3];
     for (int i = 0; i < 3; ++i) r[i] = m_[i][0] * v.x + m_[i][1] * v.y + m_[i][2] * v.z;

@@ -27,7 +27,10 @@ class Transform {
     Transform inverse() const;
     Transform transposed() const;
 
-    Vec3 point(const Vec3& p) const;   // divides by w
+    Vec3 point(const Vec3& p) const;  // divides by w
+    // Of the sums that point(p)'s coordinates are, the largest if no term had a sign: how exact they can be in floats.
+    // For affine transforms.
+    float largestOfSums(const Vec3& p) const;
     Vec3 vector(const Vec3& v) const;  // no translation
     Vec3 normal(const Vec3& n) const;  // by the inverse transpose; not renormalised
     bool swapsHandedness() const;
