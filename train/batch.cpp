@@ -1,5 +1,7 @@
 #include "batch.h"
 
+#include <ATen/Parallel.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -62,17 +64,24 @@ void TrainingBatches::shuffle(int64_t epoch) {
 }
 
 Batch TrainingBatches::draw(int64_t step) {
-    Batch batch = emptyBatch(batch_, dataset_.mapSize());
-    Example source, changed;
-    for (int slot = 0; slot < batch_; ++slot) {
-        const auto draw = uint64_t(step) * uint64_t(batch_) + uint64_t(slot);
+    std::vector<size_t> drawn;
+    const uint64_t first = uint64_t(step) * uint64_t(batch_);
+    for (uint64_t draw = first; draw < first + uint64_t(batch_); ++draw) {
         shuffle(int64_t(draw / indices_.size()));
-        const size_t i = order_[draw % order_.size()];
-        const uint64_t bits = splitMix(seed_ + draw);
-        dataset_.load(i, int((bits >> 32) % uint64_t(dataset_.realisations(i))), source);
-        Augmentation::random(dataset_.projection(), bits).apply(source, changed);
-        encode(changed, encoding_, slot, batch);
+        drawn.push_back(order_[draw % order_.size()]);
     }
+    Batch batch = emptyBatch(batch_, dataset_.mapSize());
+    // By torch's own threads: to unpack and encode takes as long as a small network's step on one of them.
+    at::parallel_for(0, batch_, 1, [&](int64_t begin, int64_t end) {
+        Example source, changed;
+        for (int64_t slot = begin; slot < end; ++slot) {
+            const size_t i = drawn[size_t(slot)];
+            const uint64_t bits = splitMix(seed_ + first + uint64_t(slot));
+            dataset_.load(i, int((bits >> 32) % uint64_t(dataset_.realisations(i))), source);
+            Augmentation::random(dataset_.projection(), bits).apply(source, changed);
+            encode(changed, encoding_, slot, batch);
+        }
+    });
     return batch;
 }
 
