@@ -46,7 +46,7 @@ void addEvaluateCommand(CLI::App& app) {
         ->required();
     command
         ->add_option("--weights", o->settings.weights,
-                     "Weights of a network, safetensors; may be repeated. Default: the shipped ones")
+                     "A network: one that comes with the program, or a file of weights; may be repeated. Default: drc")
         ->allow_extra_args(false);
     command->add_flag("--all-inputs", o->settings.allInputs,
                       "Average over every realisation of an example, not the first alone");

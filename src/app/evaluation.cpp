@@ -29,7 +29,8 @@ void nameNetworks(std::vector<EvaluatedNetwork>& networks) {
 }
 
 std::vector<EvaluatedNetwork> loadNetworks(const std::vector<std::string>& named) {
-    std::vector<std::string> paths = named;
+    std::vector<std::string> paths;
+    for (const std::string& weights : named) paths.push_back(findWeights(weights));
     if (named.empty()) {
         try {
             paths.push_back(findWeights(""));

@@ -1,33 +1,73 @@
 #include "app/models.h"
 
+#include <fmt/core.h>
+
 #include <cstdlib>
 #include <filesystem>
+#include <set>
+#include <vector>
 
 #include "base/error.h"
 
 namespace drc {
 namespace {
 
-constexpr const char* kDefaultModel = "drc.safetensors";
+namespace fs = std::filesystem;
+
+constexpr const char* kDefaultModel = "drc";
+constexpr const char* kExtension = ".safetensors";
+
+std::vector<fs::path> modelFolders() {
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    return {(program / "models").lexically_normal(), (program / "../../models").lexically_normal(),
+            (program / "../share/drc/models").lexically_normal(), "models"};
+}
+
+// Their names, in order, with commas between.
+std::string shippedNetworks() {
+    std::set<std::string> names;
+    std::error_code ignored;
+    for (const fs::path& folder : modelFolders())
+        for (const auto& entry : fs::directory_iterator(folder, ignored))
+            if (entry.path().extension() == kExtension) names.insert(entry.path().stem().string());
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+std::string findShipped(const std::string& name, std::string& tried) {
+    std::error_code ignored;
+    for (const fs::path& folder : modelFolders()) {
+        const fs::path candidate = folder / (name + kExtension);
+        if (fs::exists(candidate, ignored)) return candidate.string();
+        tried += "\n  " + candidate.string();
+    }
+    return "";
+}
 
 }  // namespace
 
 std::string findWeights(const std::string& weights) {
-    namespace fs = std::filesystem;
-    if (!weights.empty()) return weights;
-    if (const char* named = std::getenv("DRC_WEIGHTS")) return named;
-    std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    const char* fromEnvironment = std::getenv("DRC_WEIGHTS");
+    const std::string wanted = weights.empty() && fromEnvironment ? fromEnvironment : weights;
     std::string tried;
-    for (const fs::path& directory :
-         {program / "models", program / "../../models", program / "../share/drc/models", fs::path("models")}) {
-        const fs::path candidate = (directory / kDefaultModel).lexically_normal();
-        if (fs::exists(candidate, ignored)) return candidate.string();
-        tried += "\n  " + candidate.string();
+    if (wanted.empty()) {
+        const std::string found = findShipped(kDefaultModel, tried);
+        if (!found.empty()) return found;
+        throw Error(
+            "the network's weights were not found; name them with --weights, or render with --enhancer gaussian. "
+            "Tried:" +
+            tried);
     }
-    throw Error(
-        "the network's weights were not found; name them with --weights, or render with --enhancer gaussian. Tried:" +
-        tried);
+    if (fs::path(wanted).filename() != wanted || fs::path(wanted).extension() == kExtension) return wanted;
+    // The name first: the program itself may lie in the current folder, and is called as the network is.
+    const std::string found = findShipped(wanted, tried);
+    if (!found.empty()) return found;
+    std::error_code ignored;
+    if (fs::exists(wanted, ignored)) return wanted;
+    throw Error(fmt::format("--weights {}: neither a file nor a network that comes with the program ({})", wanted,
+                            shippedNetworks()));
 }
 
 }  // namespace drc

@@ -4,8 +4,9 @@
 
 namespace drc {
 
-// Path of the default network: what `weights` names if it is not empty, else the environment's DRC_WEIGHTS, else
-// models/ beside the program, above it, or in share/drc. Throws Error that lists what was tried.
+// The path of the weights that are meant. `weights`: a file, or the name of a shipped network ("drc-fast"); if empty,
+// the environment's DRC_WEIGHTS takes its place, else the default network. Shipped networks lie in models/ beside the
+// program, above it, or in share/drc. Throws Error that lists what was tried, and which networks there are.
 std::string findWeights(const std::string& weights);
 
 }  // namespace drc

@@ -24,7 +24,7 @@ struct RenderOptions {
     std::string quality = "standard";
     std::string weights;
     std::string precision = "auto";
-    std::string projection = "equal-area";
+    std::string projection = "auto";
     std::string resolution;
     std::vector<float> crop;
     std::optional<int> spp, passes, tasks, maxDepth, gatherSamples;
@@ -91,7 +91,13 @@ struct ChosenEnhancer {
 };
 
 ChosenEnhancer chooseEnhancer(const RenderOptions& o, IndirectSettings& indirect) {
-    indirect.capture.layout = MapLayout(projectionFromName(o.projection), indirect.capture.layout.size());
+    const auto setProjection = [&](const std::string& ownOfNetwork) {
+        const std::string& name = o.projection != "auto" ? o.projection
+                                  : ownOfNetwork.empty() ? projectionName(Projection::EqualArea)
+                                                         : ownOfNetwork;
+        indirect.capture.layout = MapLayout(projectionFromName(name), indirect.capture.layout.size());
+    };
+    setProjection("");
     if (o.enhancer == "gaussian") return {makeGaussianEnhancer(1), ""};
     if (o.enhancer == "none") return {makeIdentityEnhancer(), ""};
     if (o.enhancer == "oracle") {
@@ -99,6 +105,7 @@ ChosenEnhancer chooseEnhancer(const RenderOptions& o, IndirectSettings& indirect
         return {makeIdentityEnhancer(), ""};
     }
     const auto weights = UNetWeights::load(findWeights(o.weights));
+    setProjection(weights->projection());
     const Precision precision = o.precision == "fp32"   ? Precision::Fp32
                                 : o.precision == "bf16" ? Precision::Bf16
                                                         : defaultPrecision();
@@ -253,13 +260,17 @@ void addRenderCommand(CLI::App& app) {
     command->add_option("--oracle-spp", o->oracleSamples, "Samples a texel of the oracle")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    command->add_option("--weights", o->weights, "Weights of the network, safetensors. Default: the shipped ones");
+    command->add_option("--weights", o->weights,
+                        "The network: one that comes with the program (drc, drc-fast), or a file of weights, "
+                        "safetensors. Default: drc");
     command->add_option("--precision", o->precision, "Of the network: auto, fp32 or bf16")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fp32", "bf16"}));
-    command->add_option("--projection", o->projection, "Of the maps: equal-area or latlong")
+    command
+        ->add_option("--projection", o->projection,
+                     "Of the maps: equal-area, latlong, or auto: what the network was trained on")
         ->capture_default_str()
-        ->check(CLI::IsMember({"equal-area", "latlong"}));
+        ->check(CLI::IsMember({"auto", "equal-area", "latlong"}));
     command->add_option("--spacing", o->spacing, "Pixels between the maps of the first pass; 1: a map at each pixel")
         ->check(CLI::Range(1.f, 10000.f));
     command->add_option("--gather-samples", o->gatherSamples, "Directions that a camera sample gathers from a pass")
