@@ -18,7 +18,8 @@ def main():
     parser.add_argument("--references", required=True)
     parser.add_argument("--seconds", type=float, default=30)
     parser.add_argument("--output", default="out/equal_time")
-    parser.add_argument("--methods", default="drc,path", help="drc, path, direct; drc:ENHANCER for another enhancer")
+    parser.add_argument("--methods", default="drc,path",
+                        help="drc, path, direct; drc:ENHANCER or drc:NETWORK for another one (gaussian; drc-fast)")
     parser.add_argument("options", nargs="*", help="after --: passed on to drc render")
     args = parser.parse_args()
     os.makedirs(args.output, exist_ok=True)
@@ -28,11 +29,11 @@ def main():
         reference = os.path.join(args.references, name + ".exr")
         for method in args.methods.split(","):
             integrator, _, enhancer = method.partition(":")
-            picture = os.path.join(args.output, f"{name}-{method.replace(':', '-')}.exr")
+            picture = os.path.join(args.output, f"{name}-{method.replace(':', '-').replace('/', '_')}.exr")
             options = ["--integrator", integrator, "--time", args.seconds, "--resolution", resolution(reference),
                        "-o", picture[:-4] + ".png"]
             if enhancer:
-                options += ["--enhancer", enhancer]
+                options += ["--enhancer" if enhancer in ("none", "gaussian", "oracle") else "--weights", enhancer]
             seconds = render(scene, picture, *options)
             m = compare(reference, picture, "--diff", picture[:-4] + "-diff.png")
             rows.append([name, method, f"{seconds:.1f}", f"{m['ssim']:.4f}", f"{m['flip']:.4f}", f"{m['relmse']:.5f}",
