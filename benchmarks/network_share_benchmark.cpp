@@ -134,8 +134,8 @@ void networkShare(benchmark::State& state) {
 }
 BENCHMARK(networkShare)
     ->ArgNames({"kind", "width", "bf16"})
-    ->ArgsProduct({{int(UNetKind::Plain)}, {8, 12, 16, 24, 32, 64}, {0, 1}})
-    ->ArgsProduct({{int(UNetKind::Residual)}, {16, 24}, {0, 1}})
+    ->ArgsProduct({{int(UNetKind::Plain)}, {8, 10, 12, 16, 24, 32, 64}, {0, 1}})
+    ->ArgsProduct({{int(UNetKind::Residual)}, {8, 10, 12, 16, 24}, {0, 1}})
     ->ArgsProduct({{int(UNetKind::Separable)}, {16, 24, 32, 48}, {0, 1}})
     ->ArgsProduct({{int(UNetKind::Paper)}, {64}, {0, 1}})
     ->UseManualTime()

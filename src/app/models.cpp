@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDefaultModel = "drc";
 constexpr const char* kExtension = ".safetensors";
 
 std::vector<fs::path> modelFolders() {
@@ -48,12 +47,12 @@ std::string findShipped(const std::string& name, std::string& tried) {
 
 }  // namespace
 
-std::string findWeights(const std::string& weights) {
+std::string findWeights(const std::string& weights, const std::string& otherwise) {
     const char* fromEnvironment = std::getenv("DRC_WEIGHTS");
     const std::string wanted = weights.empty() && fromEnvironment ? fromEnvironment : weights;
     std::string tried;
     if (wanted.empty()) {
-        const std::string found = findShipped(kDefaultModel, tried);
+        const std::string found = findShipped(otherwise, tried);
         if (!found.empty()) return found;
         throw Error(
             "the network's weights were not found; name them with --weights, or render with --enhancer gaussian. "

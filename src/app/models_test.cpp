@@ -17,6 +17,7 @@ TEST(Models, AreFoundByNameAndByDefault) {
     EXPECT_TRUE(std::filesystem::exists(found)) << found;
     EXPECT_EQ(std::filesystem::path(found).filename(), "drc.safetensors");
     EXPECT_EQ(findWeights("drc"), found);
+    EXPECT_EQ(std::filesystem::path(findWeights("", kFastNetwork)).filename(), "drc-fast.safetensors");
     ::setenv("DRC_WEIGHTS", "my/own.safetensors", 1);
     EXPECT_EQ(findWeights(""), "my/own.safetensors");
     EXPECT_EQ(findWeights("drc"), found);
