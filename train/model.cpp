@@ -16,9 +16,19 @@ std::string moduleName(std::string name) {
     return name;
 }
 
+// [1][7][1][1]: what the input planes are multiplied by before the network sees them. Encoded radiance and distance
+// vary by about a tenth, normals by one: weights that all move by the same small steps, as Adam's do, would attend to
+// normals first and find the radiance late. Exported weights contain it. The paper's network is left as it is.
+torch::Tensor inputScale(const UNetShape& shape) {
+    torch::Tensor scale = torch::ones({1, shape.inputs, 1, 1});
+    if (shape.kind == UNetKind::Paper) return scale;
+    for (const int plane : {0, 1, 2, 6}) scale[0][plane] = 10;
+    return scale;
+}
+
 }  // namespace
 
-ModelImpl::ModelImpl(const UNetShape& shape) : shape_(shape) {
+ModelImpl::ModelImpl(const UNetShape& shape) : shape_(shape), inputScale_(inputScale(shape)) {
     const torch::NoGradGuard noGrad;
     for (const Layer& step : shape.layers()) {
         if (step.op != LayerOp::Conv) continue;
@@ -31,6 +41,7 @@ ModelImpl::ModelImpl(const UNetShape& shape) : shape_(shape) {
         torch::nn::init::constant_(layer->bias, last ? kEncodedMean : 0.0);
         layer->weight.set_data(layer->weight.contiguous(torch::MemoryFormat::ChannelsLast));
         convs_.push_back(register_module(moduleName(conv.name), layer));
+        seesInput_.push_back(step.source == 0 && step.skip < 0);
         norms_.emplace_back(nullptr);
         if (conv.affine)
             norms_.back() = register_module(moduleName(conv.name) + "_norm", torch::nn::BatchNorm2d(conv.out));
@@ -44,7 +55,7 @@ torch::Tensor ModelImpl::forward(torch::Tensor x) {
                         .mode(torch::kBilinear)
                         .align_corners(false)
                         .recompute_scale_factor(false);
-    std::vector<torch::Tensor> values{x.contiguous(torch::MemoryFormat::ChannelsLast)};
+    std::vector<torch::Tensor> values{(x * inputScale_).contiguous(torch::MemoryFormat::ChannelsLast)};
     size_t conv = 0;
     for (const Layer& layer : shape_.layers()) {
         torch::Tensor y = values[size_t(layer.source)];
@@ -76,6 +87,7 @@ void ModelImpl::setWeights(const UNetWeights& weights) {
         };
         copy(from.weight, convs_[i]->weight);
         copy(from.bias, convs_[i]->bias);
+        if (seesInput_[i]) convs_[i]->weight.div_(inputScale_);
         if (!norms_[i]) continue;
         copy(from.scale, norms_[i]->weight);
         copy(from.shift, norms_[i]->bias);
@@ -100,7 +112,8 @@ std::shared_ptr<const UNetWeights> ModelImpl::weights() const {
             const torch::Tensor plain = t.detach().contiguous();
             return std::vector<float>(plain.data_ptr<float>(), plain.data_ptr<float>() + plain.numel());
         };
-        list.push_back({shapes[i], values(convs_[i]->weight), values(convs_[i]->bias), {}, {}});
+        const torch::Tensor weight = seesInput_[i] ? convs_[i]->weight * inputScale_ : convs_[i]->weight;
+        list.push_back({shapes[i], values(weight), values(convs_[i]->bias), {}, {}});
         if (!norms_[i]) continue;
         const torch::Tensor scale = norms_[i]->weight / torch::sqrt(norms_[i]->running_var + norms_[i]->options.eps());
         list.back().scale = values(scale);

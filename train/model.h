@@ -26,6 +26,8 @@ class ModelImpl : public torch::nn::Module {
 
   private:
     UNetShape shape_;
+    torch::Tensor inputScale_;
+    std::vector<bool> seesInput_;  // of each convolution: whether it takes the network's input
     // As shape_.convs(). A convolution's scale and shift are what its normalisation is at rest; null if it has none.
     std::vector<torch::nn::Conv2d> convs_;
     std::vector<torch::nn::BatchNorm2d> norms_;
