@@ -47,12 +47,12 @@ std::string findShipped(const std::string& name, std::string& tried) {
 
 }  // namespace
 
-std::string findWeights(const std::string& weights, const std::string& otherwise) {
+std::string findWeights(const std::string& weights) {
     const char* fromEnvironment = std::getenv("DRC_WEIGHTS");
     const std::string wanted = weights.empty() && fromEnvironment ? fromEnvironment : weights;
     std::string tried;
     if (wanted.empty()) {
-        const std::string found = findShipped(otherwise, tried);
+        const std::string found = findShipped(kDefaultNetwork, tried);
         if (!found.empty()) return found;
         throw Error(
             "the network's weights were not found; name them with --weights, or render with --enhancer gaussian. "
@@ -65,8 +65,8 @@ std::string findWeights(const std::string& weights, const std::string& otherwise
     if (!found.empty()) return found;
     std::error_code ignored;
     if (fs::exists(wanted, ignored)) return wanted;
-    throw Error(fmt::format("--weights {}: neither a file nor a network that comes with the program ({})", wanted,
-                            shippedNetworks()));
+    throw Error(fmt::format("{} {}: neither a file nor a network that comes with the program ({})",
+                            weights.empty() ? "DRC_WEIGHTS" : "--weights", wanted, shippedNetworks()));
 }
 
 }  // namespace drc

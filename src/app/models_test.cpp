@@ -15,12 +15,14 @@ TEST(Models, AreFoundByNameAndByDefault) {
     ASSERT_EQ(std::getenv("DRC_WEIGHTS"), nullptr);
     const std::string found = findWeights("");
     EXPECT_TRUE(std::filesystem::exists(found)) << found;
-    EXPECT_EQ(std::filesystem::path(found).filename(), "drc.safetensors");
-    EXPECT_EQ(findWeights("drc"), found);
-    EXPECT_EQ(std::filesystem::path(findWeights("", kFastNetwork)).filename(), "drc-fast.safetensors");
+    EXPECT_EQ(std::filesystem::path(found).stem(), kDefaultNetwork);
+    EXPECT_EQ(findWeights(kDefaultNetwork), found);
+    EXPECT_EQ(std::filesystem::path(findWeights("drc")).filename(), "drc.safetensors");
     ::setenv("DRC_WEIGHTS", "my/own.safetensors", 1);
     EXPECT_EQ(findWeights(""), "my/own.safetensors");
-    EXPECT_EQ(findWeights("drc"), found);
+    EXPECT_EQ(findWeights(kDefaultNetwork), found);
+    ::setenv("DRC_WEIGHTS", "drc-fats", 1);
+    EXPECT_NE(errorOf([] { findWeights(""); }).find("DRC_WEIGHTS drc-fats: neither"), std::string::npos);
     ::unsetenv("DRC_WEIGHTS");
 }
 

@@ -104,7 +104,7 @@ ChosenEnhancer chooseEnhancer(const RenderOptions& o, IndirectSettings& indirect
         indirect.capture.samplesPerTexel = o.oracleSamples;
         return {makeIdentityEnhancer(), ""};
     }
-    const auto weights = UNetWeights::load(findWeights(o.weights, o.time > 0 ? kFastNetwork : kBestNetwork));
+    const auto weights = UNetWeights::load(findWeights(o.weights));
     setProjection(weights->projection());
     const Precision precision = o.precision == "fp32"   ? Precision::Fp32
                                 : o.precision == "bf16" ? Precision::Bf16
@@ -262,8 +262,7 @@ void addRenderCommand(CLI::App& app) {
         ->check(CLI::PositiveNumber);
     command->add_option("--weights", o->weights,
                         "The network: one that comes with the program (drc, drc-fast), or a file of weights, "
-                        "safetensors. Default: drc; "
-                        "with --time drc-fast, as more maps are then worth more than better ones");
+                        "safetensors. Default: drc-fast");
     command->add_option("--precision", o->precision, "Of the network: auto, fp32 or bf16")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fp32", "bf16"}));
