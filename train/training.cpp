@@ -103,8 +103,10 @@ void Training::updateAverage() {
 
 std::string Training::signature() const {
     const TrainingOptions& o = options_;
+    // The first number rises when the same parameters come to mean another network.
     return fmt::format(
-        "kind {} width {} levels {} size {} batch {} examples {} lr {} seed {} irradiance {} target-mean {} ablation "
+        "model 2 kind {} width {} levels {} size {} batch {} examples {} lr {} seed {} irradiance {} target-mean {} "
+        "ablation "
         "{}",
         unetKindName(model_->shape().kind), model_->shape().width, model_->shape().levels, model_->shape().size,
         o.batch, o.examples, o.learningRate, o.seed, o.irradianceWeight, targetMeanName(o.encoding.mean),
