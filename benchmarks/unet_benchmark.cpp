@@ -41,9 +41,9 @@ BENCHMARK(unetForward)
 void transformMap(benchmark::State& state) {
     constexpr size_t kTexels = 32 * 32;
     std::vector<float> radiance(3 * kTexels, 0.5f), normal(3 * kTexels), distance(kTexels, 2.f);
-    std::vector<float> planes(kInputPlanes * kTexels), decoded(3 * kTexels);
+    std::vector<float> planes(kPlainPlanes * kTexels), decoded(3 * kTexels);
     for (auto _ : state) {
-        const float mean = encodeInput(radiance.data(), normal.data(), distance.data(), kTexels, planes.data());
+        const float mean = encodeInput({radiance.data(), normal.data(), distance.data(), kTexels}, planes.data());
         decodeOutput(planes.data(), decoded.size(), mean, decoded.data());
         benchmark::DoNotOptimize(decoded.data());
     }

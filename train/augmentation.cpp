@@ -32,6 +32,8 @@ void Augmentation::apply(const Example& source, Example& result) const {
     const int n = source.size;
     const size_t texels = size_t(n) * n;
     result.resize(n);
+    result.albedo.resize(source.albedo.size());
+    result.direct.resize(source.direct.size());
     for (int v = 0; v < n; ++v)
         for (int u = 0; u < n; ++u) {
             int u2 = transpose ? v : u, v2 = transpose ? u : v;
@@ -42,6 +44,8 @@ void Augmentation::apply(const Example& source, Example& result) const {
                 const size_t s = size_t(colours[c]) * texels + from;
                 result.radiance[c * texels + to] = source.radiance[s];
                 result.target[c * texels + to] = source.target[s];
+                if (!source.albedo.empty()) result.albedo[c * texels + to] = source.albedo[s];
+                if (!source.direct.empty()) result.direct[c * texels + to] = source.direct[s];
             }
             float x = source.normal[from], y = source.normal[texels + from];
             if (transpose) std::swap(x, y);

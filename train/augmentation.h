@@ -16,6 +16,8 @@ struct Example {
     std::vector<float> normal;    // [3][size][size]
     std::vector<float> distance;  // [size][size], -1 on a miss
     std::vector<float> target;    // [3][size][size]
+    std::vector<float> albedo;    // [3][size][size]; empty if the data have none, as is
+    std::vector<float> direct;    // [3][size][size]
 
     void resize(int newSize);
 };

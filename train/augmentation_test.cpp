@@ -53,6 +53,8 @@ Direction turnBack(const Augmentation& a, Direction d) {
 Example mapOf(Projection projection, const Augmentation& a) {
     Example e;
     e.resize(kSize);
+    e.albedo.resize(e.radiance.size());
+    e.direct.resize(e.radiance.size());
     constexpr size_t kTexels = kSize * kSize;
     for (int v = 0; v < kSize; ++v)
         for (int u = 0; u < kSize; ++u) {
@@ -61,6 +63,8 @@ Example mapOf(Projection projection, const Augmentation& a) {
             for (int c = 0; c < 3; ++c) {
                 e.radiance[size_t(c) * kTexels + i] = float(light(d, a.colours[size_t(c)]));
                 e.target[size_t(c) * kTexels + i] = float(2 * light(d, a.colours[size_t(c)]));
+                e.albedo[size_t(c) * kTexels + i] = float(0.1 * light(d, a.colours[size_t(c)]));
+                e.direct[size_t(c) * kTexels + i] = float(0.3 * light(d, a.colours[size_t(c)]));
             }
             const Direction n = turn(a, surface(d));
             e.normal[i] = float(n.x);
@@ -84,6 +88,8 @@ void expectCommutes(Projection projection, const Augmentation& a) {
     expectNear(changed.target, expected.target);
     expectNear(changed.normal, expected.normal);
     expectNear(changed.distance, expected.distance);
+    expectNear(changed.albedo, expected.albedo);
+    expectNear(changed.direct, expected.direct);
 }
 
 TEST(Augmentation, ChangingTheMapIsTheMapOfAChangedScene) {

@@ -19,9 +19,10 @@ uint64_t splitMix(uint64_t x) {
     return x ^ (x >> 31);
 }
 
-Batch emptyBatch(int64_t count, int64_t size) {
+Batch emptyBatch(int64_t count, int64_t size, int planes) {
     Batch batch;
-    batch.input = torch::empty({count, kInputPlanes, size, size});
+    batch.input = torch::empty({count, planes, size, size});
+    batch.factor = torch::ones({count, kOutputPlanes, size, size});
     batch.target = torch::empty({count, kOutputPlanes, size, size});
     batch.targetMean = torch::empty({count});
     return batch;
@@ -29,12 +30,28 @@ Batch emptyBatch(int64_t count, int64_t size) {
 
 void encode(const Example& example, const Encoding& encoding, int64_t slot, Batch& batch) {
     const size_t texels = size_t(example.size) * example.size;
-    float* planes = batch.input.data_ptr<float>() + slot * int64_t(kInputPlanes * texels);
-    float mean = encodeInput(example.radiance.data(), example.normal.data(), example.distance.data(), texels, planes);
+    const bool guides = encoding.planes == kGuidedPlanes;
+    if (guides && (example.albedo.empty() || example.direct.empty()))
+        throw Error("the network sees albedos and direct light, and the data have none: learn with --planes 7");
+    const MapView map{example.radiance.data(),
+                      example.normal.data(),
+                      example.distance.data(),
+                      texels,
+                      guides ? example.albedo.data() : nullptr,
+                      guides ? example.direct.data() : nullptr};
+    float* planes = batch.input.data_ptr<float>() + slot * int64_t(size_t(encoding.planes) * texels);
+    float mean = encodeInput(map, planes);
     ablate(encoding.ablation, texels, planes);
-    if (encoding.mean == TargetMean::Own) mean = meanRadiance(example.target.data(), example.target.size());
-    encodeTarget(example.target.data(), example.target.size(), mean,
-                 batch.target.data_ptr<float>() + slot * int64_t(kOutputPlanes * texels));
+    const auto slotOf = [&](torch::Tensor& t) { return t.data_ptr<float>() + slot * int64_t(kOutputPlanes * texels); };
+    float* target = slotOf(batch.target);
+    std::copy(example.target.begin(), example.target.end(), target);
+    if (guides) {
+        float* factor = slotOf(batch.factor);
+        multiplyByAlbedo(factor, example.albedo.data(), example.albedo.size(), factor);
+        divideByAlbedo(target, example.albedo.data(), example.albedo.size(), target);
+    }
+    if (encoding.mean == TargetMean::Own) mean = meanRadiance(target, example.target.size());
+    encodeTarget(target, example.target.size(), mean, target);
     batch.targetMean.data_ptr<float>()[slot] = mean;
 }
 
@@ -70,7 +87,7 @@ Batch TrainingBatches::draw(int64_t step) {
         shuffle(int64_t(draw / indices_.size()));
         drawn.push_back(order_[draw % order_.size()]);
     }
-    Batch batch = emptyBatch(batch_, dataset_.mapSize());
+    Batch batch = emptyBatch(batch_, dataset_.mapSize(), encoding_.planes);
     // By torch's own threads: to unpack and encode takes as long as a small network's step on one of them.
     at::parallel_for(0, batch_, 1, [&](int64_t begin, int64_t end) {
         Example source, changed;
@@ -88,7 +105,7 @@ Batch TrainingBatches::draw(int64_t step) {
 Batch plainBatch(const Dataset& dataset, const std::vector<size_t>& indices, size_t first, size_t count,
                  const Encoding& encoding) {
     const int64_t size = dataset.mapSize();
-    Batch batch = emptyBatch(int64_t(count), size);
+    Batch batch = emptyBatch(int64_t(count), size, encoding.planes);
     batch.radiance = torch::empty({int64_t(count), 3, size, size});
     batch.clean = torch::empty_like(batch.radiance);
     Example example;

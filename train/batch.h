@@ -19,14 +19,18 @@ std::string targetMeanName(TargetMean mean);
 struct Encoding {
     TargetMean mean = TargetMean::Own;
     Ablation ablation = Ablation::None;
+    int planes = kPlainPlanes;  // that the network sees, MapView::planes
 };
 
 struct Batch {
-    torch::Tensor input;       // [B][7][S][S]
-    torch::Tensor target;      // [B][3][S][S], encoded
+    torch::Tensor input;       // [B][7 or 13][S][S]
+    torch::Tensor target;      // [B][3][S][S], encoded; over albedo if the network sees that
     torch::Tensor targetMean;  // [B]: the mean that the target was scaled by
-    torch::Tensor radiance;    // [B][3][S][S], noisy, not encoded; only if asked for
-    torch::Tensor clean;       // [B][3][S][S], not encoded; only if asked for
+    // [B][3][S][S]: what decoded outputs and targets are multiplied by to be radiance; ones for a network that does not
+    // see albedos.
+    torch::Tensor factor;
+    torch::Tensor radiance;  // [B][3][S][S], noisy, not encoded; only if asked for
+    torch::Tensor clean;     // [B][3][S][S], not encoded; only if asked for
 };
 
 // Drawn examples for training step `step`: the data are gone through in a new order each epoch, each time with a random

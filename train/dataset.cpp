@@ -65,6 +65,8 @@ void Dataset::load(size_t i, int realisation, Example& example) const {
     example.radiance.swap(stored.inputs.front().radiance);
     example.normal.swap(stored.inputs.front().normal);
     example.distance.swap(stored.inputs.front().distance);
+    example.albedo.swap(stored.inputs.front().albedo);
+    example.direct.swap(stored.inputs.front().direct);
     example.target.swap(stored.target);
 }
 

@@ -58,6 +58,23 @@ void downlights(const Kit& k) {
     });
 }
 
+// A small bright disk deep in a can: all that it lights itself is a patch below, and the room has what that patch sends
+// on.
+void spots(const Kit& k) {
+    const float r = k.rng.uniform(0.03f, 0.08f), depth = r * k.rng.uniform(1.5f, 5), drop = k.rng.uniform(0, 0.8f);
+    const int can = k.palette.metal.front();
+    for (int i = k.rng.integer(1, 3); i > 0; --i) {
+        const float x = k.room.width * k.rng.uniform(0.15f, 0.85f), y = k.room.depth * k.rng.uniform(0.15f, 0.85f);
+        const float top = lampHeight(k.room, x) - 0.03f - drop;
+        if (!k.room.contains(x, y, 0.2f) || !isClear(k.draft, {x, y, top}) || !isClear(k.draft, {x, y, top - depth}))
+            continue;
+        const Pen pen(k.draft, Placement::at({x, y, 0}, 0));
+        pen.cylinder({0, 0, top - 0.01f}, r * 1.05f, 0.01f, can, 24);
+        pen.shade({0, 0, top - depth}, r * 1.05f, r * 1.05f, depth - 0.01f, can);
+        pen.diskLight({0, 0, top - 0.012f}, {0, 0, -1}, r, k.group, k.palette.lightBody);
+    }
+}
+
 void pendant(const Kit& k) {
     const int style = k.rng.integer(0, 2);
     const int shadeMaterial = k.rng.pick(k.palette.shade);
@@ -203,9 +220,9 @@ struct Lamp {
     void (*place)(const Kit&);
     float weight;
 };
-const std::vector<Lamp> kLamps = {{ceilingPanels, 3}, {downlights, 2}, {pendant, 2.5f}, {wallWashers, 4},
-                                  {floorLamp, 2},     {tableLamp, 2},  {lightStrip, 1}, {glowingScreen, 0.7f},
-                                  {chandelier, 1},    {candles, 0.7f}};
+const std::vector<Lamp> kLamps = {{ceilingPanels, 3},    {downlights, 2}, {spots, 3},     {pendant, 2.5f},
+                                  {wallWashers, 4},      {floorLamp, 2},  {tableLamp, 2}, {lightStrip, 1},
+                                  {glowingScreen, 0.7f}, {chandelier, 1}, {candles, 0.7f}};
 
 // Roughly a black body between candle and shade, normalised to luminance 1.
 Rgb lightColor(Rng& rng) {

@@ -30,9 +30,10 @@ Loss::Loss(const MapLayout& layout, double irradianceWeight)
     solidAngles_ /= solidAngles_.sum();
 }
 
-torch::Tensor Loss::irradianceErrors(const torch::Tensor& output, const torch::Tensor& target) const {
-    const auto radiance = [](const torch::Tensor& encoded) {
-        return torch::expm1(torch::relu(encoded)).contiguous().flatten(2);  // in units of ten means
+torch::Tensor Loss::irradianceErrors(const torch::Tensor& output, const torch::Tensor& target,
+                                     const torch::Tensor& factor) const {
+    const auto radiance = [&](const torch::Tensor& encoded) {
+        return (torch::expm1(torch::relu(encoded)) * factor).contiguous().flatten(2);  // in units of ten means
     };
     const auto mean = [&](const torch::Tensor& maps) { return torch::matmul(maps, solidAngles_).unsqueeze(2); };
     const torch::Tensor t = radiance(target), meanOfTarget = mean(t);
@@ -43,10 +44,13 @@ torch::Tensor Loss::irradianceErrors(const torch::Tensor& output, const torch::T
     return (torch::matmul(r / unit, cosines_) - e) / torch::sqrt(e.square() + kEpsilon);
 }
 
-torch::Tensor Loss::operator()(const torch::Tensor& output, const torch::Tensor& target) const {
-    const torch::Tensor l1 = torch::l1_loss(output, target);
+torch::Tensor Loss::operator()(const torch::Tensor& output, const torch::Tensor& target,
+                               const torch::Tensor& factor) const {
+    // Over the map's own mean factor, so that a room of dark things counts as much as one of bright things.
+    const torch::Tensor weight = factor / factor.mean({1, 2, 3}, true);
+    const torch::Tensor l1 = ((output - target).abs() * weight).mean();
     if (irradianceWeight_ == 0) return l1;
-    return l1 + irradianceWeight_ * irradianceErrors(output, target).abs().mean();
+    return l1 + irradianceWeight_ * irradianceErrors(output, target, factor).abs().mean();
 }
 
 }  // namespace drc

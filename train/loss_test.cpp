@@ -19,12 +19,24 @@ class LossOn : public testing::TestWithParam<Projection> {
 
 TEST_P(LossOn, IsNoneForEqualMaps) {
     const torch::Tensor t = maps(1);
-    EXPECT_NEAR(Loss(layout_, 1)(t, t).item<double>(), 0, 1e-6);
+    EXPECT_NEAR(Loss(layout_, 1)(t, t, torch::ones_like(t)).item<double>(), 0, 1e-6);
 }
 
 TEST_P(LossOn, WithoutIrradianceIsL1) {
     const torch::Tensor a = maps(1), b = maps(2);
-    EXPECT_NEAR(Loss(layout_, 0)(a, b).item<double>(), (a - b).abs().mean().item<double>(), 1e-7);
+    EXPECT_NEAR(Loss(layout_, 0)(a, b, torch::ones_like(a)).item<double>(), (a - b).abs().mean().item<double>(), 1e-7);
+}
+
+// An error on a surface that sends on a third of another's light counts a third; whether all are dark does not matter.
+TEST_P(LossOn, ErrorsCountByTheLightThatTheyMakeWrong) {
+    const torch::Tensor t = maps(1), left = torch::zeros_like(t);
+    left.slice(3, 0, 16).fill_(1);
+    const torch::Tensor factor = 0.9 - 0.6 * left, wrongLeft = t + 0.1 * left, wrongRight = t + 0.1 * (1 - left);
+    const Loss loss(layout_, 0);
+    const double a = loss(wrongLeft, t, factor).item<double>(), b = loss(wrongRight, t, factor).item<double>();
+    EXPECT_NEAR(a, 0.1 * 0.25, 1e-5);
+    EXPECT_NEAR(b, 0.1 * 0.75, 1e-5);
+    EXPECT_NEAR(loss(wrongLeft, t, factor * 0.1).item<double>(), a, 1e-6);
 }
 
 // What the renderer's energy match takes away anyway must not be learned.
@@ -32,15 +44,15 @@ TEST_P(LossOn, IrradianceDoesNotDependOnTheScaleOfAChannel) {
     const torch::Tensor t = maps(3);
     const torch::Tensor scales = torch::tensor({0.5f, 1.f, 3.f}).view({1, 3, 1, 1});
     const torch::Tensor scaled = torch::log1p(torch::expm1(t) * scales);
-    EXPECT_LT(Loss(layout_, 1).irradianceErrors(scaled, t).abs().max().item<double>(), 1e-4);
+    EXPECT_LT(Loss(layout_, 1).irradianceErrors(scaled, t, torch::ones_like(t)).abs().max().item<double>(), 1e-4);
 }
 
 TEST_P(LossOn, IrradianceIsWhatTheEvaluationMeasures) {
-    const torch::Tensor a = maps(4), b = maps(5);
-    const torch::Tensor errors = Loss(layout_, 1).irradianceErrors(a, b);
+    const torch::Tensor a = maps(4), b = maps(5), factor = torch::rand_like(a) + 0.05;
+    const torch::Tensor errors = Loss(layout_, 1).irradianceErrors(a, b, factor);
     for (int i = 0; i < 4; ++i) {
         const auto radiance = [&](const torch::Tensor& t) {
-            const torch::Tensor r = torch::expm1(t[i]).contiguous();
+            const torch::Tensor r = (torch::expm1(t[i]) * factor[i]).contiguous();
             return std::vector<float>(r.data_ptr<float>(), r.data_ptr<float>() + r.numel());
         };
         std::vector<float> map = radiance(a);

@@ -16,13 +16,15 @@ std::string moduleName(std::string name) {
     return name;
 }
 
-// [1][7][1][1]: what the input planes are multiplied by before the network sees them. Encoded radiance and distance
-// vary by about a tenth, normals by one: weights that all move by the same small steps, as Adam's do, would attend to
-// normals first and find the radiance late. Exported weights contain it. The paper's network is left as it is.
+// [1][inputs][1][1]: what the input planes are multiplied by before the network sees them. Encoded radiance and
+// distance vary by about a tenth, albedos by a quarter, normals by one: weights that all move by the same small steps,
+// as Adam's do, would attend to normals first and find the radiance late. Exported weights contain it. The paper's
+// network is left as it is.
 torch::Tensor inputScale(const UNetShape& shape) {
     torch::Tensor scale = torch::ones({1, shape.inputs, 1, 1});
     if (shape.kind == UNetKind::Paper) return scale;
     for (const int plane : {0, 1, 2, 6}) scale[0][plane] = 10;
+    for (int plane = kPlainPlanes; plane < shape.inputs; ++plane) scale[0][plane] = plane < kPlainPlanes + 3 ? 4 : 10;
     return scale;
 }
 

@@ -14,8 +14,8 @@ class ModelImpl : public torch::nn::Module {
     // He initialisation for LeakyReLU; the last layer starts near the mean of a target. Uses torch's global generator.
     explicit ModelImpl(const UNetShape& shape);
 
-    // [B][7][S][S] -> [B][3][S][S]. Without the final ReLU while it learns: where a ReLU is closed nothing can be
-    // learnt, and as targets are never negative, closing it later only brings an output nearer to its target.
+    // [B][shape.inputs][S][S] -> [B][3][S][S]. Without the final ReLU while it learns: where a ReLU is closed nothing
+    // can be learnt, and as targets are never negative, closing it later only brings an output nearer to its target.
     torch::Tensor forward(torch::Tensor x);
 
     const UNetShape& shape() const { return shape_; }

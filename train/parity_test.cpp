@@ -10,26 +10,27 @@
 namespace drc {
 namespace {
 
-class Parity : public testing::TestWithParam<std::tuple<UNetKind, int>> {};
+class Parity : public testing::TestWithParam<std::tuple<UNetKind, int, int>> {};
 
 TEST_P(Parity, LibtorchAndOneDnnAgree) {
     UNetShape shape;
-    std::tie(shape.kind, shape.width) = GetParam();
+    std::tie(shape.kind, shape.width, shape.inputs) = GetParam();
     torch::manual_seed(3);
     Model model(shape);
-    model->setWeights(*UNetWeights::random(shape, 12));
+    model->setWeights(*UNetWeights::random(shape, 13));
     model->eval();
 
     // By way of a file, so that the export is tested as well.
-    const auto path = std::filesystem::temp_directory_path() /
-                      fmt::format("drc_parity_{}_{}.safetensors", unetKindName(shape.kind), shape.width);
+    const auto path =
+        std::filesystem::temp_directory_path() /
+        fmt::format("drc_parity_{}_{}_{}.safetensors", unetKindName(shape.kind), shape.width, shape.inputs);
     model->weights()->save(path.string(), {{"projection", "equal-area"}});
     const auto weights = UNetWeights::load(path.string());
     std::filesystem::remove(path);
 
     const torch::NoGradGuard noGrad;
     constexpr int kCount = 5;
-    const torch::Tensor input = torch::randn({kCount, 7, 32, 32}) * 0.3;
+    const torch::Tensor input = torch::randn({kCount, shape.inputs, 32, 32}) * 0.3;
     const torch::Tensor expected = model->forward(input).contiguous();
     ASSERT_GT(expected.abs().mean().item<double>(), 0.01);
     for (Precision precision : {Precision::Fp32, Precision::Bf16}) {
@@ -40,7 +41,9 @@ TEST_P(Parity, LibtorchAndOneDnnAgree) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Parity, testing::Combine(testing::ValuesIn(kUNetKinds), testing::Values(8, 16, 32)));
+INSTANTIATE_TEST_SUITE_P(Shapes, Parity,
+                         testing::Combine(testing::ValuesIn(kUNetKinds), testing::Values(8, 16, 32),
+                                          testing::Values(kPlainPlanes, kGuidedPlanes)));
 
 // Statistics that a training gathers are what the exported scale and shift come from.
 TEST(ParityOfNetworks, NormalisationAfterLearning) {

@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 struct Options {
     std::vector<std::string> data, validationData, validationScenes;
     std::string output, curve, checkpoint, init, commit, command, targetMean = "own", kind = "plain", ablation = "none";
-    int width = 32, levels = 4, threads = 0;
+    int width = 32, levels = 4, planes = 0, threads = 0;
     int64_t reportEvery = 20000;
     size_t validationExamples = 512;
     double validationFraction = 0.1;
@@ -53,6 +53,10 @@ void parse(CLI::App& app, Options& o) {
         ->capture_default_str();
     app.add_option("--width", o.width, "Channels of the first level")->capture_default_str()->check(CLI::Range(1, 512));
     app.add_option("--levels", o.levels, "Levels of the network")->capture_default_str()->check(CLI::Range(1, 6));
+    app.add_option("--planes", o.planes,
+                   "7: radiance, normals and distance, as the paper; 13: and albedos and direct light. By default "
+                   "7 for the paper's network, 13 for others")
+        ->check(CLI::IsMember({kPlainPlanes, kGuidedPlanes}));
     app.add_option("--lr", t.learningRate, "Peak learning rate")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--irradiance", t.irradianceWeight, "Weight of the irradiance's error in the loss")
         ->capture_default_str()
@@ -132,7 +136,6 @@ void exportWeights(const Options& o, const Training& training, Model& model, con
 }
 
 int run(Options o) {
-    o.training.encoding = {parseTargetMean(o.targetMean), parseAblation(o.ablation)};
     at::set_num_threads(o.threads > 0 ? o.threads : int(std::max(1u, std::thread::hardware_concurrency())));
     if (o.output.empty() && o.training.examples > 0) throw Error("--output is missing: where to write the weights?");
 
@@ -153,6 +156,7 @@ int run(Options o) {
     shape.width = o.width;
     shape.levels = o.levels;
     shape.size = dataset.mapSize();
+    shape.inputs = o.planes > 0 ? o.planes : shape.kind == UNetKind::Paper ? kPlainPlanes : kGuidedPlanes;
     std::shared_ptr<const UNetWeights> init;
     if (!o.init.empty()) {
         init = UNetWeights::load(o.init);
@@ -164,6 +168,7 @@ int run(Options o) {
     if (shape.size % (1 << (shape.levels - 1)) != 0)
         throw Error(
             fmt::format("maps of {0}x{0} cannot be halved {1} times: lower --levels", shape.size, shape.levels - 1));
+    o.training.encoding = {parseTargetMean(o.targetMean), parseAblation(o.ablation), shape.inputs};
     Training training(shape, dataset, split.training, o.training);
     if (init) training.startFrom(*init);
     if (!o.checkpoint.empty() && std::filesystem::exists(o.checkpoint)) {

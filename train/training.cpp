@@ -73,7 +73,7 @@ torch::Tensor Training::forwardLoss(const Batch& batch) {
         const Autocast autocast(options_.bf16);
         output = model_->forward(batch.input);
     }
-    return loss_(output.to(torch::kFloat32), batch.target);
+    return loss_(output.to(torch::kFloat32), batch.target, batch.factor);
 }
 
 double Training::step() {
@@ -105,12 +105,13 @@ std::string Training::signature() const {
     const TrainingOptions& o = options_;
     // The first number rises when the same parameters come to mean another network.
     return fmt::format(
-        "model 2 kind {} width {} levels {} size {} batch {} examples {} lr {} seed {} irradiance {} target-mean {} "
+        "model 2 kind {} planes {} width {} levels {} size {} batch {} examples {} lr {} seed {} irradiance {} "
+        "target-mean {} "
         "ablation "
         "{}",
-        unetKindName(model_->shape().kind), model_->shape().width, model_->shape().levels, model_->shape().size,
-        o.batch, o.examples, o.learningRate, o.seed, o.irradianceWeight, targetMeanName(o.encoding.mean),
-        ablationName(o.encoding.ablation));
+        unetKindName(model_->shape().kind), model_->shape().inputs, model_->shape().width, model_->shape().levels,
+        model_->shape().size, o.batch, o.examples, o.learningRate, o.seed, o.irradianceWeight,
+        targetMeanName(o.encoding.mean), ablationName(o.encoding.ablation));
 }
 
 void Training::save(const std::string& path) {

@@ -8,12 +8,8 @@ namespace {
 
 torch::Tensor meanOf(const torch::Tensor& maps) { return maps.mean({1, 2, 3}, true).clamp_min(1e-30); }
 
-// On the network's scale with the mean that the target was scaled by, or the map's own.
-torch::Tensor encoded(const torch::Tensor& maps, const Batch& batch, TargetMean mean) {
-    const torch::Tensor m =
-        mean == TargetMean::Own ? meanOf(maps) : batch.targetMean.view({-1, 1, 1, 1}).clamp_min(1e-30);
-    return torch::log1p(maps / (10 * m));
-}
+// Radiance on the network's scale, by its own mean.
+torch::Tensor encoded(const torch::Tensor& maps) { return torch::log1p(maps / (10 * meanOf(maps))); }
 
 double l1(const torch::Tensor& a, const torch::Tensor& b) { return (a - b).abs().mean().item<double>(); }
 
@@ -44,18 +40,19 @@ Validation validate(Model& model, const Dataset& dataset, const std::vector<size
     for (size_t first = 0; first < indices.size(); first += kBatch) {
         const size_t count = std::min(kBatch, indices.size() - first);
         const Batch batch = plainBatch(dataset, indices, first, count, encoding);
-        const torch::Tensor truth = batch.clean / meanOf(batch.clean);
-        const auto add = [&](MapErrors& sum, const torch::Tensor& log, const torch::Tensor& radiance) {
-            sum.log += double(count) * l1(log, batch.target);
+        const torch::Tensor truth = batch.clean / meanOf(batch.clean), target = encoded(batch.clean);
+        const torch::Tensor ones = torch::ones_like(target);
+        const auto add = [&](MapErrors& sum, const torch::Tensor& radiance) {
+            const torch::Tensor log = encoded(radiance);
+            sum.log += double(count) * l1(log, target);
             sum.intensity += double(count) * l1(radiance / meanOf(radiance), truth);
-            sum.irradiance += double(count) * loss.irradianceErrors(log, batch.target).square().mean().item<double>();
+            sum.irradiance += double(count) * loss.irradianceErrors(log, target, ones).square().mean().item<double>();
         };
         const torch::Tensor output = model->forward(batch.input).contiguous();
-        add(result.network, output, torch::expm1(output));
+        add(result.network, torch::expm1(torch::relu(output)) * batch.factor);
         const torch::Tensor noisy = batch.radiance.nan_to_num(0, 0, 0).clamp_min(0);
-        add(result.none, encoded(noisy, batch, encoding.mean), noisy);
-        const torch::Tensor blurred = gaussianBlur(noisy, 1);
-        add(result.gaussian, encoded(blurred, batch, encoding.mean), blurred);
+        add(result.none, noisy);
+        add(result.gaussian, gaussianBlur(noisy, 1));
     }
     result.examples = indices.size();
     if (!indices.empty())

@@ -8,9 +8,8 @@
 
 namespace drc {
 
-// `log` and `intensity` are mean absolute errors. `log`: on the network's scale, which is what the training minimises.
-// `intensity`: of the final radiance, each map divided by its own mean (energy is matched after the network, so that
-// only the shape counts).
+// Of radiance, each map divided by its own mean: energy is matched after the network, so that only the shape counts.
+// `log` and `intensity` are mean absolute errors, `log` on the network's scale (neural/transforms.h).
 struct MapErrors {
     double log = 0, intensity = 0;
     double irradiance = 0;  // mean square of Loss::irradianceErrors

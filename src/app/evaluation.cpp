@@ -48,11 +48,16 @@ std::vector<EvaluatedNetwork> loadNetworks(const std::vector<std::string>& named
 }
 
 // Groups in the order in which their first files are met.
-EvaluatedGroup& groupOf(const MapLayout& layout, std::vector<EvaluatedGroup>& groups) {
+EvaluatedGroup& groupOf(const ExampleSource& source, std::vector<EvaluatedGroup>& groups) {
+    const MapLayout& layout = source.layout();
     for (EvaluatedGroup& group : groups)
-        if (group.layout.projection() == layout.projection() && group.layout.size() == layout.size()) return group;
-    groups.emplace_back().layout = layout;
-    return groups.back();
+        if (group.layout.projection() == layout.projection() && group.layout.size() == layout.size() &&
+            group.guides == source.guides())
+            return group;
+    EvaluatedGroup& group = groups.emplace_back();
+    group.layout = layout;
+    group.guides = source.guides();
+    return group;
 }
 
 void openFiles(const EvaluationSettings& settings, const std::vector<std::string>& paths, Evaluation& result) {
@@ -60,8 +65,7 @@ void openFiles(const EvaluationSettings& settings, const std::vector<std::string
         try {
             std::shared_ptr<const ExampleSource> source = openExamples(path);
             if (source->count() == 0) throw Error(SourceLocation{path}, "no examples in it");
-            groupOf(source->layout(), result.groups)
-                .files.push_back({source, settings.allInputs ? source->inputs() : 1});
+            groupOf(*source, result.groups).files.push_back({source, settings.allInputs ? source->inputs() : 1});
             ++result.files;
         } catch (const Error& e) {
             logWarning(std::string(e.what()) + "; skipped");
@@ -82,6 +86,8 @@ void makeMethods(bool networksNamed, Evaluation& result) {
         bool fits = false;
         for (EvaluatedGroup& group : result.groups) {
             try {
+                if (!group.guides && network.weights->shape().inputs == kGuidedPlanes)
+                    throw Error("the network sees albedos and direct light, and these examples have none");
                 group.methods.push_back({network.name, makeNetworkEnhancer(network.weights, group.layout), {}});
                 fits = true;
             } catch (const Error& error) {
@@ -121,7 +127,8 @@ void runMethods(const EvaluationSettings& settings, Evaluation& result) {
 
 std::string EvaluatedGroup::name() const {
     const std::string projection = projectionName(layout.projection());
-    return layout.size() == kUsualSize ? projection : fmt::format("{0} {1}x{1}", projection, layout.size());
+    const std::string size = layout.size() == kUsualSize ? "" : fmt::format(" {0}x{0}", layout.size());
+    return projection + size + (guides ? "" : " without albedos");
 }
 
 Evaluation evaluate(const EvaluationSettings& settings) {

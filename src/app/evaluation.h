@@ -44,12 +44,14 @@ struct ExampleKey {
 
 struct EvaluatedGroup {
     MapLayout layout{Projection::EqualArea, 32};
+    bool guides = true;  // ExampleSource::guides, of all of its files
     std::vector<EvaluatedFile> files;
     std::vector<ExampleKey> examples;
     std::vector<EvaluatedMethod> methods;  // none, gaussian, networks in the order of their naming
 
     const std::string& scene(const ExampleKey& key) const { return files[key.file].source->scene(); }
-    // "equal-area", or "equal-area 16x16" where a size must be told from the usual one.
+    // "equal-area", or "equal-area 16x16" where a size must be told from the usual one; says if there are no
+    // albedos.
     std::string name() const;
 };
 

@@ -70,6 +70,9 @@ std::string exampleBlock(const EvaluatedGroup& group, const ExampleKey& key, con
         maps.size() > kMethodsAtFullSize ? 128 : 160);
     block += "<figure><div>distance</div>\n" + image(distancePicture(example.inputs.front(), layout), "distance") +
              image(normalPicture(example.inputs.front(), layout), "normals") + "<div>normals</div></figure>\n";
+    if (group.guides)
+        block += "<figure><div>albedo</div>\n" +
+                 image(radiancePicture(example.inputs.front().albedo, layout, 1), "albedo") + "</figure>\n";
     for (size_t m = 0; m < maps.size(); ++m)
         block += methodColumn(m == 0 ? group.methods[m].name + ": 1 sample a texel" : group.methods[m].name, maps[m],
                               layout, exposure, white);

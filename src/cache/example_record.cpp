@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little, "records are little en
 
 // Level 19 makes records 3 to 5 % smaller and takes eighty times as long.
 constexpr int kCompressionLevel = 3;
-constexpr float kSnorm = 32767;
+constexpr float kSnorm = 32767, kUnorm = 255;
 constexpr int kHalfExponent = 14;  // the largest half is just below 2^16; rounding up must not reach it
 
 bool allFinite(std::span<const float> values) {
@@ -98,7 +98,7 @@ class Unpacker {
 };
 
 constexpr size_t kSiteBytes = 14 * 4;
-size_t inputBytes(const MapLayout& layout) { return 2 * 4 + 2 * 7 * size_t(layout.texels()); }
+size_t inputBytes(const MapLayout& layout) { return 3 * 4 + (2 * 10 + 3) * size_t(layout.texels()); }
 size_t exampleBytes(const MapLayout& layout, int inputs) {
     return kSiteBytes + size_t(inputs) * inputBytes(layout) + 2 * (4 + 2 * 3 * size_t(layout.texels()));
 }
@@ -124,6 +124,8 @@ std::string packExample(const TrainingExample& example) {
         to.words(input.normal,
                  [](float v) { return uint16_t(int16_t(std::lround(std::clamp(v, -1.f, 1.f) * kSnorm))); });
         to.halves(input.distance);
+        for (const float v : input.albedo) to.number(uint8_t(std::lround(std::clamp(v, 0.f, 1.f) * kUnorm)));
+        to.halves(input.direct);
     }
     to.halves(example.target);
     to.halves(example.targetDeviation.empty() ? std::vector<float>(example.target.size()) : example.targetDeviation);
@@ -150,6 +152,9 @@ void unpackExample(std::string_view bytes, const MapLayout& layout, int inputs, 
         from.halves(3 * texels, input.radiance);
         from.words(3 * texels, input.normal, [](uint16_t w) { return std::max(-1.f, float(int16_t(w)) / kSnorm); });
         from.halves(texels, input.distance);
+        input.albedo.resize(3 * texels);
+        for (float& v : input.albedo) v = float(from.number<uint8_t>()) / kUnorm;
+        from.halves(3 * texels, input.direct);
     }
     from.skip(size_t(inputs - first - count) * inputBytes(layout));
     from.halves(3 * texels, example.target);
@@ -160,7 +165,8 @@ void unpackExample(std::string_view bytes, const MapLayout& layout, int inputs, 
 
 bool isSound(const TrainingExample& example) {
     const auto sound = [](const CapturedMap& map) {
-        return isLight(map.radiance) && allFinite(map.normal) && allFinite(map.distance);
+        return isLight(map.radiance) && allFinite(map.normal) && allFinite(map.distance) && allFinite(map.albedo) &&
+               isLight(map.direct);
     };
     return std::all_of(example.inputs.begin(), example.inputs.end(), sound) && isLight(example.target) &&
            isLight(example.targetDeviation) &&

@@ -44,6 +44,8 @@ TEST(ExampleRecord, KeepsAnExample) {
             expectClose(back.inputs[i].radiance, example.inputs[i].radiance, kHalf);
             expectClose(back.inputs[i].distance, example.inputs[i].distance, kHalf);
             expectClose(back.inputs[i].normal, example.inputs[i].normal, 0, 0.5f / 32767 + 1e-7f);
+            expectClose(back.inputs[i].albedo, example.inputs[i].albedo, 0, 0.5f / 255 + 1e-7f);
+            expectClose(back.inputs[i].direct, example.inputs[i].direct, kHalf);
         }
         expectClose(back.target, example.target, kHalf);
         expectClose(back.targetDeviation, example.targetDeviation, kHalf);
@@ -58,6 +60,8 @@ TEST(ExampleRecord, AnInputAloneIsTheSameAsAmongAll) {
         EXPECT_EQ(one.inputs[0].radiance, all.inputs[size_t(i)].radiance);
         EXPECT_EQ(one.inputs[0].normal, all.inputs[size_t(i)].normal);
         EXPECT_EQ(one.inputs[0].distance, all.inputs[size_t(i)].distance);
+        EXPECT_EQ(one.inputs[0].albedo, all.inputs[size_t(i)].albedo);
+        EXPECT_EQ(one.inputs[0].direct, all.inputs[size_t(i)].direct);
         EXPECT_EQ(one.target, all.target);
         EXPECT_EQ(one.targetDeviation, all.targetDeviation);
     }

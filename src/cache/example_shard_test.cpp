@@ -198,10 +198,10 @@ TEST_F(ExampleShards, OfOtherKindsAreRefusedAndNotWrittenTo) {
     EXPECT_THAT(openError(), StartsWith(path_));
     write();
     std::string later = readFile(path_);
-    later[8] = 2;
+    later[8] = 3;
     std::ofstream(path_, std::ios::binary) << later;
-    EXPECT_THAT(openError(), HasSubstr("examples of version 2"));
-    later[8] = 1;
+    EXPECT_THAT(openError(), HasSubstr("examples of version 3"));
+    later[8] = 2;
     later[40] = '\x01';
     std::ofstream(path_, std::ios::binary) << later;
     EXPECT_THAT(openError(), HasSubstr("header is damaged"));

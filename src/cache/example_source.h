@@ -18,8 +18,9 @@ class ExampleSource {
     const std::string& path() const { return path_; }
     const std::string& scene() const { return scene_; }
     const MapLayout& layout() const { return layout_; }
-    int inputs() const { return inputs_; }  // realisations of each example, at least 1
-    int count() const { return count_; }    // examples that can be loaded
+    int inputs() const { return inputs_; }   // realisations of each example, at least 1
+    int count() const { return count_; }     // examples that can be loaded
+    bool guides() const { return guides_; }  // whether CapturedMap::albedo and direct are there
     // One line that begins with the path: what of it cannot be used. Empty if nothing is wrong.
     const std::string& damage() const { return damage_; }
 
@@ -34,6 +35,7 @@ class ExampleSource {
     std::string path_, scene_, damage_;
     MapLayout layout_{Projection::EqualArea, 32};
     int inputs_ = 1, count_ = 0;
+    bool guides_ = true;
 };
 
 // What openExamples can open, sorted by path: files as named; of folders, every shard and every folder of PFM files

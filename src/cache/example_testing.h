@@ -32,6 +32,10 @@ inline TrainingExample randomExample(const MapLayout& layout, int inputs, unsign
         map.frame = Frame::fromNormal(normalize(Vec3(1, 2, 3)));
         map.radiance = randomLight(3 * texels, seed * 100 + unsigned(i));
         map.distance = randomLight(texels, seed * 100 + 50 + unsigned(i));
+        map.direct = map.radiance;
+        for (float& v : map.direct) v *= uniform(random);
+        map.albedo.resize(3 * texels);
+        for (float& v : map.albedo) v = uniform(random);
         map.normal.resize(3 * texels);
         for (size_t t = 0; t < texels; ++t) {
             const Vec3 n = normalize(Vec3(uniform(random) - 0.5f, uniform(random) - 0.5f, uniform(random)));

@@ -102,6 +102,7 @@ bool isIisptFile(std::string_view name) { return parseName(name).has_value(); }
 
 IisptFolder::IisptFolder(const std::string& path) {
     path_ = path;
+    guides_ = false;
     scene_ = fs::absolute(path).lexically_normal().filename().string();
     if (scene_.empty()) scene_ = fs::absolute(path).lexically_normal().parent_path().filename().string();
     std::map<std::pair<int, int>, std::set<char>> found;  // by row and column

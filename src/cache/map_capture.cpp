@@ -40,6 +40,8 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
     result.radiance.resize(3 * texels);
     result.normal.resize(3 * texels);
     result.distance.resize(texels);
+    result.albedo.resize(3 * texels);
+    result.direct.resize(3 * texels);
     const bool deviations = settings.deviations && settings.samplesPerTexel > 1;
     result.deviation.resize(deviations ? 3 * texels : 0);
 
@@ -73,7 +75,11 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
                 if (s > 0) continue;
                 result.distance[texel] = first.distance;
                 const Vec3 normal = frame.toLocal(first.normal);
-                for (size_t c = 0; c < 3; ++c) result.normal[c * texels + texel] = normal[int(c)];
+                for (size_t c = 0; c < 3; ++c) {
+                    result.normal[c * texels + texel] = normal[int(c)];
+                    result.albedo[c * texels + texel] = first.albedo[int(c)];
+                    result.direct[c * texels + texel] = first.direct[int(c)];
+                }
             }
             for (size_t c = 0; c < 3; ++c) result.radiance[c * texels + texel] = sum[int(c)] * weight;
             if (!deviations) continue;

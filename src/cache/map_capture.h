@@ -17,6 +17,10 @@ struct CapturedMap {
     std::vector<float> radiance;  // [3][N*N], W / (sr m^2)
     std::vector<float> normal;    // [3][N*N], in the map's frame, towards the origin; zero where a ray escaped
     std::vector<float> distance;  // [N*N], world units; -1 where a ray escaped
+    std::vector<float> albedo;    // [3][N*N], of what is seen (FirstHit), in [0, 1]. Empty in data that have none
+    // [3][N*N]: what of `radiance` came to the surface seen straight from emitters (FirstHit::direct): less noisy than
+    // the rest, and sharper. Empty in data that have none
+    std::vector<float> direct;
     // [3][N*N]: square root of the estimated variance of each value of `radiance`. Empty unless asked for. Too large
     // rather than too small: it takes a texel's samples for independent, and they are stratified.
     std::vector<float> deviation;
@@ -33,7 +37,8 @@ struct CaptureSettings {
 Frame mapFrame(const Vec3& n, const Vec3& up);
 
 // stream: seed of this map's random numbers. `result`'s buffers are reused. Each texel is the mean of its samples;
-// distance and normal are those of the first.
+// distance, normal, albedo and direct
+// light are those of the first.
 // time: of the map's rays. None: each has its own, uniformly while the camera's shutter is open, so that the map is the
 // mean over the exposure. See captureTime.
 void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const SpawnPoint& from, const Frame& frame,

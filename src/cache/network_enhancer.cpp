@@ -15,6 +15,7 @@ class NetworkEnhancer final : public Enhancer {
   public:
     NetworkEnhancer(std::shared_ptr<const UNetWeights> weights, size_t texels, Precision precision)
         : texels_(texels),
+          planes_(size_t(weights->shape().inputs)),
           ablation_(weights->ablation()),
           workers_([weights, texels, precision] { return Worker(weights, texels, precision); }) {}
 
@@ -30,7 +31,7 @@ class NetworkEnhancer final : public Enhancer {
     struct Worker {
         Worker(const std::shared_ptr<const UNetWeights>& weights, size_t texels, Precision precision)
             : net(weights, kBatch, precision),
-              input(kBatch * kInputPlanes * texels),
+              input(kBatch * size_t(weights->shape().inputs) * texels),
               output(kBatch * kOutputPlanes * texels),
               decoded(kOutputPlanes * texels) {}
         UNet net;
@@ -38,23 +39,34 @@ class NetworkEnhancer final : public Enhancer {
         float mean[kBatch] = {};
     };
 
+    bool seesGuides() const { return planes_ == size_t(kGuidedPlanes); }
+    MapView view(const CapturedMap& map) const {
+        if (!seesGuides()) return {map.radiance.data(), map.normal.data(), map.distance.data(), texels_};
+        if (map.albedo.empty() || map.direct.empty())
+            throw Error("the network sees albedos and direct light, and these maps have none");
+        return {map.radiance.data(), map.normal.data(), map.distance.data(), texels_,
+                map.albedo.data(),   map.direct.data()};
+    }
+
     void enhanceBatch(std::span<CapturedMap> maps, const MapLayout& layout, Worker& worker) const {
         for (size_t i = 0; i < maps.size(); ++i) {
-            float* planes = worker.input.data() + i * kInputPlanes * texels_;
-            worker.mean[i] =
-                encodeInput(maps[i].radiance.data(), maps[i].normal.data(), maps[i].distance.data(), texels_, planes);
+            float* planes = worker.input.data() + i * planes_ * texels_;
+            worker.mean[i] = encodeInput(view(maps[i]), planes);
             ablate(ablation_, texels_, planes);
         }
         worker.net.run(worker.input.data(), worker.output.data(), int(maps.size()));
         for (size_t i = 0; i < maps.size(); ++i) {
             decodeOutput(worker.output.data() + i * kOutputPlanes * texels_, kOutputPlanes * texels_, worker.mean[i],
                          worker.decoded.data());
+            if (seesGuides())
+                multiplyByAlbedo(worker.decoded.data(), maps[i].albedo.data(), worker.decoded.size(),
+                                 worker.decoded.data());
             matchEnergy(maps[i].radiance, layout, worker.decoded);
             maps[i].radiance = worker.decoded;
         }
     }
 
-    size_t texels_;
+    size_t texels_, planes_;
     Ablation ablation_;
     mutable tbb::enumerable_thread_specific<Worker> workers_;
 };

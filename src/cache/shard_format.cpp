@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "shards are little end
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "DRCEXMPL", kRecordMagic = "DRCR";
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 constexpr size_t kPreambleBytes = 24;
 
 template <typename T>

@@ -1,5 +1,7 @@
 #include "integrators/path_tracer.h"
 
+#include <utility>
+
 namespace drc {
 namespace {
 
@@ -22,6 +24,13 @@ constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection
 float powerHeuristic(float a, float b) {
     const float a2 = a * a, b2 = b * b;
     return a2 > 0 ? a2 / (a2 + b2) : 0;
+}
+
+// Lobes only estimate their albedos.
+Rgb unitAlbedo(const Bsdf& bsdf, const Vec3& wo) {
+    Rgb albedo = bsdf.albedo(wo);
+    for (int c = 0; c < 3; ++c) albedo[c] = albedo[c] > 0 ? std::min(albedo[c], 1.f) : 0.f;
+    return albedo;
 }
 
 float spreadAfter(const BsdfSample& s, float spread) {
@@ -151,6 +160,8 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
     bool counted = emission == Emission::Counted;
     // What is left out is direct light: the vertex that the ray leaves was the path's first.
     const int maxDepth = settings_.maxDepth - (counted ? 0 : 1);
+    // Where to record what comes next: each until it is known.
+    FirstHit *hitWanted = first, *albedoWanted = nullptr, *directWanted = first;
     SurfaceInteraction hit;
     Accel::Found found;
     bool met = start == nullptr && accel_.find(path.ray, found);
@@ -162,10 +173,10 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
             if (counted) sum += path.throughput * emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group);
             break;
         }
-        if (first) {
-            first->distance = length(hit.p - path.from);
-            first->normal = faceForward(hit.ng, hit.wo);
-            first = nullptr;
+        if (hitWanted) {
+            hitWanted->distance = length(hit.p - path.from);
+            hitWanted->normal = faceForward(hit.ng, hit.wo);
+            albedoWanted = std::exchange(hitWanted, nullptr);
         }
         if (counted) sum += path.throughput * emissionAtHit(hit, path.from, path.pdf);
         if (!hit.primitive->material) {  // an emitter without a body
@@ -180,20 +191,29 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
         path.group = groupOf(hit, bsdf);
+        if (albedoWanted) std::exchange(albedoWanted, nullptr)->albedo = unitAlbedo(bsdf, hit.wo);
         const BsdfView view(bsdf, hit.wo);
         const VertexNumbers u(sampler);
         LightProposal light;
         if (bsdf.hasNonSpecular()) light = proposeLight(hit, view, path.group, u);
         const Rgb throughput = path.throughput;
+        const int depth = path.depth;
         const bool goesOn = scatter(path, hit, view, u);
         // The path's own ray before the shadow ray, which then hides the wait for the data of the surface met.
         met = goesOn && accel_.find(path.ray, found);
+        if (directWanted && depth > 0) std::exchange(directWanted, nullptr)->direct = sum;
         sum += throughput * arriving(hit, light);
         if (!goesOn) break;
     }
-    if (!isFinite(sum)) return Rgb(0.f);
+    if (directWanted) directWanted->direct = sum;
+    if (!isFinite(sum)) {
+        if (first) first->direct = Rgb(0.f);
+        return Rgb(0.f);
+    }
     const float l = luminance(sum);
-    return l > settings_.clamp ? sum * (settings_.clamp / l) : sum;
+    if (l <= settings_.clamp) return sum;
+    if (first) first->direct *= settings_.clamp / l;
+    return sum * (settings_.clamp / l);
 }
 
 Rgb PathTracer::radiance(const Ray& ray, Sampler& sampler) const {

@@ -24,6 +24,11 @@ struct PathSettings {
 struct FirstHit {
     float distance = -1;   // world units; -1: the path escaped
     Vec3 normal{0, 0, 0};  // geometric, turned towards the origin; zero if it escaped
+    // Share of light that the surface sends on towards the origin (Bsdf::albedo), in [0, 1]. Of an emitter without a
+    // body, that of what lies behind; zero if the path escaped.
+    Rgb albedo{0.f};
+    // Of the sample, what reaches the first non-specular vertex straight from emitters; the rest has been at another.
+    Rgb direct{0.f};
 };
 
 // A non-specular hit seen by the camera, with the share of its radiance that reaches the pixel.

@@ -16,6 +16,10 @@ constexpr float kMaxEncoded = 30.f;
 
 float radianceOrZero(float value) { return std::isfinite(value) && value > 0 ? value : 0.f; }
 
+constexpr float kAlbedoOffset = 0.05f;
+float unitOrZero(float value) { return value > 0 ? std::min(value, 1.f) : 0.f; }  // also takes NaN to 0
+float offAlbedo(float albedo) { return unitOrZero(albedo) + kAlbedoOffset; }
+
 // 1/(10 m), or 0 for a mean so small that its inverse overflows: the map then counts as black.
 float inverseScale(float mean) {
     return mean > std::numeric_limits<float>::min() * kScale && std::isfinite(mean) ? 1 / (kScale * mean) : 0.f;
@@ -27,6 +31,10 @@ float logScale(float value, float inverse) {
     return std::log(1 + std::min(value * inverse, std::numeric_limits<float>::max()));
 }
 
+void encodeLight(float* values, size_t count, float inverse) {
+    for (size_t i = 0; i < count; ++i) values[i] = logScale(radianceOrZero(values[i]), inverse) - kOffset;
+}
+
 }  // namespace
 
 float meanRadiance(const float* radiance, size_t count) {
@@ -35,10 +43,30 @@ float meanRadiance(const float* radiance, size_t count) {
     return count ? float(sum / double(count)) : 0.f;
 }
 
-float encodeInput(const float* radiance, const float* normal, const float* distance, size_t texels, float* planes) {
-    const float mean = meanRadiance(radiance, 3 * texels);
+void divideByAlbedo(const float* radiance, const float* albedo, size_t count, float* result) {
+    for (size_t i = 0; i < count; ++i) result[i] = radiance[i] / offAlbedo(albedo[i]);
+}
+
+void multiplyByAlbedo(const float* radiance, const float* albedo, size_t count, float* result) {
+    for (size_t i = 0; i < count; ++i) result[i] = radiance[i] * offAlbedo(albedo[i]);
+}
+
+float encodeInput(const MapView& map, float* planes) {
+    const size_t texels = map.texels;
+    const float *normal = map.normal, *distance = map.distance;
+    if (map.albedo)
+        divideByAlbedo(map.radiance, map.albedo, 3 * texels, planes);
+    else
+        std::copy_n(map.radiance, 3 * texels, planes);
+    const float mean = meanRadiance(planes, 3 * texels);
     const float inverse = inverseScale(mean);
-    for (size_t i = 0; i < 3 * texels; ++i) planes[i] = logScale(radianceOrZero(radiance[i]), inverse) - kOffset;
+    encodeLight(planes, 3 * texels, inverse);
+    if (map.albedo) {
+        float *albedos = planes + kPlainPlanes * texels, *direct = albedos + 3 * texels;
+        for (size_t i = 0; i < 3 * texels; ++i) albedos[i] = unitOrZero(map.albedo[i]);
+        divideByAlbedo(map.direct, map.albedo, 3 * texels, direct);
+        encodeLight(direct, 3 * texels, inverse);
+    }
 
     float* normals = planes + 3 * texels;
     for (size_t i = 0; i < 3 * texels; ++i)

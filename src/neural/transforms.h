@@ -1,8 +1,10 @@
 // The network's scale: what a map's numbers become before the network sees them, and back. Used alike by the renderer
 // and the trainer. All arrays are planar; m is the mean of a map over its texels and channels.
 //   radiance d -> ln(1 + d/(10 m)) - 0.1          distance z -> ln(1 + (z+1)/(10 (mean z + 1))) - 0.1
-//   target   p -> ln(1 + p/(10 m))                normals as they are
+//   target   p -> ln(1 + p/(10 m))                normals and albedos as they are
 // Distances are in units of the mean distance of what the map hit, so that nothing depends on the scene's units.
+// A network that sees the albedo of what a map sees works on radiance over albedo: on the light that falls onto those
+// surfaces, which is smooth where their colours are not. It also sees which part of it came straight from emitters.
 // (Jiang & Kainz, "Deep Radiance Caching: Convolutional Autoencoders Deeper in Ray Tracing", section on the network.)
 #pragma once
 #include <cstddef>
@@ -10,17 +12,35 @@
 
 namespace drc {
 
-inline constexpr int kInputPlanes = 7;
+inline constexpr int kPlainPlanes = 7;    // radiance R G B, normal x y z, distance
+inline constexpr int kGuidedPlanes = 13;  // and albedo R G B, direct light R G B
 inline constexpr int kOutputPlanes = 3;
+
+// What a network is shown of one map. Planar.
+struct MapView {
+    const float* radiance = nullptr;  // [3][texels]
+    const float* normal = nullptr;    // [3][texels], in the map's frame, towards its origin; zero on a miss
+    const float* distance = nullptr;  // [texels], -1 on a miss
+    size_t texels = 0;
+    // [3][texels] both, or null: the network sees neither.
+    const float* albedo = nullptr;  // in [0, 1]
+    const float* direct = nullptr;  // the part of radiance that came to the surface seen straight from emitters
+
+    int planes() const { return albedo ? kGuidedPlanes : kPlainPlanes; }
+};
 
 // The mean of the array; non-finite and negative values count as 0. 0 for an empty array.
 float meanRadiance(const float* radiance, size_t count);
 
-// Writes the 7 input planes: radiance R G B, normal x y z, distance. Sizes: radiance and normal [3][texels], distance
-// [texels] (-1 where nothing was hit), planes [7][texels]. The normal is in the map's frame, towards its origin, zero
-// on a miss. Returns the radiance's mean m. Whatever is non-finite is taken as nothing: 0, or -1 for a distance; the
-// planes are always finite. A black map has m = 0 and a radiance of -0.1 everywhere.
-float encodeInput(const float* radiance, const float* normal, const float* distance, size_t texels, float* planes);
+// Writes the input planes, [planes()][texels]. Returns the mean m of the radiance, or with albedos of radiance over
+// albedo. Whatever is non-finite is taken as nothing: 0, or -1 for a distance; the planes are always finite. A black
+// map has m = 0 and a radiance of -0.1 everywhere.
+float encodeInput(const MapView& map, float* planes);
+
+// radiance / (albedo + 0.05), and back. What a texel's one ray met may be black where a part of the texel is bright:
+// the constant lets that part be seen. All [count]; the result may be the radiance itself.
+void divideByAlbedo(const float* radiance, const float* albedo, size_t count, float* result);
+void multiplyByAlbedo(const float* radiance, const float* albedo, size_t count, float* result);
 
 // What a network is not shown, to learn what the normals and distances of a map are worth (section on ablation).
 enum class Ablation { None, Normals, Distance, Both };

@@ -27,7 +27,7 @@ TEST(Transforms, FollowTheFormulas) {
     for (float v : distance) hit += v > 0 ? v / double(kTexels - 1) : 0;
     const auto inUnits = [hit](float v) { return v < 0 ? -1 : v / hit; };
     for (float v : distance) z += inUnits(v) / double(kTexels);
-    EXPECT_NEAR(encodeInput(radiance.data(), normal.data(), distance.data(), kTexels, planes.data()), m, 1e-6 * m);
+    EXPECT_NEAR(encodeInput({radiance.data(), normal.data(), distance.data(), kTexels}, planes.data()), m, 1e-6 * m);
     for (size_t i = 0; i < 3 * kTexels; ++i) {
         EXPECT_NEAR(planes[i], std::log1p(radiance[i] / (10 * m)) - 0.1, 1e-6);
         EXPECT_EQ(planes[3 * kTexels + i], 0.5f);
@@ -35,6 +35,39 @@ TEST(Transforms, FollowTheFormulas) {
     for (size_t i = 0; i < kTexels; ++i)
         EXPECT_NEAR(planes[6 * kTexels + i], std::log1p((inUnits(distance[i]) + 1) / (10 * (z + 1))) - 0.1, 1e-6);
     EXPECT_FLOAT_EQ(planes[6 * kTexels + 7], -0.1f);
+}
+
+// With albedos the network sees the light that falls onto what the map sees: it does not depend on the albedos.
+TEST(Transforms, AlbedoIsDividedOutAndComesBack) {
+    std::mt19937 generator(2);
+    std::exponential_distribution<float> random(2.f);
+    std::uniform_real_distribution<float> uniform(0, 1);
+    std::vector<float> falling(3 * kTexels), albedo(3 * kTexels), radiance(3 * kTexels), normal(3 * kTexels),
+        distance(kTexels, 1.f), direct(3 * kTexels), planes(13 * kTexels), expected(7 * kTexels), back(3 * kTexels);
+    for (size_t i = 0; i < falling.size(); ++i) {
+        falling[i] = random(generator), albedo[i] = i % 5 ? uniform(generator) : 0;
+        radiance[i] = falling[i] * (albedo[i] + 0.05f);
+        direct[i] = i % 2 ? radiance[i] : 0;
+    }
+    const float mean = encodeInput(
+        {radiance.data(), normal.data(), distance.data(), kTexels, albedo.data(), direct.data()}, planes.data());
+    encodeInput({falling.data(), normal.data(), distance.data(), kTexels}, expected.data());
+    EXPECT_NEAR(mean, meanRadiance(falling.data(), falling.size()), 1e-6f);
+    for (size_t i = 0; i < 7 * kTexels; ++i) EXPECT_NEAR(planes[i], expected[i], 1e-6f);
+    for (size_t i = 0; i < 3 * kTexels; ++i) {
+        EXPECT_EQ(planes[7 * kTexels + i], albedo[i]);
+        EXPECT_NEAR(planes[10 * kTexels + i], i % 2 ? planes[i] : -0.1f, 1e-6f);
+    }
+    divideByAlbedo(radiance.data(), albedo.data(), radiance.size(), back.data());
+    for (size_t i = 0; i < back.size(); ++i) EXPECT_NEAR(back[i], falling[i], 1e-6f * (1 + falling[i]));
+    multiplyByAlbedo(back.data(), albedo.data(), back.size(), back.data());
+    for (size_t i = 0; i < back.size(); ++i) EXPECT_NEAR(back[i], radiance[i], 1e-6f * (1 + radiance[i]));
+    albedo[0] = std::nanf(""), albedo[1] = -1, albedo[2] = 3;
+    encodeInput({radiance.data(), normal.data(), distance.data(), kTexels, albedo.data(), direct.data()},
+                planes.data());
+    EXPECT_EQ(planes[7 * kTexels], 0);
+    EXPECT_EQ(planes[7 * kTexels + 1], 0);
+    EXPECT_EQ(planes[7 * kTexels + 2], 1);
 }
 
 TEST(Transforms, TargetComesBack) {
@@ -54,14 +87,14 @@ TEST(Transforms, BlackAndBrokenMapsStayFinite) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::nanf("");
     std::vector<float> radiance(3 * kTexels, 0.f), normal(3 * kTexels, nan), distance(kTexels, -1.f),
         planes(7 * kTexels);
-    EXPECT_EQ(encodeInput(radiance.data(), normal.data(), distance.data(), kTexels, planes.data()), 0.f);
+    EXPECT_EQ(encodeInput({radiance.data(), normal.data(), distance.data(), kTexels}, planes.data()), 0.f);
     for (size_t i = 0; i < 3 * kTexels; ++i) EXPECT_FLOAT_EQ(planes[i], -0.1f);
     for (size_t i = 0; i < 3 * kTexels; ++i) EXPECT_EQ(planes[3 * kTexels + i], 0);
     for (size_t i = 0; i < kTexels; ++i) EXPECT_FLOAT_EQ(planes[6 * kTexels + i], -0.1f);
 
     radiance[0] = inf, radiance[1] = nan, radiance[2] = -5, radiance[3] = 2, radiance[4] = 1e-45f;
     distance[0] = inf, distance[1] = nan, distance[2] = 3;
-    encodeInput(radiance.data(), normal.data(), distance.data(), kTexels, planes.data());
+    encodeInput({radiance.data(), normal.data(), distance.data(), kTexels}, planes.data());
     for (float v : planes) EXPECT_TRUE(std::isfinite(v));
 
     std::vector<float> encoded(3), back(3);
@@ -79,9 +112,9 @@ TEST(Transforms, DoNotDependOnBrightness) {
     std::vector<float> radiance(3 * kTexels), normal(3 * kTexels), distance(kTexels, 1.f), a(7 * kTexels),
         b(7 * kTexels);
     for (size_t i = 0; i < radiance.size(); ++i) radiance[i] = float(i % 13);
-    encodeInput(radiance.data(), normal.data(), distance.data(), kTexels, a.data());
+    encodeInput({radiance.data(), normal.data(), distance.data(), kTexels}, a.data());
     for (float& v : radiance) v *= 4096;
-    encodeInput(radiance.data(), normal.data(), distance.data(), kTexels, b.data());
+    encodeInput({radiance.data(), normal.data(), distance.data(), kTexels}, b.data());
     EXPECT_EQ(a, b);
 }
 
@@ -92,8 +125,8 @@ TEST(Transforms, DoNotDependOnTheUnitOfLength) {
         metres[i] = i % 7 ? 0.5f + 0.01f * float(i) : -1;
         centimetres[i] = metres[i] < 0 ? -1 : 100 * metres[i];
     }
-    encodeInput(radiance.data(), normal.data(), metres.data(), kTexels, a.data());
-    encodeInput(radiance.data(), normal.data(), centimetres.data(), kTexels, b.data());
+    encodeInput({radiance.data(), normal.data(), metres.data(), kTexels}, a.data());
+    encodeInput({radiance.data(), normal.data(), centimetres.data(), kTexels}, b.data());
     for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-5f);
 }
 

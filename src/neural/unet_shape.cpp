@@ -171,7 +171,10 @@ UNetShape UNetShape::fromMetadata(const SafetensorsFile& file) {
     shape.width = readInt(file, "width", 1, 512, 0);
     shape.levels = readInt(file, "levels", 1, 8, 4);
     shape.size = readInt(file, "size", 1, 1024, 32);
-    shape.inputs = readInt(file, "inputs", 7, 7, 7);
+    shape.inputs = readInt(file, "inputs", kPlainPlanes, kGuidedPlanes, kPlainPlanes);
+    if (shape.inputs != kPlainPlanes && shape.inputs != kGuidedPlanes)
+        throw Error(SourceLocation{file.path()},
+                    fmt::format("metadata 'inputs' is {}, not {} or {}", shape.inputs, kPlainPlanes, kGuidedPlanes));
     if (shape.size % (1 << (shape.levels - 1)) != 0)
         throw Error(SourceLocation{file.path()},
                     fmt::format("a size of {} cannot be halved {} times", shape.size, shape.levels - 1));

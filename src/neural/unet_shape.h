@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "neural/safetensors.h"
+#include "neural/transforms.h"
 
 namespace drc {
 
@@ -64,8 +65,8 @@ struct UNetShape {
     int width = 32;
     int levels = 4;
     int size = 32;
-    int inputs = 7;
-    int outputs = 3;
+    int inputs = kPlainPlanes;  // or kGuidedPlanes
+    int outputs = kOutputPlanes;
 
     int channels(int level) const { return width << level; }
     int sizeAt(int level) const { return size >> level; }
