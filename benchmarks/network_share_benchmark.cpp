@@ -94,6 +94,7 @@ void networkShare(benchmark::State& state) {
     UNetShape shape;
     shape.kind = UNetKind(state.range(0));
     shape.width = int(state.range(1));
+    shape.inputs = shape.kind == UNetKind::Paper ? kPlainPlanes : kGuidedPlanes;
     state.SetLabel(unetKindName(shape.kind));
     const auto precision = state.range(2) ? Precision::Bf16 : Precision::Fp32;
     const PeakLoop peak = peakLoop(precision);

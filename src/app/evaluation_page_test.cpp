@@ -47,14 +47,14 @@ TEST_F(EvaluationPageTest, ShowsEveryMethodAndMeasureOfEveryProjection) {
         EXPECT_NE(html.find(UNetWeights::load(weights)->hash()), std::string::npos);
 }
 
-// Distance, normals, three methods with their errors, the reference, the scale of the error.
+// Distance, normals, albedo, three methods with their errors, the reference, the scale of the error.
 TEST_F(EvaluationPageTest, ShowsAsManyExamplesAsAskedFor) {
     const std::vector<std::string> weights{network("a.safetensors", "equal-area", 1),
                                            network("b.safetensors", "latlong", 2)};
     const std::string none = page(weights, 0), two = page(weights, 2), all = page(weights, 100);
     EXPECT_EQ(occurrences(none, "<img "), 0);
     EXPECT_EQ(occurrences(two, "class=\"example\""), 2 * 2);
-    EXPECT_EQ(occurrences(two, "<img "), 2 * 2 * 10);
+    EXPECT_EQ(occurrences(two, "<img "), 2 * 2 * 11);
     EXPECT_EQ(occurrences(all, "class=\"example\""), 2 * 5);
     EXPECT_EQ(brokenNesting(all), "");
 }
