@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/evaluation_testing.h"
+#include "cache/iispt_folder.h"
 #include "cache/network_enhancer.h"
 
 namespace drc {
@@ -100,6 +101,25 @@ TEST_F(EvaluationTest, MapsOfAnotherSizeAreAGroupOfTheirOwn) {
     ASSERT_EQ(evaluation.groups.size(), 2u);
     EXPECT_EQ(evaluation.groups[1].name(), "equal-area 16x16");
     EXPECT_EQ(names(evaluation.groups[1]), Names({"none", "gaussian"}));
+}
+
+// The authors' layout has neither albedos nor direct light.
+TEST_F(EvaluationTest, ExamplesWithoutAlbedosAreAGroupOfTheirOwn) {
+    TrainingExample example = randomExample(kLatLong, 1, 1);
+    example.film = Vec2(3.5f, 4.5f);
+    IisptWriter(path("theirs/room"), ShardHeader{.scene = "room", .layout = kLatLong}).write(example);
+    const std::string guided = network("g.safetensors", "latlong", 1, 32, kGuidedPlanes),
+                      plain = network("p.safetensors", "latlong", 1);
+    const Evaluation evaluation = evaluate({{path("ll"), path("theirs")}, {guided, plain}, false, false});
+    ASSERT_EQ(evaluation.groups.size(), 2u);
+    EXPECT_EQ(evaluation.groups[0].name(), "latlong");
+    EXPECT_EQ(names(evaluation.groups[0]), Names({"none", "gaussian", "g", "p"}));
+    EXPECT_EQ(evaluation.groups[1].name(), "latlong without albedos");
+    EXPECT_EQ(names(evaluation.groups[1]), Names({"none", "gaussian", "p"}));
+    EXPECT_EQ(errorOf([&] {
+                  evaluate({{path("theirs")}, {guided}, false, false});
+              }),
+              guided + ": the network sees albedos and direct light, and these examples have none");
 }
 
 TEST_F(EvaluationTest, AllInputsAreAveraged) {

@@ -30,11 +30,13 @@ class EvaluationTest : public FolderTest {
         return result;
     }
 
-    std::string network(const std::string& name, const std::string& projection, uint64_t seed, int size = 32) const {
+    std::string network(const std::string& name, const std::string& projection, uint64_t seed, int size = 32,
+                        int planes = kPlainPlanes) const {
         UNetShape shape;
         shape.width = 4;
         shape.levels = 2;
         shape.size = size;
+        shape.inputs = planes;
         std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
         UNetWeights::random(shape, seed)->save(path(name), {{"projection", projection}, {"commit", "abc<def"}});
         return path(name);

@@ -26,9 +26,8 @@ bool isSound(const TrainingExample& example);
 
 // A zstd frame with a checksum of its content. Light and distances are stored as halves, each map's in units of a power
 // of two of its own, which puts its largest value just below the largest half: values keep 11 bits down to 2^-29 of
-// that one, and vanish below 2^-39. Normals have 16 bits a component, albedos
-// 8. A missing deviation is written as zero. The same
-// example gives the same bytes. Throws Error if the example is not sound.
+// that one, and vanish below 2^-39. Normals have 16 bits a component, albedos 8. A missing deviation is written as
+// zero. The same example gives the same bytes. Throws Error if the example is not sound.
 std::string encodeExample(const TrainingExample& example, const MapLayout& layout);
 
 // The inputs [first, first + count) of the `inputs` that the record has, and all else; `example`'s buffers are reused.

@@ -37,8 +37,7 @@ struct CaptureSettings {
 Frame mapFrame(const Vec3& n, const Vec3& up);
 
 // stream: seed of this map's random numbers. `result`'s buffers are reused. Each texel is the mean of its samples;
-// distance, normal, albedo and direct
-// light are those of the first.
+// distance, normal, albedo and direct light are those of the first.
 // time: of the map's rays. None: each has its own, uniformly while the camera's shutter is open, so that the map is the
 // mean over the exposure. See captureTime.
 void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const SpawnPoint& from, const Frame& frame,

@@ -48,7 +48,8 @@ void divideByAlbedo(const float* radiance, const float* albedo, size_t count, fl
 }
 
 void multiplyByAlbedo(const float* radiance, const float* albedo, size_t count, float* result) {
-    for (size_t i = 0; i < count; ++i) result[i] = radiance[i] * offAlbedo(albedo[i]);
+    for (size_t i = 0; i < count; ++i)
+        result[i] = std::min(radiance[i] * offAlbedo(albedo[i]), std::numeric_limits<float>::max());
 }
 
 float encodeInput(const MapView& map, float* planes) {
