@@ -142,9 +142,12 @@ std::vector<float> renderWith(int threads, const std::string& integrator,
 
 TEST(Invariant4, TheImageDoesNotDependOnTheNumberOfThreads) {
     const std::shared_ptr<const Enhancer> gaussian = makeGaussianEnhancer(1);
-    const std::shared_ptr<const Enhancer> network = makeNetworkEnhancer(
-        UNetWeights::random(UNetShape{.width = 4}, 1), MapLayout(Projection::EqualArea, 32), Precision::Fp32);
-    for (const auto& enhancer : {gaussian, network}) {
+    const auto network = [](int planes) {
+        return std::shared_ptr<const Enhancer>(
+            makeNetworkEnhancer(UNetWeights::random(UNetShape{.width = 4, .inputs = planes}, 1),
+                                MapLayout(Projection::EqualArea, 32), Precision::Fp32));
+    };
+    for (const auto& enhancer : {gaussian, network(kPlainPlanes), network(kGuidedPlanes)}) {
         const std::vector<float> one = renderWith(1, "drc", enhancer);
         EXPECT_EQ(one, renderWith(2, "drc", enhancer));
         EXPECT_EQ(one, renderWith(5, "drc", enhancer));

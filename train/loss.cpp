@@ -9,6 +9,9 @@ namespace {
 constexpr int kNormalsAside = 8;
 // Where the target is dark, errors count against a tenth of the map's mean.
 constexpr double kEpsilon = 0.01;
+// An output that strays, as some do while the rate is high, must not make the loss infinite. The renderer does the
+// same.
+constexpr double kMaxEncoded = 30;
 
 }  // namespace
 
@@ -33,7 +36,7 @@ Loss::Loss(const MapLayout& layout, double irradianceWeight)
 torch::Tensor Loss::irradianceErrors(const torch::Tensor& output, const torch::Tensor& target,
                                      const torch::Tensor& factor) const {
     const auto radiance = [&](const torch::Tensor& encoded) {
-        return (torch::expm1(torch::relu(encoded)) * factor).contiguous().flatten(2);  // in units of ten means
+        return (torch::expm1(encoded.clamp(0, kMaxEncoded)) * factor).contiguous().flatten(2);  // in units of ten means
     };
     const auto mean = [&](const torch::Tensor& maps) { return torch::matmul(maps, solidAngles_).unsqueeze(2); };
     const torch::Tensor t = radiance(target), meanOfTarget = mean(t);

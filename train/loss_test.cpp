@@ -47,6 +47,16 @@ TEST_P(LossOn, IrradianceDoesNotDependOnTheScaleOfAChannel) {
     EXPECT_LT(Loss(layout_, 1).irradianceErrors(scaled, t, torch::ones_like(t)).abs().max().item<double>(), 1e-4);
 }
 
+TEST_P(LossOn, OutputsThatStrayLeaveItFinite) {
+    torch::Tensor output = maps(6).requires_grad_();
+    const torch::Tensor t = maps(7), stray = torch::zeros_like(t);
+    stray[0][1][3][4] = 1000;
+    const torch::Tensor loss = Loss(layout_, 1)(output + stray, t, torch::ones_like(t));
+    loss.backward();
+    EXPECT_TRUE(std::isfinite(loss.item<double>()));
+    EXPECT_TRUE(output.grad().isfinite().all().item<bool>());
+}
+
 TEST_P(LossOn, IrradianceIsWhatTheEvaluationMeasures) {
     const torch::Tensor a = maps(4), b = maps(5), factor = torch::rand_like(a) + 0.05;
     const torch::Tensor errors = Loss(layout_, 1).irradianceErrors(a, b, factor);
