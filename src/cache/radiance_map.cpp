@@ -57,13 +57,23 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
     }
     harmonicMeanDistance_ = inverseDistance > 0 ? float(weight / inverseDistance) : kInfinity;
 
+    // What a texel gives on the mean: lookups interpolate, and beside a bright texel a dark one is half bright.
+    const auto luminanceOf = [&](int row, int column) { return luminance(texel(row * n + column)); };
+    const auto meanLuminance = [&](int row, int column) {
+        const auto line = [&](int r) {
+            return luminanceOf(r, std::max(column - 1, 0)) + 6 * luminanceOf(r, column) +
+                   luminanceOf(r, std::min(column + 1, n - 1));
+        };
+        return (line(std::max(row - 1, 0)) + 6 * line(row) + line(std::min(row + 1, n - 1))) / 64;
+    };
+
     const float lit = irradiance > 0 ? 1 - kCosineShare - kUniformShare : 0;
     double sum = 0;
     std::vector<double> cumulative(texels);
     for (size_t k = 0; k < texels; ++k) {
         const auto [column, row] = mortonCell(uint32_t(k));
         const auto i = size_t(row * n + column);
-        const double byLight = lit > 0 ? luminance(texel(int(i))) * cosines[i] / irradiance : 0;
+        const double byLight = lit > 0 ? meanLuminance(row, column) * cosines[i] / irradiance : 0;
         const double byCosine = cosines[i] / cosineSum, uniform = 1 / weight;
         sum +=
             (lit * byLight + (1 - kUniformShare - lit) * byCosine + kUniformShare * uniform) * layout.solidAngle(row);

@@ -32,7 +32,7 @@ class RadianceMap {
         Vec3 d;         // unit, world space
         float pdf = 0;  // per solid angle
     };
-    // Density proportional to luminance times the cosine to the map's normal from texel to texel, with a share that
+    // Density proportional to the texels' mean luminances times the cosine to the map's normal, with a share that
     // ignores luminance; uniform in solid angle inside a texel. Neighbours in u.x are neighbours on the hemisphere, so
     // that well-distributed numbers give well-distributed directions.
     DirectionSample sample(const Vec2& u) const;
