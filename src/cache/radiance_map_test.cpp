@@ -88,6 +88,27 @@ TEST_P(RadianceMapOf, BrightTexelsAreSampledMore) {
 
 // The map stands on the floor of a room whose far wall (x = 2) is striped; from a point half a unit away, the same
 // stripe lies in another direction.
+// Lookups interpolate: around a spot of light they give more than the dark texels there hold, and a density by what
+// those hold would make each such sample count for many.
+TEST_P(RadianceMapOf, SamplesBesideASmallLightCountNoMoreThanOthers) {
+    const MapLayout layout(GetParam(), 32);
+    const Vec3 towards = normalize(Vec3(0.2f, 0.3f, 0.9f));
+    const RadianceMap map = makeMap(
+        layout, Vec3(0, 0, 0), Vec3(0, 0, 1),
+        [&](const Vec3& d) { return Rgb(dot(d, towards) > 0.995f ? 100.f : 0.001f); }, far);
+    Sampler sampler(1, 0);
+    double sum = 0, squares = 0;
+    constexpr uint32_t kSamples = 1 << 16;
+    for (uint32_t i = 0; i < kSamples; ++i) {
+        sampler.start(1, i);
+        const auto s = map.sample(sampler.get2D());
+        const double value = double(luminance(map.radiance(s.d))) * s.d.z / s.pdf;
+        sum += value / kSamples, squares += value * value / kSamples;
+    }
+    RecordProperty("variance", std::to_string(squares / (sum * sum) - 1));
+    EXPECT_LT(squares / (sum * sum) - 1, 1.5);  // by what the texels hold: 49 and 41
+}
+
 TEST_P(RadianceMapOf, ParallaxFindsTheSurfaceThatTheOtherPointSees) {
     const MapLayout layout(GetParam(), 64);
     // A box [-2,2]^2 x [0,3].
