@@ -19,7 +19,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=30)
     parser.add_argument("--output", default="out/equal_time")
     parser.add_argument("--methods", default="drc,path",
-                        help="drc, path, direct; drc:ENHANCER or drc:NETWORK for another one (gaussian; drc-fast)")
+                        help="drc, path, direct; drc:ENHANCER or drc:NETWORK for another one (gaussian; drc)")
     parser.add_argument("options", nargs="*", help="after --: passed on to drc render")
     args = parser.parse_args()
     os.makedirs(args.output, exist_ok=True)
