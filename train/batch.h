@@ -19,7 +19,7 @@ std::string targetMeanName(TargetMean mean);
 struct Encoding {
     TargetMean mean = TargetMean::Own;
     Ablation ablation = Ablation::None;
-    int planes = kPlainPlanes;  // that the network sees, MapView::planes
+    int planes = kPlainPlanes;  // that the network sees: kPlainPlanes or kGuidedPlanes
 };
 
 struct Batch {

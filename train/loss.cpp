@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <numbers>
 
+#include "neural/transforms.h"
+
 namespace drc {
 namespace {
 
 constexpr int kNormalsAside = 8;
 // Where the target is dark, errors count against a tenth of the map's mean.
 constexpr double kEpsilon = 0.01;
-// An output that strays, as some do while the rate is high, must not make the loss infinite. The renderer does the
-// same.
-constexpr double kMaxEncoded = 30;
 
 }  // namespace
 

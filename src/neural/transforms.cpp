@@ -11,8 +11,6 @@ namespace {
 
 constexpr float kScale = 10.f;   // the mean maps to ln(1 + 1/kScale)
 constexpr float kOffset = 0.1f;  // which this brings near 0
-// exp of more than this says only that the network went astray; it must not become infinity.
-constexpr float kMaxEncoded = 30.f;
 
 float radianceOrZero(float value) { return std::isfinite(value) && value > 0 ? value : 0.f; }
 

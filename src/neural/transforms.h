@@ -15,6 +15,8 @@ namespace drc {
 inline constexpr int kPlainPlanes = 7;    // radiance R G B, normal x y z, distance
 inline constexpr int kGuidedPlanes = 13;  // and albedo R G B, direct light R G B
 inline constexpr int kOutputPlanes = 3;
+// exp of more than this says only that the network went astray; it must not become infinity.
+inline constexpr float kMaxEncoded = 30;
 
 // What a network is shown of one map. Planar.
 struct MapView {
@@ -25,16 +27,14 @@ struct MapView {
     // [3][texels] both, or null: the network sees neither.
     const float* albedo = nullptr;  // in [0, 1]
     const float* direct = nullptr;  // the part of radiance that came to the surface seen straight from emitters
-
-    int planes() const { return albedo ? kGuidedPlanes : kPlainPlanes; }
 };
 
 // The mean of the array; non-finite and negative values count as 0. 0 for an empty array.
 float meanRadiance(const float* radiance, size_t count);
 
-// Writes the input planes, [planes()][texels]. Returns the mean m of the radiance, or with albedos of radiance over
-// albedo. Whatever is non-finite is taken as nothing: 0, or -1 for a distance; the planes are always finite. A black
-// map has m = 0 and a radiance of -0.1 everywhere.
+// Writes the input planes, [7][texels], with albedos [13][texels]. Returns the mean m of the radiance, or with albedos
+// of radiance over albedo. Whatever is non-finite is taken as nothing: 0, or -1 for a distance; the planes are always
+// finite. A black map has m = 0 and a radiance of -0.1 everywhere.
 float encodeInput(const MapView& map, float* planes);
 
 // radiance / (albedo + 0.05), and back. What a texel's one ray met may be black where a part of the texel is bright:
