@@ -47,18 +47,18 @@ struct Pipeline {
     Rgb narrowIndirect(int pixel, int i) const {
         Sampler s = sampler(4, pixel, i);
         const Ray ray = cameraRay(pixel, s);
-        IndirectAlong along;
-        tracer.direct(ray, s, &along);
-        return along.narrow;
+        SampleLayers layers;
+        tracer.direct(ray, s, &layers);
+        return layers.narrow;
     }
     // Indirect light of all lobes as a sample of direct light brings it along.
     Rgb indirectAlong(int pixel, int i) const {
         Sampler s = sampler(5, pixel, i);
         const Ray ray = cameraRay(pixel, s);
-        IndirectAlong along;
-        along.traceWide = true;
-        tracer.direct(ray, s, &along);
-        return along.narrow + along.wide;
+        SampleLayers layers;
+        layers.traceWide = true;
+        tracer.direct(ray, s, &layers);
+        return layers.narrow + layers.wide;
     }
     // Of every pixel, by one of the ways above.
     Estimate estimate(Rgb (Pipeline::*way)(int pixel, int i) const, int samples, int group) const {
@@ -77,7 +77,7 @@ struct Pipeline {
         std::vector<std::vector<Rgb>> values(size_t(passes), std::vector<Rgb>(region.count()));
         for (int pass = 0; pass < passes; ++pass) {
             IndirectPass indirect(tracer, enhancer, settings, nullptr);
-            indirect.run(pass, spacing, [&](int x, int y, const Rgb& value, float weight) {
+            indirect.run(pass, spacing, [&](int x, int y, int, const Rgb& value, float weight) {
                 values[size_t(pass)][region.index(x, y)] = value * weight;
             });
         }

@@ -6,7 +6,7 @@ namespace drc {
 
 // Of the shipped networks, what renders use by default. The others make better maps, but so far pictures are worse for
 // it in the same time (models/drc.md).
-inline constexpr const char* kDefaultNetwork = "drc-plain";
+inline constexpr const char* kDefaultNetwork = "drc-fast";
 
 // The path of the weights that are meant. `weights`: a file, or the name of a shipped network; if empty, the
 // environment's DRC_WEIGHTS takes its place, else the default network. Shipped networks lie in models/ beside the

@@ -35,6 +35,7 @@ struct RenderOptions {
     uint64_t seed = 0;
     float clamp = 0;
     bool uncorrected = false;
+    std::string denoise;  // empty: not asked for
     bool stats = false, quiet = false, verbose = false;
 };
 
@@ -132,7 +133,10 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
     else if (o.integrator == "scene")
         p.path.maxDepth = scene.settings.maxDepth;
     p.path.clamp = std::min(scene.settings.maxSampleLuminance, o.clamp > 0 ? o.clamp : kInfinity);
-    if (o.uncorrected) p.correctionEvery = 0;
+    p.correct = !o.uncorrected;
+    p.denoise = o.denoise != "off";
+    if (o.denoise == "surface" && p.integrator != Integrator::Drc)
+        throw Error("--denoise surface: it filters the layers of --integrator drc, which others do not have");
     if (o.spacing) p.firstSpacing = *o.spacing / float(scene.settings.film.height);
     return p;
 }
@@ -260,10 +264,9 @@ void addRenderCommand(CLI::App& app) {
     command->add_option("--oracle-spp", o->oracleSamples, "Samples a texel of the oracle")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    command->add_option(
-        "--weights", o->weights,
-        "The network: one that comes with the program (drc-plain, drc-fast, drc), or a file of weights, "
-        "safetensors. Default: drc-plain");
+    command->add_option("--weights", o->weights,
+                        "The network: one that comes with the program (drc-fast, drc), or a file of weights, "
+                        "safetensors. Default: drc-fast");
     command->add_option("--precision", o->precision, "Of the network: auto, fp32 or bf16")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fp32", "bf16"}));
@@ -285,6 +288,11 @@ void addRenderCommand(CLI::App& app) {
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
     command->add_flag("--uncorrected", o->uncorrected, "Leave out the correction of the maps by path-traced samples");
+    command
+        ->add_option("--denoise", o->denoise,
+                     "surface: average drc's layers along surfaces as far as their noise asks for it; or off. "
+                     "Default: surface")
+        ->check(CLI::IsMember({"off", "surface"}));
     command->add_flag("--stats", o->stats, "Print counts and times when done");
     command->add_flag("--quiet", o->quiet, "Say nothing but warnings and errors");
     command->add_flag("-v,--verbose", o->verbose, "Say more");

@@ -120,8 +120,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
     mapCount_ += int(requests.size());
 }
 
-bool IndirectPass::run(int pass, float spacing, const std::function<void(int, int, const Rgb&, float)>& add,
-                       const CancelToken* cancel) {
+bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToken* cancel) {
     mapCount_ = 0;
     if (spacing <= 1) return runPerPixel(pass, add, cancel);
     Sampler offsets(hashCombine(settings_.seed, kOffset), uint32_t(pass));
@@ -179,9 +178,7 @@ void IndirectPass::placeMaps(PassMaps& maps, int pass, float spacing, const Canc
     }
 }
 
-void IndirectPass::gatherPixels(const PassMaps& maps, int pass,
-                                const std::function<void(int, int, const Rgb&, float)>& add,
-                                const CancelToken* cancel) const {
+void IndirectPass::gatherPixels(const PassMaps& maps, int pass, const Add& add, const CancelToken* cancel) const {
     const PixelRegion region = tracer_.scene().settings.region();
     std::atomic<int64_t> fallbacks{0};
     const auto start = std::chrono::steady_clock::now();
@@ -195,13 +192,13 @@ void IndirectPass::gatherPixels(const PassMaps& maps, int pass,
                     float weight;
                     PrimaryHit hit;
                     if (!wideHit(x, y, index, position, weight, hit)) {
-                        add(x, y, Rgb(0.f), weight);
+                        add(x, y, sample, Rgb(0.f), weight);
                         continue;
                     }
                     maps.findAround(pixelSite(hit, position), kLeastShare * settings_.minCoverage, around);
                     if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
                     const Rgb value = shade(hit, around, x, y, index);
-                    add(x, y, value * hit.throughput, weight);
+                    add(x, y, sample, value * hit.throughput, weight);
                 }
     });
     if (stats_) {
@@ -219,8 +216,7 @@ Rgb IndirectPass::shade(const PrimaryHit& hit, std::span<const WeightedSite> sit
     return tracer_.indirect(hit, sampler, LobeFlags::Wide);
 }
 
-bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add,
-                               const CancelToken* cancel) {
+bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* cancel) {
     const PixelRegion region = tracer_.scene().settings.region();
     const MapLayout& layout = settings_.capture.layout;
     const Vec3 up = tracer_.scene().camera->up();
@@ -238,7 +234,7 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
                         float weight;
                         PrimaryHit hit;
                         if (!wideHit(x, y, index, position, weight, hit)) {
-                            add(x, y, Rgb(0.f), weight);
+                            add(x, y, sample, Rgb(0.f), weight);
                             continue;
                         }
                         MapSite site;
@@ -257,7 +253,7 @@ bool IndirectPass::runPerPixel(int pass, const std::function<void(int, int, cons
                         if (hit.bsdf.hasWideTransmission()) site.back = capture(-site.n, 1);
                         const WeightedSite one{&site, 1};
                         const Rgb value = shade(hit, {&one, 1}, x, y, index);
-                        add(x, y, value * hit.throughput, weight);
+                        add(x, y, sample, value * hit.throughput, weight);
                     }
         },
         cancel);

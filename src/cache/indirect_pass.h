@@ -26,12 +26,13 @@ class IndirectPass {
     // All arguments must outlive the pass. stats may be null.
     IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings, Stats* stats);
 
+    // Receives the value of a pixel's camera sample (0 to primarySamples - 1), with the pixel filter's weight.
+    using Add = std::function<void(int x, int y, int sample, const Rgb& value, float weight)>;
+
     // Estimates the indirect radiance of every pixel of the film, narrow lobes left out (PathTracer::direct gives
-    // theirs): add(x, y, value, weight) is called primarySamples times for each pixel, from any thread, with the
-    // pixel filter's weight. Grid spacing of one pixel or less: a map at each pixel, seen from there
-    // alone. False: cancelled, and some pixels have no value.
-    bool run(int pass, float spacing, const std::function<void(int x, int y, const Rgb& value, float weight)>& add,
-             const CancelToken* cancel = nullptr);
+    // theirs): calls add primarySamples times for each pixel, from any thread. Grid spacing of one pixel or less: a map
+    // at each pixel, seen from there alone. False: cancelled, and some pixels have no value.
+    bool run(int pass, float spacing, const Add& add, const CancelToken* cancel = nullptr);
 
     // Maps that the last run captured.
     int mapCount() const { return mapCount_; }
@@ -39,11 +40,10 @@ class IndirectPass {
   private:
     // Captures the grid's maps and those that fill in where it does not serve.
     void placeMaps(PassMaps& maps, int pass, float spacing, const CancelToken* cancel);
-    void gatherPixels(const PassMaps& maps, int pass, const std::function<void(int, int, const Rgb&, float)>& add,
-                      const CancelToken* cancel) const;
+    void gatherPixels(const PassMaps& maps, int pass, const Add& add, const CancelToken* cancel) const;
     // Captures and enhances the maps of sites whose film position is set, in batches.
     void captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel);
-    bool runPerPixel(int pass, const std::function<void(int, int, const Rgb&, float)>& add, const CancelToken* cancel);
+    bool runPerPixel(int pass, const Add& add, const CancelToken* cancel);
     // Indirect radiance of the wide lobes: from the maps, or traced where there is none. index: of the camera sample.
     Rgb shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const;
     // The primary point of a pixel's camera sample `index`: the same each time it is asked for. False: there is none,

@@ -225,7 +225,7 @@ Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) cons
 }
 
 Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, int group, const Rgb& throughput,
-                           const VertexNumbers& u, Sampler& sampler, IndirectAlong* along) const {
+                           const VertexNumbers& u, Sampler& sampler, SampleLayers* layers) const {
     Rgb sum(0.f);
     const Bsdf& bsdf = view.bsdf();
     const auto s = view.sample(u.lobe, u.direction);
@@ -240,16 +240,15 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
         if (hit.primitive->material) break;
         next = hit.spawnRay(s->wi);
     }
-    if (along && along->traceWide) {
+    if (layers && layers->traceWide) {
         const Rgb incident = trace(next, sampler, Emission::SkippedAtFirst, nullptr, &hit);
         const Rgb wide = bsdf.has(LobeFlags::Narrow) ? bsdf.f(at.wo, s->wi, LobeFlags::Wide) : s->f;
-        along->wide += scale * wide * incident;
-        along->narrow += scale * clampNonNegative(s->f - wide) * incident;
+        layers->wide += scale * wide * incident;
     }
     return sum;
 }
 
-Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* along) const {
+Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, SampleLayers* layers) const {
     Ray ray = cameraRay;
     Rgb sum(0.f), throughput(1.f);
     SurfaceInteraction hit;
@@ -268,17 +267,24 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* al
             const int group = groupOf(hit, bsdf);
             const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);
             const VertexNumbers u(sampler);
-            sum += throughput * arriving(hit, proposeLight(hit, view, group, u));
-            sum += bsdfSample(hit, view, group, throughput, u, sampler, along);
+            const Rgb arrived = throughput * arriving(hit, proposeLight(hit, view, group, u));
+            const Rgb lit = arrived + bsdfSample(hit, view, group, throughput, u, sampler, layers);
+            sum += lit;
+            if (layers) layers->lit += lit;
         }
-        if (along) {
-            if (!along->traceWide && bsdf.has(LobeFlags::Narrow))
-                along->narrow += throughput * indirectNarrow(hit, bsdf, sampler);
-            if (along->pixelSize == 0 && bsdf.hasWithin(LobeFlags::Wide)) {
-                along->albedo = throughput * bsdf.albedo(hit.wo, LobeFlags::Wide);
-                along->position = hit.p;
-                along->normal = bsdf.frame().n;
-                along->pixelSize = hit.footprint;
+        if (layers) {
+            if (bsdf.has(LobeFlags::Narrow)) {
+                layers->narrow += throughput * indirectNarrow(hit, bsdf, sampler);
+                if (isBlack(layers->narrowAlbedo))
+                    layers->narrowAlbedo = throughput * bsdf.albedo(hit.wo, kNarrowLobes);
+            }
+            if (isBlack(layers->wideAlbedo) && bsdf.hasWithin(LobeFlags::Wide))
+                layers->wideAlbedo = throughput * bsdf.albedo(hit.wo, LobeFlags::Wide);
+            if (layers->pixelSize == 0 && bsdf.hasNonSpecular()) {
+                layers->albedo = throughput * bsdf.albedo(hit.wo, LobeFlags::NonSpecular);
+                layers->position = hit.p;
+                layers->normal = bsdf.frame().n;
+                layers->pixelSize = hit.footprint;
             }
         }
         if (!bsdf.hasSpecular()) break;
@@ -289,8 +295,9 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, IndirectAlong* al
         if (isBlack(throughput)) break;
         ray = hit.spawnRay(s->wi);
     }
-    if (along && !isFinite(along->narrow)) along->narrow = Rgb(0.f);
-    if (along && !isFinite(along->wide)) along->wide = Rgb(0.f);
+    if (layers)
+        for (Rgb* light : {&layers->lit, &layers->narrow, &layers->wide})
+            if (!isFinite(*light)) *light = Rgb(0.f);
     return isFinite(sum) ? sum : Rgb(0.f);
 }
 

@@ -40,23 +40,25 @@ struct PrimaryHit {
     int bounces = 0;      // of the chain: mirrors and faces of smooth glass
 };
 
-// Indirect light that a sample of direct light can bring along, at the same points.
-struct IndirectAlong {
+// What a sample of direct light is made of, and indirect light that it can bring along, at the same points.
+struct SampleLayers {
     bool traceWide = false;  // in: whether `wide` is wanted
 
-    Rgb narrow{0.f};  // of the narrow lobes, which radiance maps cannot resolve
-    Rgb wide{0.f};    // of the wide ones: what the maps should give
-    // Of the first point that has wide lobes: their albedo times the throughput to it, its position, its shading normal
-    // and the world width of a pixel there. All zero if there is none.
+    Rgb lit{0.f};     // of the direct light what surfaces scatter: all but the emission that the camera sees
+    Rgb narrow{0.f};  // indirect, of the narrow lobes, which radiance maps cannot resolve
+    Rgb wide{0.f};    // indirect, of the wide ones: what the maps should give
+    // Of the first point that has wide lobes, and of the first that has narrow ones: their albedo times the throughput
+    // to it. Zero if there is none.
+    Rgb wideAlbedo{0.f}, narrowAlbedo{0.f};
+    // Of the first point that has lobes other than specular ones: their albedo times the throughput to it, its
+    // position, its shading normal and the world width of a pixel there. All zero if there is none.
     Rgb albedo{0.f};
     Vec3 position{0.f}, normal{0.f};
     float pixelSize = 0;
 
     // For a camera whose rays do not all count alike.
     void scale(float weight) {
-        narrow *= weight;
-        wide *= weight;
-        albedo *= weight;
+        for (Rgb* light : {&lit, &narrow, &wide, &wideAlbedo, &narrowAlbedo, &albedo}) *light *= weight;
     }
 };
 
@@ -77,8 +79,8 @@ class PathTracer {
     Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const;
 
     // Emission seen through the specular chain, and one bounce of light at each non-specular hit along it: D.
-    // along, if not null, receives indirect light that is traced on the way.
-    Rgb direct(const Ray& ray, Sampler& sampler, IndirectAlong* along = nullptr) const;
+    // layers, if not null, receives what it is made of, and indirect light that is traced on the way.
+    Rgb direct(const Ray& ray, Sampler& sampler, SampleLayers* layers = nullptr) const;
 
     // The primary point of a camera ray. Where a surface has both kinds of lobes, one is chosen at random. False: none
     // (the ray escaped, or was absorbed).
@@ -136,7 +138,7 @@ class PathTracer {
     Rgb indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
     // The BSDF's sample of direct light at a primary point, and with wide indirect light wanted the path beyond it.
     Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, int group, const Rgb& throughput,
-                   const VertexNumbers& u, Sampler& sampler, IndirectAlong* along) const;
+                   const VertexNumbers& u, Sampler& sampler, SampleLayers* layers) const;
     // Nearest surface that has a material or emits; passes through the others, though not through any number of them:
     // then it is one of those. False: the ray escapes.
     bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;

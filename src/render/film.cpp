@@ -12,9 +12,7 @@ void FilmLayer::add(int x, int y, const Rgb& value, float filterWeight, double i
 Rgb FilmLayer::value(int x, int y) const {
     const Pixel& p = pixels_[region_.index(x, y)];
     if (p.importance == 0) return Rgb(0.f);
-    // A filter with negative lobes may sum to nearly nothing over few samples; its expected sum is then the better
-    // divisor.
-    const double divisor = p.weight > 0.25 * p.importance ? p.weight : p.importance;
+    const double divisor = filterDivisor(p.weight, p.importance);
     return Rgb(float(p.sum[0] / divisor), float(p.sum[1] / divisor), float(p.sum[2] / divisor));
 }
 

@@ -7,17 +7,23 @@
 
 namespace drc {
 
+// What a sum of values times filter weights is divided by, for a mean: the sum of the weights. A filter with negative
+// lobes may sum to nearly nothing over few samples; its expected sum is then the better divisor.
+template <typename T>
+T filterDivisor(T weights, T expected) {
+    return weights > T(0.25) * expected ? weights : expected;
+}
+
 // One layer over a region of the film. Different pixels may be added to from different threads.
 class FilmLayer {
   public:
+    FilmLayer() = default;
     explicit FilmLayer(const PixelRegion& region) : region_(region), pixels_(region.count()) {}
 
     // value: radiance; filterWeight: of the pixel filter, 1 on average; importance: of the pass, any positive number.
     void add(int x, int y, const Rgb& value, float filterWeight, double importance = 1);
     // Radiance; black if nothing was added.
     Rgb value(int x, int y) const;
-    // Nothing was added to the first pixel: sweeps add to all.
-    bool empty() const { return pixels_.empty() || pixels_.front().importance == 0; }
     // Region-sized.
     Image image(float scale) const;
     const PixelRegion& region() const { return region_; }
@@ -28,7 +34,7 @@ class FilmLayer {
         double weight = 0;  // importance times filter weight
         double importance = 0;
     };
-    PixelRegion region_;
+    PixelRegion region_{};
     std::vector<Pixel> pixels_;
 };
 

@@ -8,7 +8,7 @@
 namespace drc {
 namespace {
 
-constexpr uint64_t kSampleStream = 0x2001, kCorrectionStream = 0x2002, kProbeStream = 0x2003;
+constexpr uint64_t kSampleStream = 0x2001, kTurnStream = 0x2002, kPassStream = 0x2004, kProbeStream = 0x2003;
 // Of the guide: voxels between the camera and what it sees.
 constexpr float kVoxelsInDistance = 8;
 // Pixels. Below it more passes serve better than more maps in one.
@@ -18,8 +18,8 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 // Throws Error if the layers of the picture do not fit into memory: before anything is made.
 const Scene& withinMemory(const Scene& scene) {
-    // The three layers, those of the correction, and what that and the files are made from.
-    constexpr double kBytesPerPixel = 640;
+    // The layers, what is known of the surfaces, and what filters and files are made from.
+    constexpr double kBytesPerPixel = 960;
     const RenderSettings& settings = scene.settings;
     try {
         const MemoryClaim memory(
@@ -44,10 +44,12 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
       enhancer_(std::move(enhancer)),
       stats_(stats),
       samples_(scene.settings.region()),
-      narrow_(scene.settings.region()),
-      indirect_(scene.settings.region()),
-      correction_(scene.settings.region()),
       start_(Clock::now()) {
+    if (params.integrator == Integrator::Drc) {
+        const PixelRegion& region = samples_.region();
+        for (SampleGroups* groups : {&lit_, &narrow_, &wide_, &indirect_}) *groups = SampleGroups(region);
+        surfaces_ = ShownSurfaces(region);
+    }
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
     if (params_.guide) startGuide();
 }
@@ -132,26 +134,34 @@ bool Renderer::step(const CancelToken* cancel) {
     return whole;
 }
 
+uint32_t Renderer::randomOf(uint64_t stream, int index) const {
+    return uint32_t(hashCombine(params_.seed, hashCombine(stream, uint64_t(index))) >> 32);
+}
+
+Renderer::Turn Renderer::nextTurn() const {
+    // All sweeps go on with one sequence. The members of a group must not be every fourth point of it, which are not
+    // well distributed at all: of each four that follow on each other, a group has one at random.
+    const auto random = [&](uint32_t turn) { return randomOf(kTurnStream, int(turn)); };
+    const auto done = uint32_t(samplesDone_), four = done / 4, eight = done / 8;
+    const uint32_t group = (done ^ random(2 * four)) % SampleGroups::kGroups;
+    // Two of each four are followed, and of each eight one of each group.
+    const bool follow = ((group ^ four ^ random(2 * eight + 1)) & 1) == 0;
+    return {int(group), params_.integrator == Integrator::Drc && params_.correct && follow};
+}
+
 bool Renderer::sampleStep(const CancelToken* cancel) {
     const auto start = Clock::now();
     const PixelRegion& region = samples_.region();
     const bool path = params_.integrator == Integrator::Path, drc = params_.integrator == Integrator::Drc;
-    // Sweeps of either kind have sequences of their own, those for the correction one for each of its groups: of a
-    // sequence that is well distributed, every second or fourth point is not.
-    const bool correct = drc && params_.correctionEvery > 0 && samplesDone_ % params_.correctionEvery == 0;
-    const int corrections = drc && params_.correctionEvery > 0
-                                ? (samplesDone_ + params_.correctionEvery - 1) / params_.correctionEvery
-                                : 0;  // before this one
-    const int group = corrections % IndirectCorrection::kGroups;
-    const uint64_t stream = correct ? hashCombine(kCorrectionStream, uint64_t(group)) : kSampleStream;
-    const auto index = uint32_t(correct ? corrections / IndirectCorrection::kGroups : samplesDone_ - corrections);
+    const Turn turn = nextTurn();
+    const auto index = uint32_t(samplesDone_);
     parallelFor(
         region.y0, region.y1, 1,
         [&](int begin, int end) {
             for (int y = begin; y < end; ++y)
                 for (int x = region.x0; x < region.x1; ++x) {
                     const uint64_t pixel = (uint64_t(uint32_t(y)) << 32) | uint32_t(x);
-                    Sampler sampler(hashCombine(params_.seed, hashCombine(stream, pixel)), index);
+                    Sampler sampler(hashCombine(params_.seed, hashCombine(kSampleStream, pixel)), index);
                     const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
                     const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
                     const Vec2 uLens = sampler.get2D();
@@ -162,13 +172,16 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
                         samples_.add(x, y, radiance * camera.weight, f.weight);
                         continue;
                     }
-                    IndirectAlong along;
-                    along.traceWide = correct;
-                    const Rgb direct = seen ? tracer_.direct(camera.ray, sampler, drc ? &along : nullptr) : Rgb(0.f);
-                    along.scale(camera.weight);
-                    samples_.add(x, y, direct * camera.weight, f.weight);
-                    if (drc) narrow_.add(x, y, along.narrow, f.weight);
-                    if (correct) correction_.add(x, y, group, along, f.weight, seen);
+                    SampleLayers layers;
+                    layers.traceWide = turn.follow;
+                    const Rgb direct = seen ? tracer_.direct(camera.ray, sampler, drc ? &layers : nullptr) : Rgb(0.f);
+                    samples_.add(x, y, (direct - layers.lit) * camera.weight, f.weight);
+                    if (!drc) continue;
+                    layers.scale(camera.weight);
+                    lit_.add(x, y, turn.group, layers.lit, f.weight);
+                    narrow_.add(x, y, turn.group, layers.narrow, f.weight);
+                    if (turn.follow) wide_.add(x, y, turn.group, layers.wide, f.weight);
+                    surfaces_.add(x, y, layers, f.weight, seen);
                 }
         },
         cancel);
@@ -184,11 +197,13 @@ bool Renderer::passStep(float spacing, const CancelToken* cancel) {
     IndirectPass pass(tracer_, *enhancer_, params_.indirect, stats_);
     // By the square of its maps: noise falls with their number, and what interpolation smears with their spacing. Each
     // pass has 1.58 times the say of the one before, and the first ones fade.
-    const double importance = std::pow(double(spacing), -4.0);
+    const auto importance = float(std::pow(double(params_.firstSpacing) * scene_.settings.film.height / spacing, 4));
+    // As with the sweeps, no group may have every fourth point of a sequence.
+    const int turn = int(randomOf(kPassStream, passesDone_) % SampleGroups::kGroups);
     const bool whole = pass.run(
         passesDone_, spacing,
-        [&](int x, int y, const Rgb& value, float filterWeight) {
-            indirect_.add(x, y, value, filterWeight, importance);
+        [&](int x, int y, int sample, const Rgb& value, float filterWeight) {
+            indirect_.add(x, y, (sample ^ turn) % SampleGroups::kGroups, value, filterWeight, importance);
         },
         cancel);
     ++passesDone_;
@@ -232,12 +247,19 @@ RenderedImage Renderer::image() const {
         return result;
     };
     if (params_.integrator != Integrator::Drc) return withoutNegative();
+    const LayerFilter filter(surfaces_);
+    const auto sampled = [&](const SampleGroups& samples, LayerFilter::Albedo albedo) {
+        return params_.denoise ? filter.smooth(samples, albedo) : samples.image();
+    };
+    const auto add = [scale](const Image& from, Image& to) {
+        for (size_t i = 0; i < to.data().size(); ++i) to.data()[i] += from.data()[i] * scale;
+    };
+    add(sampled(lit_, &ShownSurfaces::albedo), result.beauty);
     result.direct = result.beauty;
-    result.indirect = indirect_.image(1);
-    if (passesDone_ > 0) correction_.apply(*result.indirect);
+    result.indirect = sampled(indirect_, &ShownSurfaces::wideAlbedo);
+    if (params_.correct && passesDone_ > 0) filter.correct(*result.indirect, wide_, &ShownSurfaces::wideAlbedo);
     for (float& v : result.indirect->data()) v *= scale;
-    const Image narrow = narrow_.image(scale);
-    for (size_t i = 0; i < narrow.data().size(); ++i) result.indirect->data()[i] += narrow.data()[i];
+    add(sampled(narrow_, &ShownSurfaces::narrowAlbedo), *result.indirect);
     for (size_t i = 0; i < result.beauty.data().size(); ++i) result.beauty.data()[i] += result.indirect->data()[i];
     return withoutNegative();
 }

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "cache/indirect_pass.h"
-#include "render/correction.h"
 #include "render/film.h"
+#include "render/layer_filter.h"
 
 namespace drc {
 
@@ -22,9 +22,11 @@ struct RenderParams {
     float firstSpacing = kFirstSpacing;  // of the first pass, as a share of the frame's height
     // With a deadline spp and passes are ignored: steps are made until it.
     std::optional<std::chrono::steady_clock::time_point> deadline;
-    // Of the sweeps of direct light, every how manieth follows its paths further and takes a sample of indirect light
-    // for the correction of the maps' errors; 0: no correction.
-    int correctionEvery = 2;
+    // DRC: whether every second sweep of direct light follows its paths further and takes a sample of indirect light,
+    // for the correction of the maps' errors.
+    bool correct = true;
+    // DRC: whether noise is filtered out of the layers, along surfaces.
+    bool denoise = true;
     // Whether samples of an environment learn where its light comes in.
     bool guide = true;
     float directShare = 0.7f;  // of the time before a deadline that the direct layer gets
@@ -59,6 +61,13 @@ class Renderer {
     bool sampleStep(const CancelToken* cancel);
     bool passStep(float spacing, const CancelToken* cancel);
     bool nextIsPass(float& spacing) const;
+    // Of the next sweep of direct light: which group its samples belong to, and whether they are followed further.
+    struct Turn {
+        int group;
+        bool follow;
+    };
+    Turn nextTurn() const;
+    uint32_t randomOf(uint64_t stream, int index) const;
     // Before a deadline: the spacing of the next pass, from what the last one cost.
     float spacingInTime() const;
 
@@ -70,10 +79,11 @@ class Renderer {
     std::optional<EnvironmentGuide> guide_;  // none: there is no environment to learn about
     std::shared_ptr<const Enhancer> enhancer_;
     Stats* stats_;
-    FilmLayer samples_;   // paths, or the direct layer
-    FilmLayer narrow_;    // indirect light of lobes that maps cannot hold: with the samples
-    FilmLayer indirect_;  // of all others: with the passes
-    IndirectCorrection correction_;
+    FilmLayer samples_;  // paths, or the direct layer; of DRC's that which the camera sees of emitters
+    // DRC's alone. With the samples of direct light: what surfaces scatter of it; indirect light of lobes that maps
+    // cannot hold; samples of what they can; and which surfaces they are. With the passes: what the maps give.
+    SampleGroups lit_, narrow_, wide_, indirect_;
+    ShownSurfaces surfaces_;
     int samplesDone_ = 0, passesDone_ = 0;
     Clock::time_point start_;
     double sampleSeconds_ = 0, passSeconds_ = 0;

@@ -1,0 +1,199 @@
+#include "render/layer_filter.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+
+namespace drc {
+namespace {
+
+// A layer is looked at in pixels and in four averages of it, of standard deviations 1, 2.2, 4.6 and 9.2 pixels.
+constexpr int kLevels = 5;
+// Layers are divided by no smaller albedos than the first; to surfaces with less than the second the layer does not
+// belong, and takes nothing from what is around them.
+constexpr float kSmallestAlbedo = 0.02f, kBlack = 1e-4f;
+// Times the variance that counts as noise. One gives the least mean square error of Gaussian noise, if the variance is
+// known; a correction is better kept calm.
+constexpr float kCaution = 1, kCautionOfCorrection = 1.5f;
+// Below one, a bright path that only one group met (its square over the variance is one, however bright it is) would
+// count for something, and become a blotch of the correction.
+constexpr float kLeastCautionOfCorrection = 1.1f;
+
+// On a plane, of white noise: the variance of what a pixel has more than the average of the finest scale about it, in
+// units of the noise's. With the spline's weights w, 1 - 2 w0^2 + (sum of w^2)^2.
+constexpr float kNoiseAboveAverage = 0.794f;
+
+// Sum of the weights of a pixel's neighbours on its surface, of which its own is 0.14: with less than the first it
+// stands alone, as where it shows an edge, a mixture of two surfaces, and the few paths of its own are no statistics;
+// those that miss a bright spot agree with each other. With more than the second there are enough.
+constexpr float kAlone = 0.15f, kAmongEnough = 0.4f;
+
+// Of a pixel: its square, and the sum of many, are still numbers.
+constexpr float kLargest = 1e15f;
+
+constexpr int kGroups = SampleGroups::kGroups;
+
+// f(pixel), in parallel.
+template <typename F>
+void forEachPixel(size_t count, const F& f) {
+    constexpr int kGrain = 1 << 14;
+    parallelFor(0, int(count), kGrain, [&](int begin, int end) {
+        for (auto i = size_t(begin); i < size_t(end); ++i) f(i);
+    });
+}
+
+Rgb notBlack(Rgb albedo) {
+    for (int c = 0; c < 3; ++c) albedo[c] = std::max(albedo[c], kSmallestAlbedo);
+    return albedo;
+}
+
+// The mean of the independent groups in the first three planes, and its variance in the other three. groups: three
+// planes of each group, one after the other.
+Planes estimates(const Planes& groups, size_t pixels) {
+    Planes result(pixels, 6);
+    forEachPixel(pixels, [&](size_t i) {
+        constexpr float n = kGroups;
+        for (int c = 0; c < 3; ++c) {
+            float mean = 0, variance = 0;
+            for (int g = 0; g < kGroups; ++g) mean += groups.plane(3 * g + c)[i] * (1 / n);
+            for (int g = 0; g < kGroups; ++g) variance += sqr(groups.plane(3 * g + c)[i] - mean) * (1 / (n * (n - 1)));
+            result.plane(c)[i] = mean;
+            result.plane(3 + c)[i] = variance;
+        }
+    });
+    return result;
+}
+
+// Fine to coarse: the estimates, averaged wider and wider.
+std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t pixels) {
+    std::vector<Planes> levels{estimates(groups, pixels)};
+    Planes next(pixels, groups.count());
+    while (levels.size() < kLevels) {
+        filter.average(1 << (levels.size() - 1), groups, next);
+        std::swap(groups, next);
+        levels.push_back(estimates(groups, pixels));
+    }
+    return levels;
+}
+
+// What of a level's difference to the coarser ones there is about a pixel: its squares, and their noise.
+Planes spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimates, const Planes& coarser,
+                   size_t pixels) {
+    Planes spread(pixels, 6), wider(pixels, 6);
+    forEachPixel(pixels, [&](size_t i) {
+        for (int c = 0; c < 3; ++c) {
+            spread.plane(c)[i] = sqr(estimates.plane(c)[i] - coarser.plane(c)[i]);
+            spread.plane(3 + c)[i] = estimates.plane(3 + c)[i];
+        }
+    });
+    // At steps of the level's own width first, because wider ones alone would fall between what there is and draw
+    // their lattice.
+    for (const int step : {1 << level, 2 << level}) {
+        filter.average(step, spread, wider);
+        std::swap(spread, wider);
+    }
+    return spread;
+}
+
+// The noise, as a share of what the difference between the groups tells: at most one, and less where all of a pixel's
+// samples together are better distributed than those of a group. Most pixels differ from those next to them on a
+// surface by noise alone.
+float shareOfNoise(const SurfaceFilter& filter, const std::vector<Planes>& levels, size_t pixels) {
+    const Planes spread = spreadAbout(filter, 0, levels[0], levels[1], pixels);
+    std::vector<float> shares;
+    for (int c = 0; c < 3; ++c)
+        for (size_t i = 0; i < pixels; ++i) {
+            const float noise = kNoiseAboveAverage * spread.plane(3 + c)[i];
+            if (noise > 0) shares.push_back(spread.plane(c)[i] / noise);
+        }
+    if (shares.empty()) return 1;
+    const auto median = shares.begin() + std::ptrdiff_t(shares.size() / 2);
+    std::nth_element(shares.begin(), median, shares.end());
+    return std::min(1.f, *median);
+}
+
+// Coarse to fine from the level `coarsest`: of what a level adds to the coarser ones (to `sum`, in place), the share
+// that is not noise, as its neighbourhood has it. noisy: times the levels' variances, what counts as noise.
+void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& levels, size_t pixels, int coarsest,
+                     float noisy, Planes& sum) {
+    for (int level = coarsest; level >= 0; --level) {
+        const Planes& estimates = levels[size_t(level)];
+        const Planes spread = spreadAbout(filter, level, estimates, sum, pixels);
+        forEachPixel(pixels, [&](size_t i) {
+            for (int c = 0; c < 3; ++c) {
+                const float squares = spread.plane(c)[i], noise = noisy * spread.plane(3 + c)[i];
+                float& value = sum.plane(c)[i];
+                if (squares > noise) value += (estimates.plane(c)[i] - value) * (1 - noise / squares);
+            }
+        });
+    }
+}
+
+}  // namespace
+
+LayerFilter::LayerFilter(const ShownSurfaces& surfaces)
+    : surfaces_(surfaces), filter_(surfaces.filter()), trust_(filter_.weights(1)) {
+    for (float& t : trust_) t = std::clamp((t - kAlone) / (kAmongEnough - kAlone), 0.f, 1.f);
+}
+
+Planes LayerFilter::withoutNoise(const SampleGroups& samples, Albedo albedo, const Image* base) const {
+    const PixelRegion& region = surfaces_.region();
+    const size_t pixels = region.count();
+    Planes groups(pixels, 3 * kGroups);
+    forEachPixel(pixels, [&](size_t i) {
+        const int column = int(i) % region.width(), row = int(i) / region.width();
+        const int x = region.x0 + column, y = region.y0 + row;
+        const Rgb known = base ? base->rgb(column, row) : Rgb(0.f);
+        const Rgb scale = notBlack((surfaces_.*albedo)(x, y));
+        for (int g = 0; g < kGroups; ++g) {
+            const Rgb value = (samples.group(x, y, g) - known) / scale;
+            for (int c = 0; c < 3; ++c) groups.plane(3 * g + c)[i] = std::clamp(value[c], -kLargest, kLargest);
+        }
+    });
+    const std::vector<Planes> levels = averages(filter_, std::move(groups), pixels);
+    const float share = shareOfNoise(filter_, levels, pixels);
+    Planes sum(pixels, 3);
+    if (base) {
+        const float noisy = std::max(kCautionOfCorrection * share, kLeastCautionOfCorrection);
+        addWithoutNoise(filter_, levels, pixels, kLevels - 1, noisy, sum);
+        return sum;
+    }
+    // A difference may well be nothing but noise. Light is there, and its coarsest average is not to be darkened.
+    std::copy_n(levels.back().plane(0), 3 * pixels, sum.plane(0));
+    addWithoutNoise(filter_, levels, pixels, kLevels - 2, kCaution * share, sum);
+    return sum;
+}
+
+Image LayerFilter::smooth(const SampleGroups& samples, Albedo albedo) const {
+    const PixelRegion& region = surfaces_.region();
+    const Planes smoothed = withoutNoise(samples, albedo, nullptr);
+    Image result(region.width(), region.height());
+    forEachPixel(region.count(), [&](size_t i) {
+        const int column = int(i) % region.width(), row = int(i) / region.width();
+        const int x = region.x0 + column, y = region.y0 + row;
+        Rgb value = samples.mean(x, y);
+        const Rgb scatters = (surfaces_.*albedo)(x, y);
+        if (filter_.covers(i) && samples.complete(x, y) && maxComponent(scatters) > kBlack) {
+            const Rgb scale = notBlack(scatters);
+            for (int c = 0; c < 3; ++c) value[c] += trust_[i] * (smoothed.plane(c)[i] * scale[c] - value[c]);
+        }
+        result.setRgb(column, row, value);
+    });
+    return result;
+}
+
+void LayerFilter::correct(Image& layer, const SampleGroups& samples, Albedo albedo) const {
+    const PixelRegion& region = surfaces_.region();
+    const Planes correction = withoutNoise(samples, albedo, &layer);
+    forEachPixel(region.count(), [&](size_t i) {
+        const int column = int(i) % region.width(), row = int(i) / region.width();
+        const int x = region.x0 + column, y = region.y0 + row;
+        if (!filter_.covers(i) || !samples.complete(x, y)) return;
+        Rgb value = layer.rgb(column, row);
+        const Rgb scale = notBlack((surfaces_.*albedo)(x, y)) * trust_[i];
+        for (int c = 0; c < 3; ++c) value[c] = std::max(0.f, value[c] + correction.plane(c)[i] * scale[c]);
+        layer.setRgb(column, row, value);
+    });
+}
+
+}  // namespace drc

@@ -1,0 +1,38 @@
+// Removes noise from layers of a picture, as far as their samples tell it from what is there.
+//
+// A layer is averaged along surfaces at several scales. From coarse to fine, of what each scale adds to the coarser
+// ones only that share is kept that the samples' own noise, estimated from independent groups of them, leaves (a local
+// Wiener filter: Lee, "Digital Image Enhancement and Noise Filtering by Use of Local Statistics", 1980). With ever more
+// samples that is all, down to single pixels: the filter goes away as the noise does.
+#pragma once
+#include "render/sample_groups.h"
+#include "render/shown_surfaces.h"
+
+namespace drc {
+
+class LayerFilter {
+  public:
+    // surfaces must outlive the filter.
+    explicit LayerFilter(const ShownSurfaces& surfaces);
+
+    // albedo: by which a layer is divided while it is averaged, so that textures stay sharp.
+    using Albedo = Rgb (ShownSurfaces::*)(int x, int y) const;
+    // The samples' mean without noise.
+    Image smooth(const SampleGroups& samples, Albedo albedo) const;
+
+    // Corrects a layer that has little noise but errors of its own (radiance maps stand too far apart for what they
+    // light; the network is off in hue) by samples of the same light that have noise but no such error: adds the
+    // filtered difference of the two, in place.
+    void correct(Image& layer, const SampleGroups& samples, Albedo albedo) const;
+
+  private:
+    // What is left of the samples' mean minus `base` (null: minus nothing), divided by albedo; also where that is of no
+    // use.
+    Planes withoutNoise(const SampleGroups& samples, Albedo albedo, const Image* base) const;
+
+    const ShownSurfaces& surfaces_;
+    SurfaceFilter filter_;
+    std::vector<float> trust_;  // of the filter at each pixel, from 0 (it stands alone) to 1
+};
+
+}  // namespace drc
