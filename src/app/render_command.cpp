@@ -141,10 +141,12 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
     return p;
 }
 
-// Time to finish, encode and write the pictures, from measurements on one slow core.
-double writeSeconds(const RenderOptions& o, size_t pixels, bool layers) {
-    // The correction of the maps is made when the picture is taken.
-    double seconds = 0.05 + (layers && !o.uncorrected ? double(pixels) * 1.5e-6 : 0);
+// Time to finish, encode and write the pictures, from measurements on slow cores.
+double writeSeconds(const RenderOptions& o, const RenderParams& params, size_t pixels) {
+    const bool layers = params.integrator == Integrator::Drc;
+    // Filters run when the picture is taken, on all cores.
+    const int filtered = layers ? (params.denoise ? 3 : 0) + (params.correct ? 1 : 0) : 0;
+    double seconds = 0.05 + double(pixels) * 2.5e-6 * filtered / threadCount();
     for (const std::string& path : o.outputs)
         seconds += double(pixels) * (outputKind(path) == OutputKind::Exr ? (layers ? 9e-7 : 4e-7) : 2.5e-7);
     return seconds;
@@ -189,7 +191,7 @@ void render(RenderOptions o) {
     ChosenEnhancer chosen;
     if (params.integrator == Integrator::Drc) chosen = chooseEnhancer(o, params.indirect);
     if (o.time > 0) {
-        const double reserve = writeSeconds(o, scene->settings.region().count(), params.integrator == Integrator::Drc);
+        const double reserve = writeSeconds(o, params, scene->settings.region().count());
         params.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                       std::chrono::duration<double>(o.time - reserve));
     }

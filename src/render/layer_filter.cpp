@@ -166,17 +166,18 @@ Planes LayerFilter::withoutNoise(const SampleGroups& samples, Albedo albedo, con
 
 Image LayerFilter::smooth(const SampleGroups& samples, Albedo albedo) const {
     const PixelRegion& region = surfaces_.region();
+    Image result = samples.image();
+    // Many scenes have no narrow lobes.
+    if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
     const Planes smoothed = withoutNoise(samples, albedo, nullptr);
-    Image result(region.width(), region.height());
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
-        Rgb value = samples.mean(x, y);
         const Rgb scatters = (surfaces_.*albedo)(x, y);
-        if (filter_.covers(i) && samples.complete(x, y) && maxComponent(scatters) > kBlack) {
-            const Rgb scale = notBlack(scatters);
-            for (int c = 0; c < 3; ++c) value[c] += trust_[i] * (smoothed.plane(c)[i] * scale[c] - value[c]);
-        }
+        if (!filter_.covers(i) || !samples.complete(x, y) || maxComponent(scatters) <= kBlack) return;
+        Rgb value = result.rgb(column, row);
+        const Rgb scale = notBlack(scatters);
+        for (int c = 0; c < 3; ++c) value[c] += trust_[i] * (smoothed.plane(c)[i] * scale[c] - value[c]);
         result.setRgb(column, row, value);
     });
     return result;
