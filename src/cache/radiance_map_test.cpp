@@ -86,8 +86,6 @@ TEST_P(RadianceMapOf, BrightTexelsAreSampledMore) {
     EXPECT_GT(map.pdf(normalize(Vec3(1, 0, 0.5f))), 10 * map.pdf(normalize(Vec3(-1, 0, 0.5f))));
 }
 
-// The map stands on the floor of a room whose far wall (x = 2) is striped; from a point half a unit away, the same
-// stripe lies in another direction.
 // Lookups interpolate: around a spot of light they give more than the dark texels there hold, and a density by what
 // those hold would make each such sample count for many.
 TEST_P(RadianceMapOf, SamplesBesideASmallLightCountNoMoreThanOthers) {
@@ -109,6 +107,8 @@ TEST_P(RadianceMapOf, SamplesBesideASmallLightCountNoMoreThanOthers) {
     EXPECT_LT(squares / (sum * sum) - 1, 1.5);  // by what the texels hold: 49 and 41
 }
 
+// The map stands on the floor of a room whose far wall (x = 2) is striped; from a point half a unit away, the same
+// stripe lies in another direction.
 TEST_P(RadianceMapOf, ParallaxFindsTheSurfaceThatTheOtherPointSees) {
     const MapLayout layout(GetParam(), 64);
     // A box [-2,2]^2 x [0,3].

@@ -241,9 +241,9 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
         next = hit.spawnRay(s->wi);
     }
     if (layers && layers->traceWide) {
-        const Rgb incident = trace(next, sampler, Emission::SkippedAtFirst, nullptr, &hit);
         const Rgb wide = bsdf.has(LobeFlags::Narrow) ? bsdf.f(at.wo, s->wi, LobeFlags::Wide) : s->f;
-        layers->wide += scale * wide * incident;
+        if (!isBlack(wide))
+            layers->wide += scale * wide * trace(next, sampler, Emission::SkippedAtFirst, nullptr, &hit);
     }
     return sum;
 }

@@ -2,17 +2,17 @@
 
 namespace drc {
 
-void FilmLayer::add(int x, int y, const Rgb& value, float filterWeight, double importance) {
+void FilmLayer::add(int x, int y, const Rgb& value, float filterWeight) {
     Pixel& p = pixels_[region_.index(x, y)];
-    for (int c = 0; c < 3; ++c) p.sum[c] += importance * double(filterWeight) * double(value[c]);
-    p.weight += importance * double(filterWeight);
-    p.importance += importance;
+    for (int c = 0; c < 3; ++c) p.sum[c] += double(filterWeight) * double(value[c]);
+    p.weight += double(filterWeight);
+    p.count += 1;
 }
 
 Rgb FilmLayer::value(int x, int y) const {
     const Pixel& p = pixels_[region_.index(x, y)];
-    if (p.importance == 0) return Rgb(0.f);
-    const double divisor = filterDivisor(p.weight, p.importance);
+    if (p.count == 0) return Rgb(0.f);
+    const double divisor = filterDivisor(p.weight, p.count);
     return Rgb(float(p.sum[0] / divisor), float(p.sum[1] / divisor), float(p.sum[2] / divisor));
 }
 

@@ -20,8 +20,8 @@ class FilmLayer {
     FilmLayer() = default;
     explicit FilmLayer(const PixelRegion& region) : region_(region), pixels_(region.count()) {}
 
-    // value: radiance; filterWeight: of the pixel filter, 1 on average; importance: of the pass, any positive number.
-    void add(int x, int y, const Rgb& value, float filterWeight, double importance = 1);
+    // value: radiance; filterWeight: of the pixel filter, 1 on average.
+    void add(int x, int y, const Rgb& value, float filterWeight);
     // Radiance; black if nothing was added.
     Rgb value(int x, int y) const;
     // Region-sized.
@@ -31,8 +31,8 @@ class FilmLayer {
   private:
     struct Pixel {
         double sum[3] = {0, 0, 0};
-        double weight = 0;  // importance times filter weight
-        double importance = 0;
+        double weight = 0;  // sum of filter weights
+        double count = 0;
     };
     PixelRegion region_{};
     std::vector<Pixel> pixels_;

@@ -181,7 +181,7 @@ TEST(LayerFilter, SmoothingKeepsDetailsThatGroupsTogetherKnow) {
     EXPECT_LT(error, 0.5 * difference);  // if the groups are believed: 0.8
 }
 
-// Beside a bright floor a black one, of which a mirror with narrow lobes may be a part: it reflects nothing.
+// A floor of which one half has none of the lobes that the layer is of: light beside it must not spread there.
 TEST(LayerFilter, SmoothingGivesNothingToWhatDoesNotScatter) {
     Film film;
     for (int i = 0; i < 4; ++i)
