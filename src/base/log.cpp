@@ -23,7 +23,10 @@ spdlog::logger& logger() {
 
 // Texts quote files: what a terminal would obey, among it, is not passed on, nor is a name of megabytes.
 std::string printable(std::string text) {
-    if (text.size() > limits::kMessageBytes) text = text.substr(0, limits::kMessageBytes) + "...";
+    if (text.size() > limits::kMessageBytes) {
+        text.resize(limits::kMessageBytes);
+        text += "...";
+    }
     for (char& c : text)
         if ((static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') || c == 127) c = '?';
     return text;
