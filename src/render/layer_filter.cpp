@@ -27,6 +27,9 @@ constexpr float kNoiseAboveAverage = 0.794f;
 // stands alone, as where it shows an edge, a mixture of two surfaces, and the few paths of its own are no statistics;
 // those that miss a bright spot agree with each other. With more than the second there are enough.
 constexpr float kAlone = 0.15f, kAmongEnough = 0.4f;
+// A pixel that stands alone is compared with those at most so many away; those trusted more than this are smooth.
+constexpr int kReach = 2;
+constexpr float kTrusted = 0.5f;
 
 // Of a pixel: its square, and the sum of many, are still numbers.
 constexpr float kLargest = 1e15f;
@@ -62,6 +65,18 @@ Planes estimates(const Planes& groups, size_t pixels) {
         }
     });
     return result;
+}
+
+// Of a pixel's mean, as its groups tell it.
+Rgb varianceOfMean(const SampleGroups& samples, int x, int y) {
+    constexpr int n = kGroups;
+    Rgb mean(0.f), variance(0.f);
+    for (int g = 0; g < n; ++g) mean += samples.group(x, y, g) / float(n);
+    for (int g = 0; g < n; ++g) {
+        const Rgb off = samples.group(x, y, g) - mean;
+        variance += off * off / float(n * (n - 1));
+    }
+    return variance;
 }
 
 // Fine to coarse: the estimates, averaged wider and wider.
@@ -180,7 +195,78 @@ Image LayerFilter::smooth(const SampleGroups& samples, Albedo albedo) const {
         for (int c = 0; c < 3; ++c) value[c] += trust_[i] * (smoothed.plane(c)[i] * scale[c] - value[c]);
         result.setRgb(column, row, value);
     });
+    calmStrays(samples, albedo, smoothed, result);
     return result;
+}
+
+void LayerFilter::calmStrays(const SampleGroups& samples, Albedo albedo, const Planes& smoothed, Image& layer) const {
+    const PixelRegion& region = surfaces_.region();
+    const int width = region.width(), height = region.height();
+    const auto index = [&](int x, int y) { return size_t(y) * size_t(width) + size_t(x); };
+    const auto reflects = [&](int x, int y) { return (surfaces_.*albedo)(region.x0 + x, region.y0 + y); };
+    const auto visit = [&](int column, int row, auto&& function) {
+        for (int y = std::max(0, row - kReach); y <= std::min(height - 1, row + kReach); ++y)
+            for (int x = std::max(0, column - kReach); x <= std::min(width - 1, column + kReach); ++x) function(x, y);
+    };
+    std::vector<char> stray(trust_.size());
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            stray[index(x, y)] = trust_[index(x, y)] <= kTrusted && samples.complete(region.x0 + x, region.y0 + y) &&
+                                 maxComponent(reflects(x, y)) > kBlack;
+
+    // What is taken from each, over the sum of the albedos of the strays that share it.
+    Image taken(width, height);
+    parallelFor(0, height, 8, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row)
+            for (int column = 0; column < width; ++column) {
+                if (!stray[index(column, row)]) continue;
+                Rgb low(kInfinity), high(-kInfinity), others(0.f), share(0.f);
+                int count = 0;
+                visit(column, row, [&](int x, int y) {
+                    const size_t j = index(x, y);
+                    if (stray[j]) share += reflects(x, y);
+                    if (x == column && y == row) return;
+                    if (stray[j]) {
+                        others += layer.rgb(x, y) / notBlack(reflects(x, y));
+                        ++count;
+                    } else if (trust_[j] > kTrusted && maxComponent(reflects(x, y)) > kBlack) {
+                        for (int c = 0; c < 3; ++c) {
+                            low[c] = std::min(low[c], smoothed.plane(c)[j]);
+                            high[c] = std::max(high[c], smoothed.plane(c)[j]);
+                        }
+                    }
+                });
+                if (low.x == kInfinity) continue;
+                const Rgb scale = notBlack(reflects(column, row)), value = layer.rgb(column, row) / scale;
+                const Rgb noise = varianceOfMean(samples, region.x0 + column, region.y0 + row) / (scale * scale);
+                Rgb excess(0.f);
+                for (int c = 0; c < 3; ++c) {
+                    if (count > 0) {
+                        low[c] = std::min(low[c], others[c] / float(count));
+                        high[c] = std::max(high[c], others[c] / float(count));
+                    }
+                    const float off = value[c] - std::clamp(value[c], low[c], high[c]);
+                    if (off != 0) excess[c] = off * std::min(1.f, noise[c] / sqr(off));
+                }
+                taken.setRgb(column, row, excess * scale / notBlack(share));
+            }
+    });
+    const Image before = layer;
+    parallelFor(0, height, 8, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row)
+            for (int column = 0; column < width; ++column) {
+                if (!stray[index(column, row)]) continue;
+                Rgb shared(0.f), share(0.f);
+                visit(column, row, [&](int x, int y) {
+                    if (!stray[index(x, y)]) return;
+                    shared += taken.rgb(x, y);
+                    share += reflects(x, y);
+                });
+                layer.setRgb(column, row,
+                             before.rgb(column, row) - taken.rgb(column, row) * notBlack(share) +
+                                 shared * reflects(column, row));
+            }
+    });
 }
 
 void LayerFilter::correct(Image& layer, const SampleGroups& samples, Albedo albedo) const {

@@ -30,6 +30,11 @@ class LayerFilter {
     // use.
     Planes withoutNoise(const SampleGroups& samples, Albedo albedo, const Image* base) const;
 
+    // Strays are pixels that stand alone, as those that mix two surfaces at an edge. One that is brighter or darker
+    // than all that is around it keeps of the difference what its own noise leaves, in place; those about it share the
+    // rest, so that no light is lost.
+    void calmStrays(const SampleGroups& samples, Albedo albedo, const Planes& smoothed, Image& layer) const;
+
     const ShownSurfaces& surfaces_;
     SurfaceFilter filter_;
     std::vector<float> trust_;  // of the filter at each pixel, from 0 (it stands alone) to 1

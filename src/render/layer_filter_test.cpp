@@ -197,6 +197,40 @@ TEST(LayerFilter, SmoothingGivesNothingToWhatDoesNotScatter) {
     });
 }
 
+// A floor of light 1, but for a column of pixels with nothing of their own surface near: an edge. One of them has the
+// light that is given, sample by sample.
+template <typename F>
+Film edgeOnFloor(int samples, F&& light) {
+    Film film;
+    for (int i = 0; i < samples; ++i)
+        forEachPixel([&](int x, int y) {
+            const Rgb albedo(x == 35 ? 0.8f : 0.4f);
+            film.add(x, y, i, albedo * (x == 35 && y == 40 ? light(i) : 1.f), albedo,
+                     Vec3(float(x), float(y), x == 35 ? float(100 * y) : 0.f), Vec3(0, 0, 1));
+        });
+    return film;
+}
+
+TEST(LayerFilter, EdgesShareADotOfOneBrightPath) {
+    const Film film = edgeOnFloor(64, [](int i) { return i == 5 ? 100.f : 1.f; });
+    const Image raw = film.samples.image(), smooth = film.smooth();
+    EXPECT_NEAR(raw.rgb(25, 20).y / 0.8, 1 + 99.0 / 64, 1e-5);
+    double before = 0, after = 0, brightest = 0;
+    forEachPixel([&](int x, int y) {
+        before += raw.rgb(x - kRegion.x0, y - kRegion.y0).y;
+        after += smooth.rgb(x - kRegion.x0, y - kRegion.y0).y;
+        brightest = std::max(brightest, smooth.rgb(x - kRegion.x0, y - kRegion.y0).y / (x == 35 ? 0.8 : 0.4));
+    });
+    EXPECT_NEAR(after / before, 1, 1e-6);
+    EXPECT_LT(brightest, 1 + 99.0 / 64 / 4);
+}
+
+TEST(LayerFilter, EdgesKeepWhatAllOfTheirSamplesShow) {
+    const Image smooth = edgeOnFloor(64, [](int i) { return 5 + 0.1f * float(i % 7); }).smooth();
+    EXPECT_NEAR(smooth.rgb(25, 20).y / 0.8, 5.3, 0.05);
+    EXPECT_NEAR(smooth.rgb(25, 21).y / 0.8, 1, 0.05);
+}
+
 TEST(LayerFilter, SmoothingNeedsSamplesInEachGroup) {
     const Film film = traced(3);
     EXPECT_EQ(film.smooth().data(), film.samples.image().data());
