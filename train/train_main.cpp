@@ -14,6 +14,7 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "dataset.h"
+#include "neural/safetensors.h"
 #include "training.h"
 #include "validation.h"
 
@@ -28,6 +29,7 @@ struct Options {
     std::string output, curve, checkpoint, init, commit, command, targetMean = "own", kind = "plain", ablation = "none";
     int width = 32, levels = 4, planes = 0, threads = 0;
     int64_t reportEvery = 20000;
+    std::string store = "fp32";
     size_t validationExamples = 512;
     double validationFraction = 0.1;
     TrainingOptions training;
@@ -44,6 +46,9 @@ void parse(CLI::App& app, Options& o) {
     TrainingOptions& t = o.training;
     app.add_option("--data", o.data, "What `drc reference` writes: files, or folders of them")->required();
     app.add_option("-o,--output", o.output, "The weights file to write");
+    app.add_option("--store", o.store, "Numbers of that file: fp32, or fp16 or bf16 at half the size")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"fp32", "fp16", "bf16"}));
     app.add_option("--init", o.init, "Weights to start from; with --examples 0 they are only evaluated");
     app.add_option("--examples", t.examples, "Examples to draw in total")
         ->capture_default_str()
@@ -131,7 +136,8 @@ void exportWeights(const Options& o, const Training& training, Model& model, con
                                                           v.none.log, v.gaussian.log)},
                                {"command", o.command},
                                {"commit", o.commit}};
-    model->weights()->save(o.output, provenance);
+    const DType type = o.store == "fp16" ? DType::F16 : o.store == "bf16" ? DType::BF16 : DType::F32;
+    model->weights()->save(o.output, provenance, type);
     logInfo(fmt::format("wrote {}", o.output));
 }
 

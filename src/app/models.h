@@ -4,8 +4,8 @@
 
 namespace drc {
 
-// Of the shipped networks, what renders use by default. The others make better maps, but so far pictures are worse for
-// it in the same time (models/drc.md).
+// Of the shipped networks, what renders use by default: the one that takes least time. Pictures with the others are no
+// better (models/drc.md).
 inline constexpr const char* kDefaultNetwork = "drc-fast";
 
 // The path of the weights that are meant. `weights`: a file, or the name of a shipped network; if empty, the
