@@ -1,17 +1,15 @@
 // Furnaces whose light is known: through the renderer, with each of its integrators and filters.
 #include <gtest/gtest.h>
 
-#include "cache/enhancer.h"
-#include "pbrt/scene_file.h"
-#include "render/renderer.h"
+#include "pictures.h"
 #include "test_scenes.h"
-#include "z_test.h"
 
 namespace drc {
 namespace {
 
 using test::constantEstimate;
 using test::Estimate;
+using test::pictures;
 
 constexpr int kWidth = 12, kHeight = 8;
 
@@ -28,40 +26,6 @@ std::string ballInFurnace(const std::string& material, bool emits, bool v4) {
     text = test::respelt(text, "WorldBegin\n", "WorldBegin\nAttributeBegin\n");
     text = test::respelt(text, "WorldEnd", "AttributeEnd\nWorldEnd");
     return v4 ? test::inWordsOfV4(text) : text;
-}
-
-// Means over blocks of kBlock x kBlock pixels: of few samples a pixel is no normal deviate, these nearly are.
-constexpr int kBlock = 4;
-std::vector<Rgb> blocksOf(const Image& image) {
-    std::vector<Rgb> blocks(size_t(image.width() / kBlock * (image.height() / kBlock)), Rgb(0.f));
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            blocks[size_t(y / kBlock * (image.width() / kBlock) + x / kBlock)] +=
-                image.rgb(x, y) * (1.f / (kBlock * kBlock));
-    return blocks;
-}
-
-// Pictures of different seeds.
-std::vector<std::vector<Rgb>> pictures(const std::string& text, Integrator integrator, int count, int spp) {
-    const auto scene = pbrt::loadPbrtString(text);
-    std::vector<std::vector<Rgb>> result;
-    for (int seed = 0; seed < count; ++seed) {
-        RenderParams params;
-        params.integrator = integrator;
-        params.seed = uint64_t(seed);
-        params.spp = spp;
-        params.passes = 2;
-        params.firstSpacing = 4.f / kHeight;
-        params.indirect.capture.layout = MapLayout(Projection::EqualArea, 8);
-        params.indirect.primarySamples = 1;
-        params.path.maxDepth = scene->settings.maxDepth;
-        Renderer renderer(*scene, params, makeGaussianEnhancer(1), nullptr);
-        while (renderer.step()) {
-        }
-        EXPECT_EQ(renderer.samplesDone(), spp);
-        result.push_back(blocksOf(renderer.image().beauty));
-    }
-    return result;
 }
 
 // slack: that a cache of light which differs from place to place may be wrong by.
@@ -130,6 +94,8 @@ INSTANTIATE_TEST_SUITE_P(Furnaces, BallInFurnace, testing::ValuesIn(kBalls),
 
 TEST_P(BallInFurnace, IsNotSeenByPaths) { expectConstant(pictures(text(), Integrator::Path, 16, 16), 1); }
 
+TEST_P(BallInFurnace, IsNotSeenByBidirectionalPaths) { expectConstant(pictures(text(), Integrator::Bdpt, 16, 16), 1); }
+
 TEST_P(BallInFurnace, IsNotSeenByRadianceMaps) {
     expectConstant(pictures(text(), Integrator::Drc, 8, 16), 1, GetParam().emits ? 0 : 0.01);
 }
@@ -154,6 +120,7 @@ TEST_P(DepthOfFurnace, IsTheSeriesCutShort) {
                              test::furnace(0.5f, kWidth, kHeight);
     const double expected = 1 - std::pow(0.5, depth + 1);
     expectConstant(pictures(text, Integrator::Path, 16, 16), expected);
+    expectConstant(pictures(text, Integrator::Bdpt, 16, 16), expected);
     expectConstant(pictures(text, Integrator::Drc, 8, 16), expected);
     expectConstant(pictures(text, Integrator::Direct, 16, 16), 0.75);
 }
@@ -167,6 +134,7 @@ TEST_P(FilterOfFurnace, ChangesNothing) {
     const std::string text =
         kDeep + ("PixelFilter \"" + std::string(GetParam()) + "\"\n") + test::furnace(0.5f, kWidth, kHeight);
     expectConstant(pictures(text, Integrator::Path, 16, 64), 1);
+    expectConstant(pictures(text, Integrator::Bdpt, 16, 64), 1);
 }
 
 }  // namespace

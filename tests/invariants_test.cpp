@@ -122,13 +122,12 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
 }
 
 // Invariant 4.
-std::vector<float> renderWith(int threads, const std::string& integrator,
-                              const std::shared_ptr<const Enhancer>& enhancer) {
+std::vector<float> renderWith(int threads, Integrator integrator, const std::shared_ptr<const Enhancer>& enhancer) {
     setThreadCount(threads);
     const auto scene = pbrt::loadPbrtString(test::room(test::allMaterials()[12].second, 40, 30));
     RenderParams params;
     params.seed = 7;
-    params.integrator = integrator == "path" ? Integrator::Path : Integrator::Drc;
+    params.integrator = integrator;
     params.spp = 4;
     params.passes = 3;
     params.firstSpacing = 10.f / 30;
@@ -148,11 +147,12 @@ TEST(Invariant4, TheImageDoesNotDependOnTheNumberOfThreads) {
                                 MapLayout(Projection::EqualArea, 32), Precision::Fp32));
     };
     for (const auto& enhancer : {gaussian, network(kPlainPlanes), network(kGuidedPlanes)}) {
-        const std::vector<float> one = renderWith(1, "drc", enhancer);
-        EXPECT_EQ(one, renderWith(2, "drc", enhancer));
-        EXPECT_EQ(one, renderWith(5, "drc", enhancer));
+        const std::vector<float> one = renderWith(1, Integrator::Drc, enhancer);
+        EXPECT_EQ(one, renderWith(2, Integrator::Drc, enhancer));
+        EXPECT_EQ(one, renderWith(5, Integrator::Drc, enhancer));
     }
-    EXPECT_EQ(renderWith(1, "path", gaussian), renderWith(3, "path", gaussian));
+    for (const Integrator integrator : {Integrator::Path, Integrator::Bdpt})
+        EXPECT_EQ(renderWith(1, integrator, gaussian), renderWith(3, integrator, gaussian));
 }
 
 TEST(Invariant4, AnotherSeedIsAnotherImage) {

@@ -73,13 +73,29 @@ void checkOutput(const std::string& path) {
         throw Error("-o " + path + ": there is no folder " + folder.string());
 }
 
+std::string integratorName(Integrator integrator) {
+    switch (integrator) {
+        case Integrator::Drc:
+            return "drc";
+        case Integrator::Path:
+            return "path";
+        case Integrator::Bdpt:
+            return "bdpt";
+        case Integrator::Direct:
+            return "direct";
+    }
+    return "";
+}
+
 Integrator chooseIntegrator(const std::string& wanted, const RenderSettings& settings) {
     if (wanted == "drc") return Integrator::Drc;
     if (wanted == "path") return Integrator::Path;
     if (wanted == "direct") return Integrator::Direct;
+    if (wanted == "bdpt") return Integrator::Bdpt;
     // The file's own.
     if (settings.integrator == "iispt") return Integrator::Drc;
     if (settings.integrator == "directlighting") return Integrator::Direct;
+    if (settings.integrator == "bdpt") return Integrator::Bdpt;
     // Of "volpath" no more is left: media have warnings of their own.
     if (settings.integrator != "path" && settings.integrator != "volpath")
         logWarning("the scene's integrator '" + settings.integrator + "' is rendered as 'path'");
@@ -120,9 +136,9 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
     const Quality* quality = &kQualities[1];
     for (const Quality& q : kQualities)
         if (o.quality == q.name) quality = &q;
-    p.spp = o.spp.value_or(o.integrator == "scene"            ? scene.settings.samplesPerPixel
-                           : p.integrator == Integrator::Path ? quality->pathSpp
-                                                              : quality->spp);
+    p.spp = o.spp.value_or(o.integrator == "scene" ? scene.settings.samplesPerPixel
+                           : p.integrator == Integrator::Path || p.integrator == Integrator::Bdpt ? quality->pathSpp
+                                                                                                  : quality->spp);
     p.passes = quality->passes;
     if (o.time <= 0) p.indirect.gatherSamples = quality->gatherSamples;
     if (o.gatherSamples) p.indirect.gatherSamples = *o.gatherSamples;
@@ -218,9 +234,7 @@ void render(RenderOptions o) {
                   {{"drc:version", DRC_VERSION},
                    {"drc:command", processInfo().commandLine},
                    {"drc:seed", std::to_string(o.seed)},
-                   {"drc:integrator", params.integrator == Integrator::Drc    ? "drc"
-                                      : params.integrator == Integrator::Path ? "path"
-                                                                              : "direct"},
+                   {"drc:integrator", integratorName(params.integrator)},
                    {"drc:enhancer", params.integrator == Integrator::Drc ? o.enhancer : ""},
                    {"drc:weights", chosen.weightsHash},
                    {"drc:spp", std::to_string(renderer.samplesDone())},
@@ -242,9 +256,9 @@ void addRenderCommand(CLI::App& app) {
     command->add_option("SCENE", o->scene, "Scene file, pbrt-v3 or pbrt-v4")->required();
     command->add_option("-o,--output", o->outputs,
                         "Picture to write, .exr or .png; may be repeated. Default: by the scene's film");
-    command->add_option("--integrator", o->integrator, "drc, path, direct, or scene: what the file asks for")
+    command->add_option("--integrator", o->integrator, "drc, path, bdpt, direct, or scene: what the file asks for")
         ->capture_default_str()
-        ->check(CLI::IsMember({"drc", "path", "direct", "scene"}));
+        ->check(CLI::IsMember({"drc", "path", "bdpt", "direct", "scene"}));
     command->add_option("--quality", o->quality, "draft, standard or high: sets spp and passes")
         ->capture_default_str()
         ->check(CLI::IsMember({"draft", "standard", "high"}));

@@ -5,15 +5,8 @@
 namespace drc {
 namespace {
 
-// Chains of mirrors and glass, and rows of surfaces without material, end here.
-constexpr int kMaxSpecularChain = 64;
-constexpr int kMaxPassThrough = 256;
 // Density that stands for a direction no light sample could have produced: after a specular lobe, or from the camera.
 constexpr float kSpecular = 0;
-// Cone of a path after a non-specular bounce. Wider ones would save a little memory traffic, but what textures average
-// over must not leave the surfaces that they are on: a leaf whose picture stands on white would be too bright.
-constexpr float kDiffuseSpread = 0.005f;
-
 // Where it was measured, four times as many paths for narrow lobes cost 2 to 6 % of the time and took 8 to 13 % off the
 // error; eight times, no more.
 constexpr float kNarrowPaths = 4;
@@ -33,27 +26,7 @@ Rgb unitAlbedo(const Bsdf& bsdf, const Vec3& wo) {
     return albedo;
 }
 
-float spreadAfter(const BsdfSample& s, float spread) {
-    return s.isSpecular() ? spread : std::max(spread, kDiffuseSpread);
-}
-
 }  // namespace
-
-bool PathTracer::nextSurface(Ray& ray, SurfaceInteraction& hit) const {
-    Accel::Found found;
-    return accel_.find(ray, found) && nextSurface(ray, found, hit);
-}
-
-bool PathTracer::nextSurface(Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) const {
-    accel_.describe(ray, found, hit);
-    for (int i = 0; i < kMaxPassThrough; ++i) {
-        if (hit.primitive->material || hit.primitive->areaLight) return true;
-        ray = hit.spawnRay(ray.d);
-        if (!accel_.intersect(ray, hit)) return false;
-    }
-    // Not false, or those who ask would take the sky for what lies behind.
-    return true;
-}
 
 Rgb PathTracer::emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const {
     const AreaLight* light = hit.primitive->areaLight.get();
@@ -78,19 +51,6 @@ Rgb PathTracer::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, i
         sum += radiance * weight;
     }
     return sum;
-}
-
-bool PathTracer::shadowed(const SurfaceInteraction& at, const LightSample& light) const {
-    const Vec3 o = at.spawnPoint().towards(light.wi);
-    if (std::isinf(light.distance)) return accel_.occluded(o, light.wi, kInfinity, at.time);
-    // From the origin as it was moved, and short of the light, whose own surface must not hide it: by a share of the
-    // distance, and by what rounding can move its position.
-    const Vec3 target = at.p + light.wi * light.distance;
-    const Vec3 d = target - o;
-    const float distance = length(d);
-    const float rounding = 1e-6f * std::max({std::abs(target.x), std::abs(target.y), std::abs(target.z)});
-    const float tMax = distance * 0.9999f - rounding;
-    return tMax > 0 && accel_.occluded(o, d * (1 / distance), tMax, at.time);
 }
 
 PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group,
@@ -121,7 +81,7 @@ PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at,
 
 Rgb PathTracer::arriving(const SurfaceInteraction& at, const LightProposal& proposal) const {
     if (proposal.light == nullptr) return Rgb(0.f);
-    const bool blocked = shadowed(at, proposal.sample);
+    const bool blocked = shadowed(accel_, at.spawnPoint(), proposal.sample.wi, proposal.sample.distance, at.time);
     if (proposal.slot >= 0) guide_->learn(proposal.slot, !blocked);
     if (blocked) return Rgb(0.f);
     const LightSample& s = proposal.sample;
@@ -169,7 +129,7 @@ Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, 
         if (start) {
             hit = *start;
             start = nullptr;
-        } else if (!met || !nextSurface(path.ray, found, hit)) {
+        } else if (!met || !nextSurface(accel_, path.ray, found, hit)) {
             if (counted) sum += path.throughput * emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group);
             break;
         }
@@ -235,7 +195,7 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
     SurfaceInteraction hit;
     // Emitters without a body do not end the search for the environment or for others behind them.
     for (int i = 0; i < kMaxPassThrough; ++i) {
-        if (!nextSurface(next, hit)) return sum + scale * s->f * emissionAtInfinity(s->wi, at.p, s->pdf, group);
+        if (!nextSurface(accel_, next, hit)) return sum + scale * s->f * emissionAtInfinity(s->wi, at.p, s->pdf, group);
         sum += scale * s->f * emissionAtHit(hit, at.p, s->pdf);
         if (hit.primitive->material) break;
         next = hit.spawnRay(s->wi);
@@ -253,7 +213,7 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, SampleLayers* lay
     Rgb sum(0.f), throughput(1.f);
     SurfaceInteraction hit;
     for (int chain = 0; chain <= kMaxSpecularChain; ++chain) {
-        if (!nextSurface(ray, hit)) {
+        if (!nextSurface(accel_, ray, hit)) {
             sum += throughput * emissionAtInfinity(ray.d, ray.o, kSpecular, kNoGroup);
             break;
         }
@@ -307,7 +267,7 @@ bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& 
     result.distance = 0;
     result.bounces = 0;
     for (int chain = 0; chain <= kMaxSpecularChain; ++chain) {
-        if (!nextSurface(ray, result.surface)) return false;
+        if (!nextSurface(accel_, ray, result.surface)) return false;
         result.distance += result.surface.t;
         if (!result.surface.primitive->material) {
             ray = result.surface.spawnRay(ray.d);

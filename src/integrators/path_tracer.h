@@ -6,9 +6,9 @@
 // Primary point: a non-specular hit that the camera sees through a chain of perfect mirrors and smooth glass. The
 // chain counts for nothing in path depth. Radiance is linear RGB.
 #pragma once
-#include "accel/accel.h"
 #include "integrators/environment_guide.h"
 #include "integrators/light_sampler.h"
+#include "integrators/ray_queries.h"
 #include "math/sampler.h"
 #include "scene/bsdf_view.h"
 
@@ -139,12 +139,6 @@ class PathTracer {
     // The BSDF's sample of direct light at a primary point, and with wide indirect light wanted the path beyond it.
     Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, int group, const Rgb& throughput,
                    const VertexNumbers& u, Sampler& sampler, SampleLayers* layers) const;
-    // Nearest surface that has a material or emits; passes through the others, though not through any number of them:
-    // then it is one of those. False: the ray escapes.
-    bool nextSurface(Ray& ray, SurfaceInteraction& hit) const;
-    bool nextSurface(Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) const;
-    // Whether anything stands between a point and the light point that was sampled for it.
-    bool shadowed(const SurfaceInteraction& at, const LightSample& light) const;
     // Light sample at a non-specular vertex, weighted against the density of the BSDF's own samples, and what of it
     // arrives if its shadow ray is free.
     LightProposal proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group,

@@ -50,6 +50,11 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
         for (SampleGroups* groups : {&lit_, &narrow_, &wide_, &indirect_}) *groups = SampleGroups(region);
         surfaces_ = ShownSurfaces(region);
     }
+    if (params.integrator == Integrator::Bdpt) {
+        const PixelRegion& region = samples_.region();
+        bdpt_.emplace(scene, accel_, lights_, params.path, double(region.count()));
+        splats_.emplace(region, *scene.settings.filter);
+    }
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
     if (params_.guide) startGuide();
 }
@@ -152,44 +157,78 @@ Renderer::Turn Renderer::nextTurn() const {
 bool Renderer::sampleStep(const CancelToken* cancel) {
     const auto start = Clock::now();
     const PixelRegion& region = samples_.region();
-    const bool path = params_.integrator == Integrator::Path, drc = params_.integrator == Integrator::Drc;
-    const Turn turn = nextTurn();
-    const auto index = uint32_t(samplesDone_);
-    parallelFor(
-        region.y0, region.y1, 1,
-        [&](int begin, int end) {
-            for (int y = begin; y < end; ++y)
-                for (int x = region.x0; x < region.x1; ++x) {
-                    const uint64_t pixel = (uint64_t(uint32_t(y)) << 32) | uint32_t(x);
-                    Sampler sampler(hashCombine(params_.seed, hashCombine(kSampleStream, pixel)), index);
-                    const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
-                    const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
-                    const Vec2 uLens = sampler.get2D();
-                    const CameraRay camera = scene_.camera->generateRay(film, uLens, sampler.get1D());
-                    const bool seen = camera.weight > 0;
-                    if (path) {
-                        const Rgb radiance = seen ? tracer_.radiance(camera.ray, sampler) : Rgb(0.f);
-                        samples_.add(x, y, radiance * camera.weight, f.weight);
-                        continue;
-                    }
-                    SampleLayers layers;
-                    layers.traceWide = turn.follow;
-                    const Rgb direct = seen ? tracer_.direct(camera.ray, sampler, drc ? &layers : nullptr) : Rgb(0.f);
-                    samples_.add(x, y, (direct - layers.lit) * camera.weight, f.weight);
-                    if (!drc) continue;
-                    layers.scale(camera.weight);
-                    lit_.add(x, y, turn.group, layers.lit, f.weight);
-                    narrow_.add(x, y, turn.group, layers.narrow, f.weight);
-                    if (turn.follow) wide_.add(x, y, turn.group, layers.wide, f.weight);
-                    surfaces_.add(x, y, layers, f.weight, seen);
-                }
-        },
-        cancel);
+    if (bdpt_) {
+        // In bands, because what their light paths bring to the film is kept until each is done.
+        constexpr int kBand = 64;
+        for (int y = region.y0; y < region.y1; y += kBand) {
+            const int end = std::min(y + kBand, region.y1);
+            std::vector<SplatFilm::Catch> catches(size_t(end - y));
+            parallelFor(
+                y, end, 1, [&](int row, int) { bidirectionalRow(row, catches[size_t(row - y)]); }, cancel);
+            splats_->add(catches);
+        }
+    } else {
+        const Turn turn = nextTurn();
+        const auto rows = [&](int begin, int end) {
+            for (int y = begin; y < end; ++y) sampleRow(y, turn);
+        };
+        parallelFor(region.y0, region.y1, 1, rows, cancel);
+    }
     ++samplesDone_;
     lastSample_ = seconds(Clock::now() - start);
     sampleSeconds_ += lastSample_;
-    if (stats_) stats_->timer(path ? "path samples" : "direct samples").add(Clock::now() - start);
+    const bool paths = params_.integrator == Integrator::Path || bdpt_;
+    if (stats_) stats_->timer(paths ? "path samples" : "direct samples").add(Clock::now() - start);
     return !(cancel && cancel->cancelled());
+}
+
+// What each sample of a pixel begins with.
+struct Renderer::CameraSample {
+    Sampler sampler;
+    float filterWeight;
+    CameraRay camera;
+};
+
+Renderer::CameraSample Renderer::cameraSample(int x, int y) const {
+    const uint64_t pixel = (uint64_t(uint32_t(y)) << 32) | uint32_t(x);
+    Sampler sampler(hashCombine(params_.seed, hashCombine(kSampleStream, pixel)), uint32_t(samplesDone_));
+    const FilterSample f = scene_.settings.filter->sample(sampler.get2D());
+    const Vec2 film(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
+    const Vec2 uLens = sampler.get2D();
+    const CameraRay camera = scene_.camera->generateRay(film, uLens, sampler.get1D());
+    return {sampler, f.weight, camera};
+}
+
+void Renderer::sampleRow(int y, const Turn& turn) {
+    const bool path = params_.integrator == Integrator::Path, drc = params_.integrator == Integrator::Drc;
+    for (int x = samples_.region().x0; x < samples_.region().x1; ++x) {
+        auto [sampler, filterWeight, camera] = cameraSample(x, y);
+        const bool seen = camera.weight > 0;
+        if (path) {
+            const Rgb radiance = seen ? tracer_.radiance(camera.ray, sampler) : Rgb(0.f);
+            samples_.add(x, y, radiance * camera.weight, filterWeight);
+            continue;
+        }
+        SampleLayers layers;
+        layers.traceWide = turn.follow;
+        const Rgb direct = seen ? tracer_.direct(camera.ray, sampler, drc ? &layers : nullptr) : Rgb(0.f);
+        samples_.add(x, y, (direct - layers.lit) * camera.weight, filterWeight);
+        if (!drc) continue;
+        layers.scale(camera.weight);
+        lit_.add(x, y, turn.group, layers.lit, filterWeight);
+        narrow_.add(x, y, turn.group, layers.narrow, filterWeight);
+        if (turn.follow) wide_.add(x, y, turn.group, layers.wide, filterWeight);
+        surfaces_.add(x, y, layers, filterWeight, seen);
+    }
+}
+
+void Renderer::bidirectionalRow(int y, SplatFilm::Catch& caught) {
+    for (int x = samples_.region().x0; x < samples_.region().x1; ++x) {
+        auto [sampler, filterWeight, camera] = cameraSample(x, y);
+        const Rgb radiance = camera.weight > 0 ? bdpt_->radiance(camera.ray, sampler, caught.splats) : Rgb(0.f);
+        samples_.add(x, y, radiance * camera.weight, filterWeight);
+        ++caught.paths;
+    }
 }
 
 bool Renderer::passStep(float spacing, const CancelToken* cancel) {
@@ -246,6 +285,13 @@ RenderedImage Renderer::image() const {
             if (v < 0) v = 0;
         return result;
     };
+    if (splats_) {
+        const PixelRegion& region = samples_.region();
+        for (int y = 0; y < region.height(); ++y)
+            for (int x = 0; x < region.width(); ++x)
+                result.beauty.setRgb(x, y,
+                                     result.beauty.rgb(x, y) + splats_->value(region.x0 + x, region.y0 + y) * scale);
+    }
     if (params_.integrator != Integrator::Drc) return withoutNegative();
     const LayerFilter filter(surfaces_);
     const auto sampled = [&](const SampleGroups& samples, LayerFilter::Albedo albedo) {

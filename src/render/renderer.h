@@ -7,10 +7,11 @@
 #include "cache/indirect_pass.h"
 #include "render/film.h"
 #include "render/layer_filter.h"
+#include "render/splat_film.h"
 
 namespace drc {
 
-enum class Integrator { Drc, Path, Direct };
+enum class Integrator { Drc, Path, Direct, Bdpt };
 
 struct RenderParams {
     Integrator integrator = Integrator::Drc;
@@ -67,6 +68,11 @@ class Renderer {
         bool follow;
     };
     Turn nextTurn() const;
+    struct CameraSample;
+    CameraSample cameraSample(int x, int y) const;
+    // One sample of each pixel of a row.
+    void sampleRow(int y, const Turn& turn);
+    void bidirectionalRow(int y, SplatFilm::Catch& caught);
     uint32_t randomOf(uint64_t stream, int index) const;
     // Before a deadline: the spacing of the next pass, from what the last one cost.
     float spacingInTime() const;
@@ -76,10 +82,13 @@ class Renderer {
     Accel accel_;
     LightSampler lights_;
     PathTracer tracer_;
+    std::optional<BidirectionalTracer> bdpt_;
+    std::optional<SplatFilm> splats_;        // of bdpt_
     std::optional<EnvironmentGuide> guide_;  // none: there is no environment to learn about
     std::shared_ptr<const Enhancer> enhancer_;
     Stats* stats_;
-    FilmLayer samples_;  // paths, or the direct layer; of DRC's that which the camera sees of emitters
+    FilmLayer samples_;  // paths (those of bdpt_ but for splats), or the direct layer; of DRC's that which the camera
+                         // sees of emitters
     // DRC's alone. With the samples of direct light: what surfaces scatter of it; indirect light of lobes that maps
     // cannot hold; samples of what they can; and which surfaces they are. With the passes: what the maps give.
     SampleGroups lit_, narrow_, wide_, indirect_;

@@ -1,6 +1,7 @@
 // Cameras. Film coordinates are pixels: (0,0) is the top left corner of the top left pixel, x to the right, y down.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "math/animated_transform.h"
@@ -22,11 +23,23 @@ struct CameraRay {
     float weight = 1;
 };
 
+// How a camera sees a point.
+struct CameraView {
+    Vec2 film;
+    Vec3 from;                // the point of the lens; world space
+    float pixelsPerArea = 0;  // of the film, that a unit of area fills which faces the lens there
+};
+
 class Camera {
   public:
     virtual ~Camera() = default;
     // Ray through a film position; uLens in [0,1)^2 chooses the point on the lens, uTime in [0,1) the time.
     virtual CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const = 0;
+    // Of the ray through p and the lens's point for uLens, at the time of a ray (Ray::time). None: there is none, or
+    // this camera cannot tell: one with a real lens, or a panorama, whose film goes on at its other side.
+    virtual std::optional<CameraView> view(const Vec3& p, const Vec2& uLens, float time) const;
+    // What view() says of a point at that distance along one of the camera's own rays; 0 where it can tell of none.
+    virtual float pixelsPerArea(const Ray& ray, float distance) const;
     // World space, for frames and bounds. Of a camera that moves: in the middle of the exposure.
     virtual Vec3 position() const = 0;
     // The same camera for a film of another size: pbrt's rule for the screen window is applied to the new aspect.

@@ -1,6 +1,5 @@
 // Orthographic camera (PBR 3e, section 6.2.1): parallel rays along +z, from the screen window in the plane z = 0 of
 // camera space. With a thin lens each of them spreads over a disk and meets again at the focal distance.
-#include "math/warp.h"
 #include "scene/camera.h"
 #include "scene/camera_placement.h"
 #include "scene/screen_window.h"
@@ -14,20 +13,31 @@ class OrthographicCamera final : public Camera {
         : params_(params), placement_(params.worldToCamera, params.shutter), window_(params, film) {
         const Transform& toWorld = placement_.inTheMiddle();
         const Vec3 x = toWorld.vector(Vec3(1, 0, 0)), y = toWorld.vector(Vec3(0, 1, 0));
+        keepsAngles_ = placement_.keepsAngles();
         pixelWidth_ = std::sqrt(window_.pixelArea() * length(cross(x, y)));
     }
 
     CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const override {
         const Vec2 at = window_.at(film);
-        Vec3 o(at.x, at.y, 0), d(0, 0, 1);
-        if (params_.lensRadius > 0) {
-            const Vec2 lens = sampleConcentricDisk(uLens) * params_.lensRadius;
-            o += Vec3(lens.x, lens.y, 0);
-            d -= Vec3(lens.x, lens.y, 0) / params_.focalDistance;
-        }
-        Ray ray = placement_.ray(o, d, uTime);
+        const Vec3 lens = onLens(params_, uLens);
+        Ray ray = placement_.ray(Vec3(at.x, at.y, 0) + lens, Vec3(0, 0, 1) - lens / params_.focalDistance, uTime);
         ray.coneWidth = pixelWidth_;
         return {ray};
+    }
+
+    std::optional<CameraView> view(const Vec3& p, const Vec2& uLens, float time) const override {
+        if (!keepsAngles_) return {};
+        const Transform toWorld = placement_.toWorldAt(time);
+        const Vec3 q = toWorld.inverse().point(p), lens = onLens(params_, uLens);
+        if (!(q.z > 0)) return {};
+        const Vec3 d = Vec3(0, 0, 1) - lens / params_.focalDistance, from = q - d * q.z;
+        CameraView view{window_.film(Vec2(from.x - lens.x, from.y - lens.y)), toWorld.point(from)};
+        view.pixelsPerArea = pixelsPerFacingArea(1 / length(d));
+        return view;
+    }
+    float pixelsPerArea(const Ray& ray, float) const override {
+        if (!keepsAngles_) return 0;
+        return pixelsPerFacingArea(dot(ray.d, normalize(placement_.toWorldAt(ray.time).vector(Vec3(0, 0, 1)))));
     }
 
     Vec3 position() const override { return placement_.position(); }
@@ -38,10 +48,14 @@ class OrthographicCamera final : public Camera {
     }
 
   private:
+    // Where rays go at that cosine to the axis.
+    float pixelsPerFacingArea(float cosine) const { return 1 / (sqr(pixelWidth_) * cosine); }
+
     ProjectiveCameraParams params_;
     CameraPlacement placement_;
     ScreenWindow window_;
     float pixelWidth_ = 0;  // world units
+    bool keepsAngles_;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 // Perspective camera with a thin lens (PBR 3e, sections 6.2.2 and 6.2.3). Camera space is left-handed: x right, y up,
 // looking along +z.
-#include "math/warp.h"
 #include "scene/camera.h"
 #include "scene/camera_placement.h"
 #include "scene/screen_window.h"
@@ -17,23 +16,35 @@ class PerspectiveCamera final : public Camera {
         window_.top *= tangent;
         window_.pixelX *= tangent;
         window_.pixelY *= tangent;
+        keepsAngles_ = placement_.keepsAngles();
     }
 
     CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const override {
         // Where the ray through the lens's centre meets the plane z = 1.
         const Vec2 at = window_.at(film);
-        Vec3 o(0, 0, 0), d(at.x, at.y, 1);
-        if (params_.lensRadius > 0) {
-            const Vec2 lens = sampleConcentricDisk(uLens) * params_.lensRadius;
-            o = Vec3(lens.x, lens.y, 0);
-            // Towards focalDistance * (x, y, 1), scaled down, so that a focus at infinity does not overflow.
-            d -= o / params_.focalDistance;
-        }
+        // Towards focalDistance * (x, y, 1), scaled down, so that a focus at infinity does not overflow.
+        const Vec3 o = onLens(params_, uLens), d = Vec3(at.x, at.y, 1) - o / params_.focalDistance;
         Ray ray = placement_.ray(o, d, uTime);
         // The pixel as seen along the ray: its solid angle is its area at z = 1 times cos^3.
         const float cosine2 = 1 / (1 + at.x * at.x + at.y * at.y);
         ray.coneSpread = std::sqrt(window_.pixelArea() * cosine2 * std::sqrt(cosine2));
         return {ray};
+    }
+
+    std::optional<CameraView> view(const Vec3& p, const Vec2& uLens, float time) const override {
+        if (!keepsAngles_) return {};
+        const Transform toWorld = placement_.toWorldAt(time);
+        const Vec3 o = onLens(params_, uLens), d = toWorld.inverse().point(p) - o;
+        if (!(d.z > 0)) return {};
+        const Vec3 at = d / d.z + o / params_.focalDistance;
+        CameraView view{window_.film(Vec2(at.x, at.y)), toWorld.point(o)};
+        view.pixelsPerArea = pixelsPerSolidAngle(d.z / length(d)) / lengthSquared(p - view.from);
+        return view;
+    }
+    float pixelsPerArea(const Ray& ray, float distance) const override {
+        if (!keepsAngles_) return 0;
+        const Vec3 axis = normalize(placement_.toWorldAt(ray.time).vector(Vec3(0, 0, 1)));
+        return pixelsPerSolidAngle(dot(ray.d, axis)) / sqr(distance);
     }
 
     Vec3 position() const override { return placement_.position(); }
@@ -44,9 +55,13 @@ class PerspectiveCamera final : public Camera {
     }
 
   private:
+    // Of the film, in a direction at that cosine to the axis.
+    float pixelsPerSolidAngle(float cosine) const { return 1 / (window_.pixelArea() * cosine * sqr(cosine)); }
+
     ProjectiveCameraParams params_;
     CameraPlacement placement_;
     ScreenWindow window_;  // on the plane z = 1 of camera space
+    bool keepsAngles_;
 };
 
 }  // namespace

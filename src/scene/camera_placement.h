@@ -3,6 +3,7 @@
 #include "math/animated_transform.h"
 #include "scene/ray.h"
 #include "scene/shutter.h"
+#include "scene/turn.h"
 
 namespace drc {
 
@@ -20,6 +21,15 @@ class CameraPlacement {
         else
             place(toWorld_.start(), o, d, ray);
         return ray;
+    }
+
+    // To world space, at the time of a ray.
+    Transform toWorldAt(float time) const { return toWorld_.isAnimated() ? toWorld_.at(time) : toWorld_.start(); }
+    // Whether lengths are the same along all axes, at all times.
+    bool keepsAngles() const {
+        for (unsigned i = 0, n = toWorld_.steps(); i < n; ++i)
+            if (!Turn(toWorldAt(n > 1 ? float(i) / float(n - 1) : 0)).keepsAngles()) return false;
+        return true;
     }
 
     const Shutter& shutter() const { return shutter_; }

@@ -3,8 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include "math/frame.h"
 #include "math/transform.h"
 #include "math/vec.h"
+#include "math/warp.h"
 #include "scene/light_image.h"
 #include "scene/light_reach.h"
 #include "scene/shape.h"
@@ -21,12 +23,45 @@ struct LightSample {
     float pdf = 0;       // per solid angle; 1 for delta lights
     float distance = 0;  // to the sampled point; infinity for lights at infinity
     bool delta = false;
+    Vec3 ng{0.f};  // of the emitter, as its shape orients it; zero: a point, or infinity
+};
+
+// The scene as lights at infinity see it.
+struct SceneSphere {
+    Vec3 center{0.f};
+    float radius = 1;
+    // Uniform over the disk in front of the sphere, from where light goes in direction d (unit).
+    Vec3 inFront(const Vec3& d, const Vec2& u) const {
+        const Vec2 disk = sampleConcentricDisk(u);
+        return center + (Frame::fromNormal(d).toWorld(Vec3(disk.x, disk.y, 0)) - d) * radius;
+    }
+    float perFacingArea() const { return 1 / (kPi * radius * radius); }
+};
+
+// The densities of where and in which direction light leaves (PBR 3e, section 16.1.2).
+struct EmissionDensity {
+    float origin = 0;   // per area of the emitter; at infinity, of directions per solid angle; 1 where there is but one
+    float leaving = 0;  // of directions per solid angle; at infinity, of points per area that faces the direction
+};
+
+// Light as it sets out. From infinity: from a disk in front of the scene's sphere.
+struct EmittedRay {
+    Vec3 p, d;  // world space; d unit, the way that light goes
+    // Of the emitter: as its shape orients it, or zero for a point or infinity; and which triangle of a mesh.
+    Vec3 ng{0.f};
+    uint32_t triangle = 0;
+    Rgb radiance{0.f};  // along d. Of a point: its intensity. Of a distant light: the irradiance on what faces it
+    EmissionDensity density;
 };
 
 class Light {
   public:
     virtual ~Light() = default;
     virtual std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const = 0;
+    // Light that leaves, for paths that start at lights. None: no light for these numbers.
+    virtual std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere&) const = 0;
+    // Of emit(), where light leaves in direction d from an emitter's point with geometric normal ng.
+    virtual EmissionDensity emissionDensity(const Vec3& ng, const Vec3& d, const SceneSphere&) const = 0;
     // Total emitted power, roughly; for choosing among lights. Lights at infinity need the scene's size.
     virtual Rgb power(float sceneRadius) const = 0;
     virtual bool isDelta() const { return false; }
@@ -59,10 +94,24 @@ struct EmitterHit {
 // A surface that emits: one for each emissive mesh or shape.
 class AreaLight : public Light {
   public:
+    // emit() chooses points uniformly by area, and directions by their cosine.
+    EmissionDensity emissionDensity(const Vec3& ng, const Vec3& d, const SceneSphere&) const final;
     // Radiance leaving the hit point towards wo.
-    virtual Rgb emitted(const EmitterHit& hit, const Vec3& wo) const = 0;
+    Rgb emitted(const EmitterHit& hit, const Vec3& wo) const {
+        return twoSided_ || dot(hit.ng, wo) > 0 ? radiance_ : Rgb(0.f);
+    }
+    Rgb power(float) const final { return radiance_ * ((twoSided_ ? 2 : 1) * area() * kPi); }
     // Density, per solid angle at `from`, of sample() choosing this hit.
     virtual float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const = 0;
+
+  protected:
+    AreaLight(const Rgb& radiance, bool twoSided) : radiance_(radiance), twoSided_(twoSided) {}
+    virtual float area() const = 0;
+    // What emit() returns for a point of the emitter.
+    std::optional<EmittedRay> leave(const Vec3& p, const Vec3& ng, const Vec2& u, const SceneSphere& scene) const;
+
+    const Rgb radiance_;
+    const bool twoSided_;
 };
 
 LightPtr makePointLight(const Vec3& position, const Rgb& intensity);

@@ -16,8 +16,7 @@ constexpr uint32_t kFewTriangles = 8;
 
 class MeshAreaLight final : public AreaLight {
   public:
-    MeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided)
-        : radiance_(radiance), twoSided_(twoSided) {
+    MeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided) : AreaLight(radiance, twoSided) {
         const uint32_t count = mesh.triangleCount();
         // As measured: what is kept, and while the tree is built its lists, each of which grows by copies.
         constexpr double kBytesPerTriangle = 450;
@@ -78,17 +77,24 @@ class MeshAreaLight final : public AreaLight {
         s.radiance = emitted(hit, -s.wi);
         s.pdf = density(probability, p, s.wi, hit);
         s.distance = distance;
+        s.ng = hit.ng;
         if (!(s.pdf > 0) || isBlack(s.radiance)) return {};
         return s;
     }
 
-    Rgb power(float) const override { return radiance_ * ((twoSided_ ? 2 : 1) * area_ * kPi); }
+    std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere& scene) const override {
+        if (!(area_ > 0)) return {};
+        const DiscreteSample chosen = triangles_.sampleDiscrete(uOrigin.x);
+        const Emitter& emitter = emitters_[size_t(chosen.index)];
+        const Vec2 b = sampleUniformTriangle(Vec2(chosen.uRemapped, uOrigin.y));
+        const Vec3 p = emitter.p[0] * b.x + emitter.p[1] * b.y + emitter.p[2] * (1 - b.x - b.y);
+        auto ray = leave(p, emitter.ng, uLeaving, scene);
+        if (ray) ray->triangle = static_cast<uint32_t>(chosen.index);
+        return ray;
+    }
+
     Bounds bounds() const override { return reach_.bounds; }
     LightReach reach() const override { return reach_; }
-
-    Rgb emitted(const EmitterHit& hit, const Vec3& wo) const override {
-        return twoSided_ || dot(hit.ng, wo) > 0 ? radiance_ : Rgb(0.f);
-    }
 
     float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const override {
         const int index = static_cast<int>(hit.triangle);
@@ -96,6 +102,8 @@ class MeshAreaLight final : public AreaLight {
     }
 
   private:
+    float area() const override { return area_; }
+
     // A triangle as sampling reads it, all in one place.
     struct Emitter {
         Vec3 p[3];
@@ -128,8 +136,6 @@ class MeshAreaLight final : public AreaLight {
     }
 
     std::vector<Emitter> emitters_;
-    Rgb radiance_;
-    bool twoSided_;
     Distribution1D triangles_;  // by area
     LightTree tree_;            // over the triangles; empty where they are few
     float area_ = 0;

@@ -7,7 +7,7 @@ namespace {
 class ShapeAreaLight final : public AreaLight {
   public:
     ShapeAreaLight(ShapePtr shape, const Rgb& radiance, bool twoSided)
-        : shape_(std::move(shape)), radiance_(radiance), twoSided_(twoSided), area_(shape_->area()) {}
+        : AreaLight(radiance, twoSided), shape_(std::move(shape)), area_(shape_->area()) {}
 
     std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const override {
         const ShapeSample point = shape_->sampleFrom(p, u);
@@ -22,25 +22,27 @@ class ShapeAreaLight final : public AreaLight {
         s.radiance = emitted(hit, -s.wi);
         s.pdf = point.pdf;
         s.distance = distance;
+        s.ng = hit.ng;
         if (isBlack(s.radiance)) return {};
         return s;
     }
 
-    Rgb power(float) const override { return radiance_ * ((twoSided_ ? 2 : 1) * area_ * kPi); }
-    Bounds bounds() const override { return shape_->bounds(); }
-
-    Rgb emitted(const EmitterHit& hit, const Vec3& wo) const override {
-        return twoSided_ || dot(hit.ng, wo) > 0 ? radiance_ : Rgb(0.f);
+    std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere& scene) const override {
+        if (!(area_ > 0)) return {};
+        const ShapeSample point = shape_->sample(uOrigin);
+        return leave(point.p, point.ng, uLeaving, scene);
     }
+
+    Bounds bounds() const override { return shape_->bounds(); }
 
     float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const override {
         return shape_->pdfFrom(from, wi, {hit.p, hit.ng, hit.uv, hit.triangle});
     }
 
   private:
+    float area() const override { return area_; }
+
     ShapePtr shape_;
-    Rgb radiance_;
-    bool twoSided_;
     float area_;  // curves make a table to find theirs: here, where whoever has too many can still be told which
 };
 

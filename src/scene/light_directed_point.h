@@ -17,6 +17,18 @@ class DirectedPointLight : public Light {
         const float distance = std::sqrt(distance2);
         return LightSample{d / distance, intensity / distance2, 1, distance, true};
     }
+    std::optional<EmittedRay> emit(const Vec2&, const Vec2& uLeaving, const SceneSphere&) const final {
+        const float edge = coneCosine();
+        const Vec3 d = Frame::fromNormal(axis_).toWorld(edge > -1 ? sampleUniformCone(uLeaving, edge)
+                                                                  : sampleUniformSphere(uLeaving));
+        const Rgb intensity = intensity_ * share(worldToLight_(d));
+        if (isBlack(intensity)) return {};
+        return EmittedRay{position_, d, Vec3(0.f), 0, intensity, {1, coneDensity(edge)}};
+    }
+    EmissionDensity emissionDensity(const Vec3&, const Vec3& d, const SceneSphere&) const final {
+        const float edge = coneCosine();
+        return {1, dot(d, axis_) >= edge ? coneDensity(edge) : 0};
+    }
     bool isDelta() const final { return true; }
     Bounds bounds() const final { return {position_, position_}; }
 
@@ -27,6 +39,8 @@ class DirectedPointLight : public Light {
           intensity_(intensity),
           axis_(normalize(lightToWorld.vector(Vec3(0, 0, 1)))) {}
 
+    // Of the cone about axis_ that holds all its light, in light space.
+    virtual float leastCosine() const { return -1; }
     // Of intensity_, along w: light space, of any length.
     virtual Rgb share(const Vec3& w) const = 0;
 
@@ -34,6 +48,11 @@ class DirectedPointLight : public Light {
     Turn worldToLight_;
     Rgb intensity_;  // W / sr
     Vec3 axis_;      // the light's +z in world space
+
+  private:
+    // The cone in world space; -1: all directions.
+    float coneCosine() const { return worldToLight_.keepsAngles() ? leastCosine() : -1; }
+    static float coneDensity(float edge) { return edge > -1 ? uniformConePdf(edge) : uniformSpherePdf(); }
 };
 
 }  // namespace drc

@@ -11,6 +11,13 @@ class DistantLight final : public Light {
     std::optional<LightSample> sample(const Vec3&, const Vec2&) const override {
         return LightSample{direction_, radiance_, 1, kInfinity, true};
     }
+    std::optional<EmittedRay> emit(const Vec2&, const Vec2& uLeaving, const SceneSphere& scene) const override {
+        const Vec3 d = -direction_;
+        return EmittedRay{scene.inFront(d, uLeaving), d, Vec3(0.f), 0, radiance_, {1, scene.perFacingArea()}};
+    }
+    EmissionDensity emissionDensity(const Vec3&, const Vec3&, const SceneSphere& scene) const override {
+        return {1, scene.perFacingArea()};
+    }
     // What passes through the disk that the scene shows to the light.
     Rgb power(float sceneRadius) const override { return radiance_ * (kPi * sqr(sceneRadius)); }
     bool isDelta() const override { return true; }

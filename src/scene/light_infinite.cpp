@@ -56,6 +56,18 @@ class InfiniteLight final : public Light {
         return r;
     }
 
+    std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere& scene) const override {
+        const auto s = sample(scene.center, uOrigin);
+        if (!s) return {};
+        const Vec3 d = -s->wi;
+        const Rgb radiance = escaped(s->wi);
+        if (isBlack(radiance)) return {};
+        return EmittedRay{scene.inFront(d, uLeaving), d, Vec3(0.f), 0, radiance, {s->pdf, scene.perFacingArea()}};
+    }
+    EmissionDensity emissionDensity(const Vec3&, const Vec3& d, const SceneSphere& scene) const override {
+        return {pdfEscaped(-d), scene.perFacingArea()};
+    }
+
     Rgb power(float sceneRadius) const override { return mean_ * (kPi * sqr(sceneRadius)); }
     bool isInfinite() const override { return true; }
 

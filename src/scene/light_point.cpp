@@ -15,6 +15,12 @@ class PointLight final : public Light {
         const float distance = std::sqrt(distance2);
         return LightSample{d / distance, intensity_ / distance2, 1, distance, true};
     }
+    std::optional<EmittedRay> emit(const Vec2&, const Vec2& uLeaving, const SceneSphere&) const override {
+        return EmittedRay{position_, sampleUniformSphere(uLeaving), Vec3(0.f), 0, intensity_, {1, uniformSpherePdf()}};
+    }
+    EmissionDensity emissionDensity(const Vec3&, const Vec3&, const SceneSphere&) const override {
+        return {1, uniformSpherePdf()};
+    }
     Rgb power(float) const override { return intensity_ * (4 * kPi); }
     bool isDelta() const override { return true; }
     Bounds bounds() const override { return {position_, position_}; }

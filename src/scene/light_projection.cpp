@@ -30,6 +30,7 @@ class ProjectionLight final : public DirectedPointLight {
     }
 
   private:
+    float leastCosine() const override { return 1 / std::sqrt(1 + half_.x * half_.x + half_.y * half_.y); }
     Rgb share(const Vec3& w) const override {
         if (!(w.z > 0)) return Rgb(0.f);
         const float x = w.x / (w.z * half_.x), y = w.y / (w.z * half_.y);

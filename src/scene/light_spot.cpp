@@ -29,6 +29,7 @@ class SpotLight final : public DirectedPointLight {
     }
 
   private:
+    float leastCosine() const override { return cosEdge_; }
     Rgb share(const Vec3& w) const override { return Rgb(falloff(normalize(w).z)); }
     float falloff(float cosTheta) const {
         if (cosTheta <= cosEdge_) return 0;

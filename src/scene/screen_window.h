@@ -1,11 +1,19 @@
-// The part of the screen that the film shows: what perspective and orthographic cameras have in common.
+// What perspective and orthographic cameras have in common.
 #pragma once
+#include "math/warp.h"
 #include "scene/camera.h"
 
 namespace drc {
 
-// Its top left corner and the size of a pixel, in the screen's units, in which the shorter side goes from -1 to 1 (PBR
-// 3e, section 6.2). x to the right, y up.
+// A point of the thin lens, uniformly for u in [0,1)^2; camera space.
+inline Vec3 onLens(const ProjectiveCameraParams& params, const Vec2& u) {
+    if (!(params.lensRadius > 0)) return Vec3(0, 0, 0);
+    const Vec2 lens = sampleConcentricDisk(u) * params.lensRadius;
+    return Vec3(lens.x, lens.y, 0);
+}
+
+// The part of the screen that the film shows: its top left corner and the size of a pixel, in the screen's units, in
+// which the shorter side goes from -1 to 1 (PBR 3e, section 6.2). x to the right, y up.
 struct ScreenWindow {
     double left, top, pixelX, pixelY;
 
@@ -29,6 +37,11 @@ struct ScreenWindow {
     }
     Vec2 at(const Vec2& film) const {
         return Vec2(static_cast<float>(left + film.x * pixelX), static_cast<float>(top - film.y * pixelY));
+    }
+    // The film position that at() brings there.
+    Vec2 film(const Vec2& screen) const {
+        return Vec2(static_cast<float>((double(screen.x) - left) / pixelX),
+                    static_cast<float>((top - double(screen.y)) / pixelY));
     }
     float pixelArea() const { return static_cast<float>(std::abs(pixelX * pixelY)); }
 };

@@ -1,0 +1,415 @@
+#include "integrators/bdpt.h"
+
+#include <cmath>
+
+namespace drc {
+namespace {
+
+// Longest subpath, with all its mirrors and glass.
+constexpr size_t kMostVertices = 192;
+
+// Density of a surface's point, from one per solid angle at another point.
+float perArea(float perSolidAngle, const Vec3& from, const SurfaceInteraction& to) {
+    const Vec3 d = to.p - from;
+    const float squared = lengthSquared(d);
+    return perSolidAngle * absDot(to.ng, d) / (squared * std::sqrt(squared));
+}
+
+// Where a surface's shading normal is not its geometric one, light that comes and what is seen do not take the same
+// cosines (Veach 1997, section 5.3).
+float shadingOfLight(const Bsdf& bsdf, const SurfaceInteraction& at) {
+    const float cosine = absDot(at.ng, at.wo);
+    return cosine > 0 ? absDot(bsdf.frame().n, at.wo) / cosine : 0;
+}
+
+}  // namespace
+
+// A surface that a subpath goes on from.
+struct BidirectionalTracer::Vertex {
+    SurfaceInteraction hit;
+    Bsdf bsdf;
+    Rgb throughput{1.f};  // up to this vertex, without its BSDF
+    float own = 0;        // density, from the subpath's own end
+    float reverse = 0;    // density from the other end, once the subpath went on twice
+    bool specular = false;
+    int scattered = 0;  // non-specular vertices before this one
+};
+
+struct BidirectionalTracer::LightEnd {
+    Vec3 p{0.f}, ng{0.f};
+    Vec3 d{0.f};  // the way that light goes
+    bool infinite = false, delta = false;
+    EmissionDensity density;  // origin: times the probability of the light
+    float chosen = 0;         // see Ends
+
+    // Density of this point (or direction), from one per solid angle at another point.
+    float from(const Vec3& other, float perSolidAngle) const {
+        return infinite ? perSolidAngle : perSolidAngle * absDot(ng, d) / lengthSquared(p - other);
+    }
+    // Density of the vertex that light goes to.
+    float to(const SurfaceInteraction& next) const {
+        return infinite ? density.leaving * absDot(next.ng, d) : perArea(density.leaving, p, next);
+    }
+};
+
+struct BidirectionalTracer::Paths {
+    std::vector<Vertex> camera, light;
+    Vec3 lens{0.f};
+    bool lensCanBeJoined = false;
+    LightEnd end;             // of `light`
+    float endFromCamera = 0;  // its density from the first vertex of `light`, once that went on
+    // Scratch of the weights.
+    std::vector<Node> nodes;
+    Ends ends;
+
+    Paths() {
+        camera.reserve(kMostVertices);
+        light.reserve(kMostVertices);
+    }
+};
+
+// From a vertex to the next.
+struct BidirectionalTracer::Step {
+    Ray ray;
+    Rgb throughput;
+    float pdf = 0, reverse = 0;  // per solid angle; 1 for specular lobes
+    float eta = 1;
+
+    // Density-proportional to what the BSDF sends on. False: nothing. Marks the vertex if by a specular lobe.
+    bool sample(Vertex& at, float uLobe, const Vec2& u, TransportMode mode) {
+        const BsdfView view(at.bsdf, at.hit.wo, LobeFlags::All, mode);
+        const auto s = view.sample(uLobe, u);
+        if (!s || !(s->pdf > 0)) return false;
+        const float cosine =
+            mode == TransportMode::Radiance ? absDot(s->wi, at.bsdf.frame().n) : absDot(s->wi, at.hit.ng);
+        // What a light path brings is what the camera's would find there: not every BSDF is reciprocal.
+        const bool turned = mode == TransportMode::Importance && !s->isSpecular();
+        throughput =
+            at.throughput * (turned ? at.bsdf.f(s->wi, at.hit.wo, LobeFlags::NonSpecular) : s->f) * (cosine / s->pdf);
+        if (isBlack(throughput) || !isFinite(throughput)) return false;
+        at.specular = s->isSpecular();
+        pdf = at.specular ? 1 : s->pdf;
+        reverse = at.specular ? 1 : at.bsdf.pdf(s->wi, at.hit.wo);
+        eta = s->eta;
+        ray = at.hit.spawnRay(s->wi, spreadAfter(*s, at.hit.coneSpread));
+        return true;
+    }
+    // Russian roulette. importance: what the throughput is worth.
+    bool survives(float importance, float u) {
+        const float survival = std::min(0.95f, importance);
+        if (u >= survival) return false;
+        throughput *= 1 / survival;
+        return true;
+    }
+};
+
+BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Accel& accel, const LightSampler& lights,
+                                         const PathSettings& settings, double lightPaths)
+    : scene_(scene), accel_(accel), lights_(lights), settings_(settings), lightPaths_(lightPaths) {
+    const Bounds bounds = scene.bounds();
+    sphere_ = {bounds.empty() ? Vec3(0.f) : bounds.center(), std::max(1e-6f, bounds.radius())};
+    std::vector<float> powers;
+    for (const LightPtr& light : scene.lights) {
+        const float power = luminance(light->power(sphere_.radius));
+        if (!(power > 0)) continue;
+        emitting_.push_back(light.get());
+        powers.push_back(power);
+    }
+    byPower_ = Distribution1D(powers);
+    for (size_t i = 0; i < emitting_.size(); ++i) probability_[emitting_[i]] = byPower_.probability(int(i));
+}
+
+float BidirectionalTracer::weight(std::span<const Node> nodes, size_t s, const Ends& ends) {
+    const size_t n = nodes.size();
+    // From 1, the vertex next to the lens, to n, the light.
+    const auto node = [&](size_t i) -> const Node& { return nodes[i - 1]; };
+    const auto possible = [&](size_t other) {
+        const size_t t = n + 1 - other;
+        if (other == 0) return ends.lightCanBeMet;
+        if (t == 1 ? other < 2 || !ends.lensCanBeJoined : node(t - 1).specular) return false;
+        return other == 1 || !node(t).specular;
+    };
+    // What densities of nodes leave out.
+    const auto besides = [&](size_t other) {
+        return (other == 1 ? double(ends.chosen) : 1.0) * (other == n ? ends.lightPaths : 1.0);
+    };
+    const double own = besides(s);
+    double sum = own * own, ratio = 1;
+    for (size_t other = s; other-- > 0 && ratio > 0;) {
+        ratio *= double(node(n - other).fromCamera) / double(node(n - other).fromLight);
+        if (possible(other)) sum += sqr(ratio * besides(other));
+    }
+    ratio = 1;
+    for (size_t other = s + 1; other <= n && ratio > 0; ++other) {
+        ratio *= double(node(n + 1 - other).fromLight) / double(node(n + 1 - other).fromCamera);
+        if (possible(other)) sum += sqr(ratio * besides(other));
+    }
+    const double share = own * own / sum;
+    return std::isfinite(share) ? float(share) : 0;
+}
+
+BidirectionalTracer::LightEnd BidirectionalTracer::lightEnd(const Light& light, const EmitterHit& at, const Vec3& d,
+                                                            const Vec3& from, float chosen) const {
+    LightEnd end;
+    end.p = at.p;
+    end.ng = at.ng;
+    end.d = d;
+    end.infinite = light.bounds().empty();
+    end.delta = light.isDelta();
+    end.density = light.emissionDensity(at.ng, d, sphere_);
+    const auto probability = probability_.find(&light);
+    end.density.origin *= probability == probability_.end() ? 0 : probability->second;
+    const float here = end.delta ? chosen : end.from(from, chosen);
+    end.chosen = end.density.origin > 0 ? here / end.density.origin : 0;
+    return end;
+}
+
+BidirectionalTracer::LightEnd BidirectionalTracer::lightEnd(const Light& light, const EmitterHit& at, const Vec3& d,
+                                                            const Vec3& from) const {
+    float chosen = lights_.probability(from, &light);
+    if (light.isInfinite()) {
+        chosen *= light.pdfEscaped(-d);
+    } else if (!light.isDelta()) {
+        chosen *= static_cast<const AreaLight&>(light).pdf(from, -d, at);
+    }
+    return lightEnd(light, at, d, from, chosen);
+}
+
+Rgb BidirectionalTracer::radiance(const Ray& cameraRay, Sampler& sampler, std::vector<Splat>& splats) const {
+    thread_local Paths paths;
+    const size_t before = splats.size();
+    Rgb sum = traceCamera(cameraRay, sampler, paths);
+    traceLight(cameraRay.time, sampler, paths, splats);
+    for (size_t i = 0; i < paths.camera.size(); ++i)
+        for (size_t j = 0; j < paths.light.size(); ++j) sum += join(paths, i, j);
+    const auto bounded = [&](const Rgb& radiance) {
+        if (!isFinite(radiance)) return Rgb(0.f);
+        const float l = luminance(radiance);
+        return l <= settings_.clamp ? radiance : radiance * (settings_.clamp / l);
+    };
+    for (size_t i = before; i < splats.size(); ++i) splats[i].radiance = bounded(splats[i].radiance);
+    return bounded(sum);
+}
+
+Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Paths& paths) const {
+    paths.camera.clear();
+    paths.lens = cameraRay.o;
+    paths.lensCanBeJoined = scene_.camera->pixelsPerArea(cameraRay, 1) > 0;
+    Rgb sum(0.f);
+    Step step{cameraRay, Rgb(1.f)};
+    float etaScale = 1;
+    int scattered = 0;
+    for (int passed = 0; passed <= kMaxPassThrough;) {
+        SurfaceInteraction hit;
+        const bool first = paths.camera.empty();
+        const Vec3 from = first ? paths.lens : paths.camera.back().hit.p;
+        if (!nextSurface(accel_, step.ray, hit)) {
+            for (const Light* light : lights_.infiniteLights()) {
+                const Rgb emitted = step.throughput * light->escaped(step.ray.d);
+                if (first || isBlack(emitted))
+                    sum += emitted;
+                else
+                    sum += emitted * weightOfMet(paths, lightEnd(*light, {}, -step.ray.d, from), step.pdf);
+            }
+            break;
+        }
+        const float own = first ? scene_.camera->pixelsPerArea(cameraRay, length(hit.p - from)) * absDot(hit.ng, hit.wo)
+                                : perArea(step.pdf, from, hit);
+        if (const AreaLight* light = hit.primitive->areaLight.get()) {
+            const Rgb emitted = step.throughput * hit.emitted();
+            if (first || isBlack(emitted))
+                sum += emitted;
+            else
+                sum += emitted * weightOfMet(paths, lightEnd(*light, hit.emitterHit(), hit.wo, from), own);
+        }
+        if (!hit.primitive->material) {  // an emitter without a body
+            step.ray = hit.spawnRay(step.ray.d);
+            ++passed;
+            continue;
+        }
+        if (scattered >= settings_.maxDepth || paths.camera.size() == kMostVertices) break;
+        Vertex& at = paths.camera.emplace_back();
+        at.hit = hit;
+        at.bsdf = hit.bsdf();
+        at.throughput = step.throughput;
+        at.own = own;
+        at.scattered = scattered;
+        const auto u = sampler.getFour2D();
+        if (at.bsdf.hasNonSpecular()) sum += sampleLight(paths, u[2].x, u[0]);
+        if (!step.sample(at, u[2].y, u[1], TransportMode::Radiance)) break;
+        if (!first) {
+            Vertex& previous = paths.camera[paths.camera.size() - 2];
+            previous.reverse = perArea(step.reverse, hit.p, previous.hit);
+        }
+        if (!at.specular) ++scattered;
+        etaScale *= sqr(step.eta);
+        if (int(paths.camera.size()) >= settings_.rouletteDepth &&
+            !step.survives(maxComponent(step.throughput) * etaScale, u[3].x))
+            break;
+    }
+    return sum;
+}
+
+void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths, std::vector<Splat>& splats) const {
+    paths.light.clear();
+    if (emitting_.empty()) return;
+    const auto numbers = sampler.getFour2D();
+    const DiscreteSample choice = byPower_.sampleDiscrete(numbers[2].x);
+    const Light& light = *emitting_[size_t(choice.index)];
+    const auto emitted = light.emit(numbers[0], numbers[1], sphere_);
+    if (!emitted) return;
+    const float density = choice.probability * emitted->density.origin * emitted->density.leaving;
+    const bool surface = lengthSquared(emitted->ng) > 0;
+    const float cosine = surface ? absDot(emitted->ng, emitted->d) : 1;
+    Step step;
+    step.throughput = emitted->radiance * (cosine / density);
+    if (!isFinite(step.throughput) || isBlack(step.throughput)) return;
+    step.ray.o = surface ? SpawnPoint{emitted->p, emitted->ng}.towards(emitted->d) : emitted->p;
+    step.ray.d = emitted->d;
+    step.ray.time = time;
+    step.ray.coneSpread = kDiffuseSpread;
+    const float start = maxComponent(step.throughput);
+    int scattered = 0;
+    for (int passed = 0; passed <= kMaxPassThrough;) {
+        SurfaceInteraction hit;
+        if (!nextSurface(accel_, step.ray, hit)) break;
+        if (!hit.primitive->material) {
+            step.ray = hit.spawnRay(step.ray.d);
+            ++passed;
+            continue;
+        }
+        if (scattered >= settings_.maxDepth || paths.light.size() == kMostVertices) break;
+        const bool first = paths.light.empty();
+        if (first) paths.end = lightEnd(light, {emitted->p, emitted->ng, emitted->triangle}, emitted->d, hit.p);
+        const float own = first ? paths.end.to(hit) : perArea(step.pdf, paths.light.back().hit.p, hit);
+        Vertex& at = paths.light.emplace_back();
+        at.hit = hit;
+        at.bsdf = hit.bsdf();
+        at.throughput = step.throughput * shadingOfLight(at.bsdf, hit);
+        at.own = own;
+        at.scattered = scattered;
+        const auto u = sampler.getFour2D();
+        if (at.bsdf.hasNonSpecular()) joinLens(paths, time, u[0], splats);
+        if (!step.sample(at, u[2].y, u[1], TransportMode::Importance)) break;
+        if (first) {
+            paths.endFromCamera = paths.end.from(hit.p, step.reverse);
+        } else {
+            Vertex& previous = paths.light[paths.light.size() - 2];
+            previous.reverse = perArea(step.reverse, hit.p, previous.hit);
+        }
+        if (!at.specular) ++scattered;
+        if (int(paths.light.size()) >= settings_.rouletteDepth &&
+            !step.survives(maxComponent(step.throughput) / start, u[3].x))
+            break;
+    }
+}
+
+Rgb BidirectionalTracer::sampleLight(Paths& paths, float uLight, const Vec2& u) const {
+    const Vertex& at = paths.camera.back();
+    const auto choice = lights_.sample(at.hit.p, uLight);
+    if (choice.light == nullptr) return Rgb(0.f);
+    const auto s = choice.light->sample(at.hit.p, u);
+    if (!s || !(s->pdf > 0)) return Rgb(0.f);
+    const Rgb radiance = choice.light->isInfinite() ? choice.light->escaped(s->wi) : s->radiance;
+    const LobeValue value = BsdfView(at.bsdf, at.hit.wo).evaluate(s->wi);
+    const float chosen = choice.probability * s->pdf;
+    const Rgb light = at.throughput * value.f * radiance * (absDot(s->wi, at.bsdf.frame().n) / chosen);
+    if (isBlack(light) || shadowed(accel_, at.hit.spawnPoint(), s->wi, s->distance, at.hit.time)) return Rgb(0.f);
+    EmitterHit point;
+    point.ng = s->ng;
+    if (!std::isinf(s->distance)) point.p = at.hit.p + s->wi * s->distance;
+    const LightEnd end = lightEnd(*choice.light, point, -s->wi, at.hit.p, chosen);
+    return light * weightOfSampled(paths, end, s->wi, value.pdf);
+}
+
+void BidirectionalTracer::joinLens(Paths& paths, float time, const Vec2& uLens, std::vector<Splat>& splats) const {
+    const Vertex& at = paths.light.back();
+    const auto view = scene_.camera->view(at.hit.p, uLens, time);
+    if (!view) return;
+    const Vec3 way = view->from - at.hit.p;
+    const float distance = length(way);
+    if (!(distance > 0)) return;
+    const Vec3 d = way / distance;
+    const float fromCamera = view->pixelsPerArea * absDot(at.hit.ng, d);
+    const Rgb f = at.bsdf.f(d, at.hit.wo, LobeFlags::NonSpecular);
+    const Rgb light = at.throughput * f * fromCamera;
+    if (isBlack(light) || shadowed(accel_, at.hit.spawnPoint(), d, distance, time)) return;
+    splats.push_back({view->film, light * (weightAtLens(paths, d, fromCamera) / float(lightPaths_))});
+}
+
+Rgb BidirectionalTracer::join(Paths& paths, size_t camera, size_t light) const {
+    const Vertex &z = paths.camera[camera], &y = paths.light[light];
+    if (z.scattered + y.scattered + 2 > settings_.maxDepth) return Rgb(0.f);
+    if (!z.bsdf.hasNonSpecular() || !y.bsdf.hasNonSpecular()) return Rgb(0.f);
+    const Vec3 way = y.hit.p - z.hit.p;
+    const float distance = length(way);
+    if (!(distance > 0)) return Rgb(0.f);
+    const Vec3 d = way / distance;
+    Rgb sum = z.throughput * z.bsdf.f(z.hit.wo, d, LobeFlags::NonSpecular);
+    if (isBlack(sum)) return sum;
+    sum *= y.throughput * y.bsdf.f(-d, y.hit.wo, LobeFlags::NonSpecular);
+    sum *= absDot(z.bsdf.frame().n, d) * absDot(y.hit.ng, d) / sqr(distance);
+    if (isBlack(sum) || shadowed(accel_, z.hit.spawnPoint(), d, distance, z.hit.time)) return Rgb(0.f);
+    return sum * weightOfJoined(paths, camera, light, d);
+}
+
+float BidirectionalTracer::weight(const Paths& paths, size_t s) const { return weight(paths.nodes, s, paths.ends); }
+
+float BidirectionalTracer::weightOfMet(Paths& paths, const LightEnd& end, float fromCamera) const {
+    paths.nodes.clear();
+    for (const Vertex& v : paths.camera) paths.nodes.push_back({v.own, v.reverse, v.specular});
+    paths.nodes.back().fromLight = end.to(paths.camera.back().hit);
+    paths.nodes.push_back({fromCamera, end.density.origin, false});
+    paths.ends = {end.chosen, !end.delta, paths.lensCanBeJoined, lightPaths_};
+    return weight(paths, 0);
+}
+
+float BidirectionalTracer::weightOfSampled(Paths& paths, const LightEnd& end, const Vec3& wi, float pdf) const {
+    paths.nodes.clear();
+    for (const Vertex& v : paths.camera) paths.nodes.push_back({v.own, v.reverse, v.specular});
+    const size_t last = paths.camera.size() - 1;
+    const Vertex& at = paths.camera[last];
+    paths.nodes[last].specular = false;
+    paths.nodes[last].fromLight = end.to(at.hit);
+    if (last > 0)
+        paths.nodes[last - 1].fromLight = perArea(at.bsdf.pdf(wi, at.hit.wo), at.hit.p, paths.camera[last - 1].hit);
+    paths.nodes.push_back({end.delta ? 0 : end.from(at.hit.p, pdf), end.density.origin, false});
+    paths.ends = {end.chosen, !end.delta, paths.lensCanBeJoined, lightPaths_};
+    return weight(paths, 1);
+}
+
+void BidirectionalTracer::appendLight(Paths& paths, size_t first, float fromCamera, float nextFromCamera) const {
+    const std::vector<Vertex>& light = paths.light;
+    paths.nodes.push_back({fromCamera, light[first].own, false});
+    for (size_t i = first; i-- > 0;)
+        paths.nodes.push_back({i + 1 == first ? nextFromCamera : light[i].reverse, light[i].own, light[i].specular});
+    paths.nodes.push_back({first == 0 ? nextFromCamera : paths.endFromCamera, paths.end.density.origin, false});
+    paths.ends = {paths.end.chosen, !paths.end.delta, paths.lensCanBeJoined, lightPaths_};
+}
+
+float BidirectionalTracer::weightOfJoined(Paths& paths, size_t camera, size_t light, const Vec3& d) const {
+    const Vertex &z = paths.camera[camera], &y = paths.light[light];
+    paths.nodes.clear();
+    for (size_t i = 0; i <= camera; ++i)
+        paths.nodes.push_back({paths.camera[i].own, paths.camera[i].reverse, paths.camera[i].specular});
+    paths.nodes[camera].specular = false;
+    paths.nodes[camera].fromLight = perArea(y.bsdf.pdf(y.hit.wo, -d), y.hit.p, z.hit);
+    if (camera > 0)
+        paths.nodes[camera - 1].fromLight = perArea(z.bsdf.pdf(d, z.hit.wo), z.hit.p, paths.camera[camera - 1].hit);
+    const float back = y.bsdf.pdf(-d, y.hit.wo);
+    appendLight(paths, light, perArea(z.bsdf.pdf(z.hit.wo, d), z.hit.p, y.hit),
+                light > 0 ? perArea(back, y.hit.p, paths.light[light - 1].hit) : paths.end.from(y.hit.p, back));
+    return weight(paths, light + 2);
+}
+
+float BidirectionalTracer::weightAtLens(Paths& paths, const Vec3& d, float fromCamera) const {
+    const size_t last = paths.light.size() - 1;
+    const Vertex& y = paths.light[last];
+    paths.nodes.clear();
+    const float back = y.bsdf.pdf(d, y.hit.wo);
+    appendLight(paths, last, fromCamera,
+                last > 0 ? perArea(back, y.hit.p, paths.light[last - 1].hit) : paths.end.from(y.hit.p, back));
+    return weight(paths, last + 2);
+}
+
+}  // namespace drc

@@ -1,0 +1,62 @@
+#include "integrators/bdpt.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace drc {
+namespace {
+
+using Node = BidirectionalTracer::Node;
+using Ends = BidirectionalTracer::Ends;
+
+// Over all ways that can make a path, which is every s that the path allows.
+double sumOfWeights(const std::vector<Node>& nodes, const Ends& ends) {
+    const size_t n = nodes.size();
+    const auto canJoin = [&](size_t s) {
+        const size_t t = n + 1 - s;
+        if (s == 0) return ends.lightCanBeMet;
+        if (t == 1) return s > 1 && ends.lensCanBeJoined && !nodes[0].specular;
+        return !nodes[t - 2].specular && (s == 1 || !nodes[t - 1].specular);
+    };
+    double sum = 0;
+    for (size_t s = 0; s <= n; ++s)
+        if (canJoin(s)) sum += double(BidirectionalTracer::weight(nodes, s, ends));
+    return sum;
+}
+
+TEST(Bdpt, WeightsOfAllWaysToMakeAPathAddUpToOne) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> exponent(-2, 2);
+    for (int i = 0; i < 2000; ++i) {
+        std::vector<Node> nodes(1 + random() % 6);
+        for (Node& node : nodes) node = {std::exp2(exponent(random)), std::exp2(exponent(random)), random() % 3 == 0};
+        nodes.back().specular = false;
+        const Ends ends{std::exp2(exponent(random)), random() % 4 != 0, random() % 4 != 0, 100};
+        const double sum = sumOfWeights(nodes, ends);
+        // A path that no way can make: a delta light behind mirrors alone, say.
+        if (sum == 0) continue;
+        ASSERT_NEAR(sum, 1, 1e-4) << "path " << i;
+    }
+}
+
+TEST(Bdpt, WeightsFollowThePowerHeuristic) {
+    // Lens, a point, a light: the light is met with density 3, or chosen with twice its own of 2.
+    const std::vector<Node> nodes{{5, 7, false}, {3, 2, false}};
+    const Ends ends{2, true, false, 100};
+    EXPECT_NEAR(BidirectionalTracer::weight(nodes, 0, ends), 9. / (9 + 16), 1e-6);
+    EXPECT_NEAR(BidirectionalTracer::weight(nodes, 1, ends), 16. / (9 + 16), 1e-6);
+    // And by 100 light paths, which come to the point with density 2 * 7 for the camera's 5.
+    const Ends joined{2, true, true, 100};
+    const double byLight = 100. * 2 * 7 / 5;
+    EXPECT_NEAR(BidirectionalTracer::weight(nodes, 2, joined), byLight * byLight / (9 + 16 + byLight * byLight), 1e-6);
+}
+
+TEST(Bdpt, WhatASpecularVertexHidesCountsForNothing) {
+    // Behind a mirror a light can only be met.
+    const std::vector<Node> nodes{{5, 7, true}, {3, 2, false}};
+    EXPECT_EQ(BidirectionalTracer::weight(nodes, 0, {2, true, true, 100}), 1);
+}
+
+}  // namespace
+}  // namespace drc

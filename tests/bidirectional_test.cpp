@@ -1,0 +1,111 @@
+// Bidirectional paths bring what paths from the camera bring: every material, light and camera.
+#include <gtest/gtest.h>
+
+#include "light_cases.h"
+#include "pictures.h"
+#include "test_scenes.h"
+
+namespace drc {
+namespace {
+
+using test::Estimate;
+
+constexpr int kWidth = 12, kHeight = 8;
+constexpr int kPictures = 24;
+
+// pathSpp: paths from the camera are what is noisy.
+void expectSameAsPaths(const std::string& text, int spp = 32, int pathSpp = 96) {
+    const std::string deep = "Integrator \"path\" \"integer maxdepth\" 12\n" + text;
+    const auto path = test::pictures(deep, Integrator::Path, kPictures, pathSpp);
+    const auto both = test::pictures(deep, Integrator::Bdpt, kPictures, spp);
+    const Estimate a = test::estimateOf(both), b = test::estimateOf(path);
+    const test::ZResult z = test::zTest(a, b);
+    EXPECT_EQ(z.tests, kWidth * kHeight / (test::kBlock * test::kBlock) * 3);
+    EXPECT_LT(z.worst, z.bound);
+    EXPECT_LT(z.meanSquare, 3);
+    // A light path brings light to several pixels: of the whole picture, whole pictures tell.
+    const Estimate ofBoth = test::estimateOfMeans(both), ofPath = test::estimateOfMeans(path);
+    const test::ZResult means = test::zTest(ofBoth, ofPath);
+    EXPECT_LT(means.worst, means.bound);
+    for (size_t c = 0; c < 3; ++c)
+        EXPECT_LT(std::sqrt(ofBoth.variance[c] + ofPath.variance[c]), 0.02 * ofPath.mean[c]) << "too noisy to tell";
+}
+
+std::string withoutIntegrator(const std::string& text) { return test::respelt(text, "Integrator \"path\"\n", ""); }
+
+class BidirectionalMaterials : public testing::TestWithParam<size_t> {};
+INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalMaterials, testing::Range<size_t>(0, test::allMaterials().size()),
+                         [](const auto& i) { return test::allMaterials()[i.param].first; });
+
+TEST_P(BidirectionalMaterials, AgreeWithPaths) {
+    expectSameAsPaths(withoutIntegrator(test::room(test::allMaterials()[GetParam()].second, kWidth, kHeight)));
+}
+
+class BidirectionalMaterialsOfV4 : public testing::TestWithParam<size_t> {};
+INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalMaterialsOfV4, testing::Range<size_t>(0, test::materialsOfV4().size()),
+                         [](const auto& i) { return test::materialsOfV4()[i.param].first; });
+
+TEST_P(BidirectionalMaterialsOfV4, AgreeWithPaths) {
+    expectSameAsPaths(
+        test::inWordsOfV4(withoutIntegrator(test::room(test::materialsOfV4()[GetParam()].second, kWidth, kHeight))));
+}
+
+class BidirectionalLights : public testing::TestWithParam<test::LightCase> {};
+INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalLights, testing::ValuesIn(test::kLightCases),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(BidirectionalLights, AgreeWithPaths) {
+    const TemporaryFolder folder;
+    // Without its mirror: paths from the camera do not find what it throws of a point's light.
+    expectSameAsPaths(test::respelt(test::cornerWith(GetParam(), folder, kWidth, kHeight),
+                                    R"(Material "mirror" "rgb Kr" [0.8 0.8 0.8])",
+                                    R"(Material "metal" "float roughness" 0.2)"));
+}
+
+// Shading normals that are not the geometric ones: light that comes must not be brighter for them than light that is
+// looked for.
+TEST(Bidirectional, AgreesWithPathsAboutShadingNormals) {
+    const std::string floor =
+        "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [-1.2 0.6 0.1 1.2 0.6 0.1 1.2 0.9 1.6 "
+        "-1.2 0.9 1.6] \"normal N\" [-0.6 -1 0.2  0.6 -1 0.2  0.5 -1 0.6  -0.5 -1 0.6]\n";
+    expectSameAsPaths(withoutIntegrator(test::room(
+        "Material \"plastic\" \"rgb Kd\" [0.6 0.6 0.5] \"rgb Ks\" [0.3 0.3 0.3] \"float roughness\" 0.2\n" + floor,
+        kWidth, kHeight)));
+}
+
+struct CameraCase {
+    const char *name, *camera, *film;
+};
+void PrintTo(const CameraCase& c, std::ostream* out) { *out << c.name; }
+const CameraCase kCameras[] = {
+    {"ThinLens", "Camera \"perspective\" \"float fov\" 70 \"float lensradius\" 0.2 \"float focaldistance\" 2", ""},
+    {"Scaled", "Scale -2 2 2\nLookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70", ""},
+    {"Orthographic",
+     "Camera \"orthographic\" \"float screenwindow\" [-1.5 1.5 -1 1] \"float lensradius\" 0.1 "
+     "\"float focaldistance\" 2",
+     ""},
+    {"OrthographicWithoutALens", "Camera \"orthographic\" \"float screenwindow\" [-1.5 1.5 -1 1]", ""},
+    {"Panorama", "Camera \"environment\"", ""},
+    {"Moving",
+     "ActiveTransform EndTime\nTranslate 0.5 0 0.2\nActiveTransform All\nCamera \"perspective\" \"float fov\" 70", ""},
+    {"Cropped", "Camera \"perspective\" \"float fov\" 70", " \"float cropwindow\" [0.25 0.75 0 0.5]"},
+};
+
+class BidirectionalCameras : public testing::TestWithParam<CameraCase> {};
+INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalCameras, testing::ValuesIn(kCameras),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(BidirectionalCameras, AgreeWithPaths) {
+    const CameraCase& c = GetParam();
+    const bool cropped = *c.film != 0;
+    std::string text = withoutIntegrator(test::room(R"(Material "matte" "rgb Kd" [0.5 0.6 0.3])",
+                                                    kWidth * (cropped ? 2 : 1), kHeight * (cropped ? 2 : 1)));
+    text = test::respelt(text, "Camera \"perspective\" \"float fov\" 70", c.camera);
+    if (std::string(c.camera).find("LookAt") != std::string::npos)
+        text = text.substr(text.find("Scale"));  // its own, in place of the room's
+    text = test::respelt(text, "\nWorldBegin", std::string(c.film) + "\nWorldBegin");
+    expectSameAsPaths("PixelFilter \"gaussian\" \"float xwidth\" 1.5 \"float ywidth\" 1.5\n" + text);
+}
+
+}  // namespace
+}  // namespace drc

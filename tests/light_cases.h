@@ -1,0 +1,73 @@
+// A small scene for lights of every type, as pbrt-v3 text.
+#pragma once
+#include <ostream>
+#include <string>
+
+#include "base/folder_testing.h"
+#include "image/image_io.h"
+#include "test_scenes.h"
+
+namespace drc::test {
+
+// A corner of a room that is open to the sky, with a mirror on a wall, a ball that shines, and a light.
+inline std::string corner(const std::string& light, int width, int height) {
+    return "LookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70\nFilm \"image\" "
+           "\"integer xresolution\" " +
+           std::to_string(width) + " \"integer yresolution\" " + std::to_string(height) +
+           "\nWorldBegin\n"
+           "Material \"matte\" \"rgb Kd\" [0.7 0.6 0.5]\n" +
+           quad("-2 -2 0", "2 -2 0", "2 2 0", "-2 2 0") + quad("-2 2 0", "2 2 0", "2 2 3", "-2 2 3") +
+           "Material \"matte\" \"rgb Kd\" [0.7 0.2 0.1]\n" + quad("-2 -2 0", "-2 2 0", "-2 2 3", "-2 -2 3") +
+           "Material \"mirror\" \"rgb Kr\" [0.8 0.8 0.8]\n" + quad("-1.9 0 0", "-1.9 0 2", "-1.9 1 2", "-1.9 1 0") +
+           "Material \"plastic\" \"rgb Kd\" [0.3 0.4 0.5] \"rgb Ks\" [0.4 0.4 0.4] \"float roughness\" 0.3\n"
+           "AttributeBegin\nTranslate 0.5 0.2 0.6\nShape \"sphere\" \"float radius\" 0.6\nAttributeEnd\n" +
+           light + "WorldEnd\n";
+}
+
+// `map`: a picture for those that have one.
+struct LightCase {
+    const char *name, *light;
+};
+inline void PrintTo(const LightCase& c, std::ostream* out) { *out << c.name; }
+inline const LightCase kLightCases[] = {
+    {"Point", "LightSource \"point\" \"rgb I\" [9 8 7] \"point from\" [-0.5 -0.8 2]\n"},
+    {"Spot",
+     "LightSource \"spot\" \"rgb I\" [40 30 20] \"point from\" [-0.5 -1 2.5] \"point to\" [0.4 0.3 0.2] "
+     "\"float coneangle\" 40 \"float conedeltaangle\" 15\n"},
+    {"Goniometric",
+     "AttributeBegin\nTranslate -0.4 -0.6 2\nRotate 90 1 0 0\n"
+     "LightSource \"goniometric\" \"rgb I\" [20 20 20] \"string mapname\" \"map.exr\"\nAttributeEnd\n"},
+    {"Projection",
+     "AttributeBegin\nTranslate -0.4 -1 2.5\nRotate -140 1 0 0\n"
+     "LightSource \"projection\" \"rgb I\" [50 50 50] \"float fov\" 70 \"string mapname\" \"map.exr\"\nAttributeEnd\n"},
+    {"Distant", "LightSource \"distant\" \"rgb L\" [3 2 2] \"point from\" [1 -2 3] \"point to\" [0 0 0]\n"},
+    {"Infinite", "LightSource \"infinite\" \"rgb L\" [0.6 0.7 0.9]\n"},
+    {"InfiniteMap",
+     "AttributeBegin\nRotate 60 1 2 0\nLightSource \"infinite\" \"string mapname\" \"map.exr\"\nAttributeEnd\n"},
+    {"Area",
+     "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\nAreaLightSource \"diffuse\" \"rgb L\" [8 7 6]\n"
+     "Translate 0.3 -0.6 2.2\nRotate 180 1 0 0\nShape \"disk\" \"float radius\" 0.5\nAttributeEnd\n"},
+    {"TwoSidedSphere",
+     "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\n"
+     "AreaLightSource \"diffuse\" \"rgb L\" [4 5 6] \"bool twosided\" \"true\"\n"
+     "Translate -0.7 0.1 1.4\nShape \"sphere\" \"float radius\" 0.4 \"float zmax\" 0.2\nAttributeEnd\n"},
+    {"AreaWithoutAMaterial",
+     "AttributeBegin\nMaterial \"\"\nAreaLightSource \"diffuse\" \"rgb L\" [4 5 6]\n"
+     "Translate -0.7 0.1 1.4\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd\n"},
+    {"ManyAtOnce",
+     "LightSource \"infinite\" \"rgb L\" [0.2 0.2 0.3]\nLightSource \"distant\" \"rgb L\" [1 1 1] \"point from\" "
+     "[1 -2 3]\nLightSource \"point\" \"rgb I\" [3 3 3] \"point from\" [-0.5 -0.8 2]\n"
+     "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 3 2]\nTranslate 0.3 -0.6 2.2\nRotate 180 1 0 0\n"
+     "Shape \"disk\" \"float radius\" 0.4\nAttributeEnd\n"},
+};
+
+// The corner with one of them, whose picture, if it has one, is written to the folder.
+inline std::string cornerWith(const LightCase& light, const TemporaryFolder& folder, int width, int height) {
+    Image map(16, 8);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 16; ++x) map.setRgb(x, y, Rgb((x / 2 + y) % 3 == 0 ? 2.f : 0.1f, 0.5f, 0.1f * float(y)));
+    writeExr(folder.path("map.exr"), map);
+    return respelt(corner(light.light, width, height), "map.exr", folder.path("map.exr"));
+}
+
+}  // namespace drc::test

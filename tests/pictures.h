@@ -1,0 +1,47 @@
+// Pictures of a scene text by the renderer, to be compared as estimates.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cache/enhancer.h"
+#include "pbrt/scene_file.h"
+#include "render/renderer.h"
+#include "z_test.h"
+
+namespace drc::test {
+
+// Means over blocks of kBlock x kBlock pixels: of few samples a pixel is no normal deviate, these nearly are.
+inline constexpr int kBlock = 4;
+inline std::vector<Rgb> blocksOf(const Image& image) {
+    std::vector<Rgb> blocks(size_t(image.width() / kBlock * (image.height() / kBlock)), Rgb(0.f));
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            blocks[size_t(y / kBlock * (image.width() / kBlock) + x / kBlock)] +=
+                image.rgb(x, y) * (1.f / (kBlock * kBlock));
+    return blocks;
+}
+
+// Pictures of different seeds: [picture][block].
+inline std::vector<std::vector<Rgb>> pictures(const std::string& text, Integrator integrator, int count, int spp) {
+    const auto scene = pbrt::loadPbrtString(text);
+    std::vector<std::vector<Rgb>> result;
+    for (int seed = 0; seed < count; ++seed) {
+        RenderParams params;
+        params.integrator = integrator;
+        params.seed = uint64_t(seed);
+        params.spp = spp;
+        params.passes = 2;
+        params.firstSpacing = 4.f / float(scene->settings.film.height);
+        params.indirect.capture.layout = MapLayout(Projection::EqualArea, 8);
+        params.indirect.primarySamples = 1;
+        params.path.maxDepth = scene->settings.maxDepth;
+        Renderer renderer(*scene, params, makeGaussianEnhancer(1), nullptr);
+        while (renderer.step()) {
+        }
+        EXPECT_EQ(renderer.samplesDone(), spp);
+        result.push_back(blocksOf(renderer.image().beauty));
+    }
+    return result;
+}
+
+}  // namespace drc::test
