@@ -11,6 +11,7 @@
 #include "image/image_io.h"
 #include "pbrt/scene_file.h"
 #include "render/deadline.h"
+#include "render/open_image_denoise.h"
 #include "render/renderer.h"
 
 namespace drc {
@@ -36,6 +37,9 @@ struct RenderOptions {
     float clamp = 0;
     bool uncorrected = false;
     std::string denoise;  // empty: not asked for
+    std::string oidnLibrary;
+    bool aovs = false;
+    bool usesOidn() const { return denoise == "oidn" || denoise == "oidn-direct"; }
     bool stats = false, quiet = false, verbose = false;
 };
 
@@ -150,9 +154,13 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
         p.path.maxDepth = scene.settings.maxDepth;
     p.path.clamp = std::min(scene.settings.maxSampleLuminance, o.clamp > 0 ? o.clamp : kInfinity);
     p.correct = !o.uncorrected;
-    p.denoise = o.denoise != "off";
-    if (o.denoise == "surface" && p.integrator != Integrator::Drc)
-        throw Error("--denoise surface: it filters the layers of --integrator drc, which others do not have");
+    p.denoise = o.denoise.empty() || o.denoise == "surface";
+    if ((o.denoise == "surface" || o.denoise == "oidn-direct") && p.integrator != Integrator::Drc)
+        throw Error("--denoise " + o.denoise + ": it filters the layers of --integrator drc, which others do not have");
+    if (!o.oidnLibrary.empty() && !o.usesOidn()) throw Error("--oidn-library: needs --denoise oidn or oidn-direct");
+    // More make the edges of the surfaces no sharper than the noise that is left in them.
+    constexpr int kShownSweeps = 16;
+    if (o.aovs || o.usesOidn()) p.shownSweeps = kShownSweeps;
     if (o.spacing) p.firstSpacing = *o.spacing / float(scene.settings.film.height);
     return p;
 }
@@ -163,6 +171,7 @@ double writeSeconds(const RenderOptions& o, const RenderParams& params, size_t p
     // Filters run when the picture is taken, on all cores.
     const int filtered = layers ? (params.denoise ? 3 : 0) + (params.correct ? 1 : 0) : 0;
     double seconds = 0.05 + double(pixels) * 2.5e-6 * filtered / threadCount();
+    if (o.usesOidn()) seconds += 0.3 + double(pixels) * 6e-6 / threadCount();
     for (const std::string& path : o.outputs)
         seconds += double(pixels) * (outputKind(path) == OutputKind::Exr ? (layers ? 9e-7 : 4e-7) : 2.5e-7);
     return seconds;
@@ -180,8 +189,22 @@ void writePictures(const RenderOptions& o, const Scene& scene, const RenderedIma
         std::vector<ExrLayer> layers{{"", &picture.beauty}};
         if (picture.direct) layers.push_back({"direct", &*picture.direct});
         if (picture.indirect) layers.push_back({"indirect", &*picture.indirect});
+        if (o.aovs) {  // by the names of Blender's Cycles
+            layers.push_back({"Denoising Albedo", &picture.shown->albedo});
+            layers.push_back({"Denoising Normal", &picture.shown->normal});
+            layers.push_back({"Denoising Depth", &picture.shown->depth});
+        }
         writeExr(path, layers, metadata, window);
     }
+}
+
+RenderedImage denoised(RenderedImage picture, const OpenImageDenoise& oidn, bool directAlone) {
+    Image& noisy = directAlone ? *picture.direct : picture.beauty;
+    noisy = oidn.denoised(noisy, picture.shown->albedo, picture.shown->normal);
+    if (!directAlone) return picture;
+    for (size_t i = 0; i < noisy.data().size(); ++i)
+        picture.beauty.data()[i] = std::max(0.f, noisy.data()[i] + picture.indirect->data()[i]);
+    return picture;
 }
 
 void render(RenderOptions o) {
@@ -204,6 +227,8 @@ void render(RenderOptions o) {
     }
 
     RenderParams params = makeParams(o, *scene);
+    std::optional<OpenImageDenoise> oidn;
+    if (o.usesOidn()) oidn.emplace(o.oidnLibrary);
     ChosenEnhancer chosen;
     if (params.integrator == Integrator::Drc) chosen = chooseEnhancer(o, params.indirect);
     if (o.time > 0) {
@@ -230,7 +255,7 @@ void render(RenderOptions o) {
     }
 
     const auto writing = std::chrono::steady_clock::now();
-    writePictures(o, *scene, renderer.image(),
+    writePictures(o, *scene, oidn ? denoised(renderer.image(), *oidn, o.denoise == "oidn-direct") : renderer.image(),
                   {{"drc:version", DRC_VERSION},
                    {"drc:command", processInfo().commandLine},
                    {"drc:seed", std::to_string(o.seed)},
@@ -307,9 +332,14 @@ void addRenderCommand(CLI::App& app) {
     command->add_flag("--uncorrected", o->uncorrected, "Leave out the correction of the maps by path-traced samples");
     command
         ->add_option("--denoise", o->denoise,
-                     "surface: average drc's layers along surfaces as far as their noise asks for it; or off. "
-                     "Default: surface")
-        ->check(CLI::IsMember({"off", "surface"}));
+                     "surface: average drc's layers along surfaces as far as their noise asks for it; oidn: Intel's "
+                     "Open Image Denoise; oidn-direct: the same on the direct layer alone; or off. Default: surface "
+                     "with drc, else off")
+        ->check(CLI::IsMember({"off", "surface", "oidn", "oidn-direct"}));
+    command->add_option("--oidn-library", o->oidnLibrary,
+                        "libOpenImageDenoise.so, where the system does not find it by itself");
+    command->add_flag("--aovs", o->aovs,
+                      "Write what denoisers want to EXR files: albedo, normal and depth of what each pixel shows");
     command->add_flag("--stats", o->stats, "Print counts and times when done");
     command->add_flag("--quiet", o->quiet, "Say nothing but warnings and errors");
     command->add_flag("-v,--verbose", o->verbose, "Say more");

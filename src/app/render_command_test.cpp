@@ -4,6 +4,7 @@
 #include "app/command.h"
 #include "base/folder_testing.h"
 #include "image/image_io.h"
+#include "render/open_image_denoise.h"
 
 namespace drc {
 namespace {
@@ -52,6 +53,76 @@ TEST_F(RenderCommandTest, OnlyLayersOfDrcAreDenoised) {
                 }),
                 HasSubstr("--denoise surface: it filters the layers of --integrator drc"));
     EXPECT_THROW(run({"--denoise", "much"}), CLI::ValidationError);
+}
+
+TEST_F(RenderCommandTest, ShowsWhatDenoisersWantAndChangesNothingElse) {
+    for (const char* integrator : {"drc", "path", "bdpt", "direct"}) {
+        run({"--integrator", integrator});
+        const Image plain = readImage(path("out.exr"));
+        run({"--integrator", integrator, "--aovs"});
+        const Image all = readImage(path("out.exr"));
+        const auto channel = [&](const std::string& name, int x, int y) {
+            const int index = all.channelIndex(name);
+            EXPECT_GE(index, 0) << name;
+            return index < 0 ? 0 : all.at(x, y, index);
+        };
+        for (const std::string& name : plain.channelNames())
+            for (int x = 0; x < 24; ++x)
+                EXPECT_EQ(channel(name, x, 5), plain.at(x, 5, plain.channelIndex(name))) << name;
+        // The inside of the large ball ahead.
+        EXPECT_NEAR(channel("Denoising Albedo.G", 12, 8), 0.5, 1e-3);
+        EXPECT_NEAR(channel("Denoising Depth.Z", 12, 8), 5, 0.02);
+        EXPECT_NEAR(channel("Denoising Normal.Z", 12, 8), -1, 1e-2);
+    }
+}
+
+TEST_F(RenderCommandTest, SaysWhatItLacksOfOpenImageDenoise) {
+    EXPECT_THAT(errorOf([&] {
+                    run({"--denoise", "oidn", "--oidn-library", path("none.so")});
+                }),
+                testing::AllOf(HasSubstr("Open Image Denoise cannot be loaded"), HasSubstr("none.so"),
+                               HasSubstr("--oidn-library")));
+    EXPECT_THAT(errorOf([&] {
+                    run({"--denoise", "oidn", "--oidn-library", "libm.so.6"});
+                }),
+                HasSubstr("not Open Image Denoise: it has no function oidnNewDevice"));
+    EXPECT_THAT(errorOf([&] { run({"--oidn-library", "libm.so.6"}); }), HasSubstr("needs --denoise oidn"));
+    EXPECT_THAT(errorOf([&] {
+                    run({"--integrator", "path", "--denoise", "oidn-direct"});
+                }),
+                HasSubstr("--denoise oidn-direct: it filters the layers of --integrator drc"));
+    EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
+}
+
+// Where the library is: DRC_OIDN_LIBRARY, if the system does not find it.
+TEST_F(RenderCommandTest, DenoisesByOpenImageDenoise) {
+    const char* named = std::getenv("DRC_OIDN_LIBRARY");
+    const std::string library = named ? named : "";
+    try {
+        const OpenImageDenoise here(library);
+    } catch (const Error& error) {
+        GTEST_SKIP() << error.what();
+    }
+    const auto denoised = [&](const char* integrator, const char* how) {
+        std::vector<std::string> arguments{"--integrator", integrator, "--denoise", how};
+        if (named && std::string(how) != "off") arguments.insert(arguments.end(), {"--oidn-library", library});
+        run(arguments);
+        return readImage(path("out.exr"));
+    };
+    // Of the wall, which is smooth: how much neighbours differ.
+    const auto roughness = [](const Image& image, const char* channel) {
+        const int c = image.channelIndex(channel);
+        double sum = 0;
+        for (int y = 8; y < 16; ++y)
+            for (int x = 1; x < 24; ++x) sum += std::abs(double(image.at(x, y, c)) - double(image.at(x - 1, y, c)));
+        return sum;
+    };
+    for (const char* integrator : {"path", "bdpt", "drc"})
+        EXPECT_LT(roughness(denoised(integrator, "oidn"), "G"), 0.5 * roughness(denoised(integrator, "off"), "G"))
+            << integrator;
+    const Image direct = denoised("drc", "oidn-direct"), off = denoised("drc", "off");
+    EXPECT_NE(roughness(direct, "direct.G"), roughness(off, "direct.G"));
+    EXPECT_EQ(roughness(direct, "indirect.G"), roughness(off, "indirect.G"));
 }
 
 }  // namespace

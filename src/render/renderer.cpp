@@ -8,7 +8,8 @@
 namespace drc {
 namespace {
 
-constexpr uint64_t kSampleStream = 0x2001, kTurnStream = 0x2002, kPassStream = 0x2004, kProbeStream = 0x2003;
+constexpr uint64_t kSampleStream = 0x2001, kShownStream = 0x2005, kTurnStream = 0x2002, kPassStream = 0x2004,
+                   kProbeStream = 0x2003;
 // Of the guide: voxels between the camera and what it sees.
 constexpr float kVoxelsInDistance = 8;
 // Pixels. Below it more passes serve better than more maps in one.
@@ -55,6 +56,8 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
         bdpt_.emplace(scene, accel_, lights_, params.path, double(region.count()));
         splats_.emplace(region, *scene.settings.filter);
     }
+    if (params.shownSweeps > 0)
+        for (FilmLayer* layer : {&shownAlbedo_, &shownNormal_, &shownDepth_}) *layer = FilmLayer(samples_.region());
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
     if (params_.guide) startGuide();
 }
@@ -174,6 +177,12 @@ bool Renderer::sampleStep(const CancelToken* cancel) {
         };
         parallelFor(region.y0, region.y1, 1, rows, cancel);
     }
+    if (samplesDone_ < params_.shownSweeps) {
+        const auto rows = [&](int begin, int end) {
+            for (int y = begin; y < end; ++y) showRow(y);
+        };
+        parallelFor(region.y0, region.y1, 1, rows, cancel);
+    }
     ++samplesDone_;
     lastSample_ = seconds(Clock::now() - start);
     sampleSeconds_ += lastSample_;
@@ -219,6 +228,29 @@ void Renderer::sampleRow(int y, const Turn& turn) {
         narrow_.add(x, y, turn.group, layers.narrow, filterWeight);
         if (turn.follow) wide_.add(x, y, turn.group, layers.wide, filterWeight);
         surfaces_.add(x, y, layers, filterWeight, seen);
+    }
+}
+
+void Renderer::showRow(int y) {
+    for (int x = samples_.region().x0; x < samples_.region().x1; ++x) {
+        // Along the same ray as the picture's sample, but with other numbers after it, so that the picture is what it
+        // is without.
+        const auto [used, filterWeight, camera] = cameraSample(x, y);
+        const uint64_t pixel = (uint64_t(uint32_t(y)) << 32) | uint32_t(x);
+        Sampler sampler(hashCombine(params_.seed, hashCombine(kShownStream, pixel)), uint32_t(samplesDone_));
+        PrimaryHit hit;
+        Rgb albedo(0.f);
+        Vec3 normal(0.f);
+        float depth = 0;
+        if (camera.weight > 0 && tracer_.primaryHit(camera.ray, sampler, hit)) {
+            albedo = hit.throughput * hit.bsdf.albedo(hit.surface.wo, LobeFlags::NonSpecular);
+            for (int c = 0; c < 3; ++c) albedo[c] = albedo[c] > 0 ? std::min(albedo[c], 1.f) : 0.f;
+            normal = faceForward(hit.bsdf.frame().n, hit.surface.wo);
+            depth = hit.distance;
+        }
+        shownAlbedo_.add(x, y, albedo, filterWeight);
+        shownNormal_.add(x, y, Rgb(normal.x, normal.y, normal.z), filterWeight);
+        shownDepth_.add(x, y, Rgb(depth), filterWeight);
     }
 }
 
@@ -277,6 +309,14 @@ std::string Renderer::status() const {
 RenderedImage Renderer::image() const {
     const float scale = scene_.settings.filmScale;
     RenderedImage result;
+    if (params_.shownSweeps > 0) {
+        const int width = samples_.region().width(), height = samples_.region().height();
+        result.shown =
+            ShownImages{shownAlbedo_.image(1), Image(width, height, {"X", "Y", "Z"}), Image(width, height, {"Z"})};
+        result.shown->normal.data() = shownNormal_.image(1).data();
+        const Image depth = shownDepth_.image(1);
+        for (size_t i = 0; i < depth.pixelCount(); ++i) result.shown->depth.data()[i] = depth.data()[3 * i];
+    }
     result.beauty = samples_.image(scale);
     // Filters with negative lobes undershoot beside what is bright. As in pbrt a picture has no light below zero; its
     // layers may.

@@ -28,14 +28,24 @@ struct RenderParams {
     bool correct = true;
     // DRC: whether noise is filtered out of the layers, along surfaces.
     bool denoise = true;
+    // How many of the sweeps also look at the surface that each pixel shows, for denoisers: RenderedImage::shown.
+    int shownSweeps = 0;
     // Whether samples of an environment learn where its light comes in.
     bool guide = true;
     float directShare = 0.7f;  // of the time before a deadline that the direct layer gets
 };
 
+// Of the first surface that is no mirror or smooth glass; zero where there is none. Means over a pixel's samples.
+struct ShownImages {
+    Image albedo;  // share of light that it sends back, in [0, 1], times the mirrors' and glasses' before it
+    Image normal;  // shading normal on the viewer's side, world space
+    Image depth;   // one channel: length of the way there
+};
+
 struct RenderedImage {
     Image beauty;                           // linear radiance times the film's scale, nowhere below zero
     std::optional<Image> direct, indirect;  // layers that sum to it (or to less than zero)
+    std::optional<ShownImages> shown;       // if asked for
 };
 
 class Renderer {
@@ -72,6 +82,7 @@ class Renderer {
     CameraSample cameraSample(int x, int y) const;
     // One sample of each pixel of a row.
     void sampleRow(int y, const Turn& turn);
+    void showRow(int y);
     void bidirectionalRow(int y, SplatFilm::Catch& caught);
     uint32_t randomOf(uint64_t stream, int index) const;
     // Before a deadline: the spacing of the next pass, from what the last one cost.
@@ -89,6 +100,7 @@ class Renderer {
     Stats* stats_;
     FilmLayer samples_;  // paths (those of bdpt_ but for splats), or the direct layer; of DRC's that which the camera
                          // sees of emitters
+    FilmLayer shownAlbedo_, shownNormal_, shownDepth_;
     // DRC's alone. With the samples of direct light: what surfaces scatter of it; indirect light of lobes that maps
     // cannot hold; samples of what they can; and which surfaces they are. With the passes: what the maps give.
     SampleGroups lit_, narrow_, wide_, indirect_;
