@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The path tracer against pbrt-v3, feature by feature of the scene format.
+"""The path tracer, or another integrator, against pbrt-v3, feature by feature of the scene format.
 
     tests/features_against_references.py SCENES REFERENCES
 
@@ -84,6 +84,7 @@ def main():
     parser.add_argument("scenes", help="folder of NAME.pbrt")
     parser.add_argument("references", help="folder of NAME.exr")
     parser.add_argument("--spp", type=int, default=256)
+    parser.add_argument("--integrator", default="path", choices=("path", "bdpt", "drc"))
     parser.add_argument("--seeds", type=int, default=1, help="pictures of each scene; with two their difference is told")
     parser.add_argument("--only", help="words, separated by commas: scenes whose name has one of them")
     parser.add_argument("--output", default="out/features", help="where pictures and difference images go")
@@ -98,9 +99,9 @@ def main():
     for name, scene, reference in pairs:
         pictures = []
         for seed in range(1, args.seeds + 1):
-            picture = os.path.join(args.output, f"{name}-{args.spp}-{seed}.exr")
+            picture = os.path.join(args.output, f"{name}-{args.integrator}-{args.spp}-{seed}.exr")
             if not (args.resume and os.path.exists(picture)):
-                render(scene, picture, "--integrator", "path", "--spp", args.spp, "--seed", seed, "--resolution",
+                render(scene, picture, "--integrator", args.integrator, "--spp", args.spp, "--seed", seed, "--resolution",
                        resolution(reference), "--nthreads", args.nthreads)
             pictures.append(picture)
         comparisons = [compare(reference, p, "--diff", p[:-4] + "-diff.png") for p in pictures]
