@@ -18,13 +18,13 @@ constexpr float kFinestInTime = 3;
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 // Throws Error if the layers of the picture do not fit into memory: before anything is made.
-const Scene& withinMemory(const Scene& scene) {
-    // The layers, what is known of the surfaces, and what filters and files are made from.
-    constexpr double kBytesPerPixel = 960;
+const Scene& withinMemory(const Scene& scene, const RenderParams& params) {
+    // The layers, what is known of the surfaces, and what filters and files are made from; and what is shown of them.
+    const double bytesPerPixel = 960 + (params.shownSweeps > 0 ? 150 : 0);
     const RenderSettings& settings = scene.settings;
     try {
         const MemoryClaim memory(
-            double(settings.region().count()) * kBytesPerPixel,
+            double(settings.region().count()) * bytesPerPixel,
             fmt::format("a picture of {} x {} pixels", settings.region().width(), settings.region().height()));
     } catch (const Error& error) {
         throw Error(settings.filmAt,
@@ -37,7 +37,7 @@ const Scene& withinMemory(const Scene& scene) {
 
 Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer,
                    Stats* stats)
-    : scene_(withinMemory(scene)),
+    : scene_(withinMemory(scene, params)),
       params_(params),
       accel_(scene),
       lights_(scene),
@@ -59,7 +59,7 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
     if (params.shownSweeps > 0)
         for (FilmLayer* layer : {&shownAlbedo_, &shownNormal_, &shownDepth_}) *layer = FilmLayer(samples_.region());
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
-    if (params_.guide) startGuide();
+    if (params_.guide && !bdpt_) startGuide();
 }
 
 Renderer::~Renderer() = default;
