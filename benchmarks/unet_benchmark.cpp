@@ -1,9 +1,11 @@
-// Maps per second of the network's forward pass on one thread, random weights.
+// Maps per second of the network's forward pass on one thread, random weights; and how long shipped ones take to load.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
+#include "app/models.h"
 #include "neural/transforms.h"
 #include "neural/unet.h"
 
@@ -49,6 +51,18 @@ void transformMap(benchmark::State& state) {
     }
 }
 BENCHMARK(transformMap)->Unit(benchmark::kMicrosecond);
+
+// From a shipped network's file to all that its first map needs. Argument: which network.
+void loadNetwork(benchmark::State& state) {
+    const char* name = std::array{"drc-fast", "drc", "paper-k64"}[size_t(state.range(0))];
+    state.SetLabel(name);
+    const std::string path = findWeights(name);
+    for (auto _ : state) {
+        const UNet net(UNetWeights::load(path), 8, defaultPrecision());
+        benchmark::DoNotOptimize(&net);
+    }
+}
+BENCHMARK(loadNetwork)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace drc
