@@ -73,6 +73,18 @@ TEST(Bidirectional, AgreesWithPathsAboutShadingNormals) {
         kWidth, kHeight)));
 }
 
+// Few faces that are shaded as if they were round: light from below a shading horizon is no light to either.
+TEST(Bidirectional, AgreesWithPathsAboutFacesShadedRound) {
+    const std::string octahedron =
+        "AttributeBegin\nTranslate 0.3 0.2 1\nShape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3 0 3 4 0 4 1 5 2 "
+        "1 "
+        "5 3 2 5 4 3 5 1 4] \"point P\" [0 0 .9 .7 0 0 0 .7 0 -.7 0 0 0 -.7 0 0 0 -.9] \"normal N\" [0 0 1 1 0 0 0 1 0 "
+        "-1 0 0 0 -1 0 0 0 -1]\nAttributeEnd\n";
+    expectSameAsPaths(
+        withoutIntegrator(test::room("Material \"matte\" \"rgb Kd\" [0.8 0.7 0.6]\n" + octahedron, kWidth, kHeight)),
+        128, 256);
+}
+
 struct CameraCase {
     const char *name, *camera, *film;
 };

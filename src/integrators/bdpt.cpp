@@ -133,6 +133,10 @@ float BidirectionalTracer::weight(std::span<const Node> nodes, size_t s, const E
     const auto besides = [&](size_t other) {
         return (other == 1 ? double(ends.chosen) : 1.0) * (other == n ? ends.lightPaths : 1.0);
     };
+    // Paths from the camera never take a direction above the geometric horizon but below the shading one, other than
+    // straight to a light. What they leave out there is left out here too.
+    for (size_t i = 2; i < n; ++i)
+        if (!(node(i).fromCamera > 0)) return 0;
     const double own = besides(s);
     double sum = own * own, ratio = 1;
     for (size_t other = s; other-- > 0 && ratio > 0;) {

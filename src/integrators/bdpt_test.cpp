@@ -58,5 +58,13 @@ TEST(Bdpt, WhatASpecularVertexHidesCountsForNothing) {
     EXPECT_EQ(BidirectionalTracer::weight(nodes, 0, {2, true, true, 100}), 1);
 }
 
+TEST(Bdpt, WhatPathsFromTheCameraNeverTakeIsLeftOut) {
+    // But for the light itself, which can be chosen.
+    const std::vector<Node> hidden{{5, 7, false}, {0, 1, false}, {3, 2, false}}, direct{{5, 7, false}, {0, 2, false}};
+    const Ends ends{2, true, true, 100};
+    for (const size_t s : {0, 1, 2, 3}) EXPECT_EQ(BidirectionalTracer::weight(hidden, s, ends), 0);
+    EXPECT_GT(BidirectionalTracer::weight(direct, 1, ends), 0);
+}
+
 }  // namespace
 }  // namespace drc
