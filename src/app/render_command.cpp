@@ -158,7 +158,7 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
     if ((o.denoise == "surface" || o.denoise == "oidn-direct") && p.integrator != Integrator::Drc)
         throw Error("--denoise " + o.denoise + ": it filters the layers of --integrator drc, which others do not have");
     if (!o.oidnLibrary.empty() && !o.usesOidn()) throw Error("--oidn-library: needs --denoise oidn or oidn-direct");
-    // More make the edges of the surfaces no sharper than the noise that is left in them.
+    // Of what a pixel shows a few samples tell enough.
     constexpr int kShownSweeps = 16;
     if (o.aovs || o.usesOidn()) p.shownSweeps = kShownSweeps;
     if (o.spacing) p.firstSpacing = *o.spacing / float(scene.settings.film.height);
@@ -171,7 +171,7 @@ double writeSeconds(const RenderOptions& o, const RenderParams& params, size_t p
     // Filters run when the picture is taken, on all cores.
     const int filtered = layers ? (params.denoise ? 3 : 0) + (params.correct ? 1 : 0) : 0;
     double seconds = 0.05 + double(pixels) * 2.5e-6 * filtered / threadCount();
-    if (o.usesOidn()) seconds += 0.3 + double(pixels) * 6e-6 / threadCount();
+    if (o.usesOidn()) seconds += 0.3 + double(pixels) * 14e-6 / threadCount();
     for (const std::string& path : o.outputs)
         seconds += double(pixels) * (outputKind(path) == OutputKind::Exr ? (layers ? 9e-7 : 4e-7) : 2.5e-7);
     return seconds;

@@ -39,8 +39,8 @@ class BidirectionalTracer {
     };
     // What the weights need to know of a path's ends.
     struct Ends {
-        float chosen =
-            0;  // density of the light's point if a light is sampled for the vertex next to it, over fromLight
+        // Density of the light's point if it is sampled for the vertex next to it, over its fromLight.
+        float chosen = 0;
         bool lightCanBeMet = true;
         bool lensCanBeJoined = true;
         double lightPaths = 1;
