@@ -33,17 +33,14 @@ TEST_P(Parity, LibtorchAndOneDnnAgree) {
     const torch::Tensor input = torch::randn({kCount, shape.inputs, 32, 32}) * 0.3;
     const torch::Tensor expected = model->forward(input).contiguous();
     ASSERT_GT(expected.abs().mean().item<double>(), 0.01);
-    // Outputs of random weights are as large as it happens, and bf16 rounds in proportion.
-    const double largest = std::max(1.0, expected.abs().max().item<double>());
     for (Precision precision : {Precision::Fp32, Precision::Bf16}) {
         if (precision == Precision::Bf16 && !cpuHasBf16()) continue;
         torch::Tensor output = torch::empty_like(expected);
         UNet(weights, 8, precision).run(input.data_ptr<float>(), output.data_ptr<float>(), kCount);
-        EXPECT_LT((output - expected).abs().max().item<double>(), precision == Precision::Fp32 ? 1e-4 : 3e-2 * largest);
+        EXPECT_LT((output - expected).abs().max().item<double>(), precision == Precision::Fp32 ? 1e-4 : 2e-2);
     }
 }
 
-// Those are what counts.
 class ShippedParity : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Networks, ShippedParity, testing::Values("drc-fast", "drc", "paper-k64"));
 
