@@ -209,10 +209,11 @@ void LayerFilter::calmStrays(const SampleGroups& samples, Albedo albedo, const P
             for (int x = std::max(0, column - kReach); x <= std::min(width - 1, column + kReach); ++x) function(x, y);
     };
     std::vector<char> stray(trust_.size());
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            stray[index(x, y)] = trust_[index(x, y)] <= kTrusted && samples.complete(region.x0 + x, region.y0 + y) &&
-                                 maxComponent(reflects(x, y)) > kBlack;
+    forEachPixel(stray.size(), [&](size_t i) {
+        const int x = int(i) % width, y = int(i) / width;
+        stray[i] = trust_[i] <= kTrusted && samples.complete(region.x0 + x, region.y0 + y) &&
+                   maxComponent(reflects(x, y)) > kBlack;
+    });
 
     // What is taken from each, over the sum of the albedos of the strays that share it.
     Image taken(width, height);
