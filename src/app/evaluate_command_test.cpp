@@ -4,7 +4,7 @@
 
 #include "app/command.h"
 #include "app/evaluation_testing.h"
-#include "app/html_testing.h"
+#include "report/html_testing.h"
 #include "base/atomic_file.h"
 
 namespace drc {

@@ -9,8 +9,8 @@
 #include "app/evaluation_page_tables.h"
 #include "app/evaluation_samples.h"
 #include "app/evaluation_text.h"
-#include "app/html_page.h"
-#include "app/svg_box_plot.h"
+#include "report/html_page.h"
+#include "report/svg_box_plot.h"
 
 namespace drc {
 namespace {

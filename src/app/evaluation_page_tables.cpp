@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/html_page.h"
+#include "report/html_page.h"
 
 namespace drc {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/evaluation_testing.h"
-#include "app/html_testing.h"
+#include "report/html_testing.h"
 
 namespace drc {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/html_page.h"
+#include "report/html_page.h"
 #include "app/map_pictures.h"
 
 namespace drc {

@@ -1,10 +1,10 @@
-#include "app/html_page.h"
+#include "report/html_page.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/html_testing.h"
+#include "report/html_testing.h"
 
 namespace drc {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/html_page.h"
+#include "report/html_page.h"
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
-#include "app/svg_box_plot.h"
+#include "report/svg_box_plot.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/html_testing.h"
+#include "report/html_testing.h"
 
 namespace drc {
 namespace {

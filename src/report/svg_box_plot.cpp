@@ -1,11 +1,11 @@
-#include "app/svg_box_plot.h"
+#include "report/svg_box_plot.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/html_page.h"
+#include "report/html_page.h"
 
 namespace drc {
 namespace {
