@@ -47,7 +47,7 @@ void addEvaluateCommand(CLI::App& app) {
     command
         ->add_option(
             "--weights", o->settings.weights,
-            "A network: one that comes with the program, or a file of weights; may be repeated. Default: drc-fast")
+            "A network: one that comes with the program, or a file of weights; may be repeated. Default: drc")
         ->allow_extra_args(false);
     command->add_flag("--all-inputs", o->settings.allInputs,
                       "Average over every realisation of an example, not the first alone");

@@ -6,7 +6,7 @@ namespace drc {
 
 // Of the shipped networks, what renders use by default: the one that takes least time. Pictures with the others are no
 // better (models/drc.md).
-inline constexpr const char* kDefaultNetwork = "drc-fast";
+inline constexpr const char* kDefaultNetwork = "drc";
 
 // The path of the weights that are meant. `weights`: a file, or the name of a shipped network; if empty, the
 // environment's DRC_WEIGHTS takes its place, else the default network. Shipped networks lie in models/ beside the

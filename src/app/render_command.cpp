@@ -308,7 +308,7 @@ void addRenderCommand(CLI::App& app) {
     command->add_option(
         "--weights", o->weights,
         "The network: one that comes with the program (drc-fast, drc, paper-k64), or a file of weights, "
-        "safetensors. Default: drc-fast");
+        "safetensors. Default: drc");
     command->add_option("--precision", o->precision, "Of the network: auto, fp32 or bf16")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fp32", "bf16"}));

@@ -19,6 +19,8 @@ class Graph {
         float slope = 1;      // of the activation max(x, slope x); 0: ReLU, 1: none
         TensorId addTo = -1;  // add to this tensor, in place, before the activation, and return it
         bool affine = true;   // apply the convolution's scale and shift, if it has them
+        // Keep the result in float, whatever the type of intermediate results is.
+        bool inFloat = false;
     };
 
     // The type of all intermediate results; weights are packed to it too. Sums and biases are float.

@@ -15,11 +15,13 @@ bool cpuHasBf16() {
 
 Precision defaultPrecision() { return cpuHasBf16() ? Precision::Bf16 : Precision::Fp32; }
 
+bool runsInBf16(UNetKind kind) { return kind == UNetKind::Plain || kind == UNetKind::Paper; }
+
 struct UNet::State {
     State(std::shared_ptr<const UNetWeights> weights_, int batch_, Precision precision_)
         : weights(std::move(weights_)),
           batch(batch_),
-          precision(precision_),
+          precision(runsInBf16(weights->shape().kind) ? precision_ : Precision::Fp32),
           graph(weights->packed(),
                 precision == Precision::Bf16 ? dnnl::memory::data_type::bf16 : dnnl::memory::data_type::f32) {
         const UNetShape& shape = weights->shape();
@@ -35,7 +37,8 @@ struct UNet::State {
         auto conv = weights->convs().begin();
         std::vector<Graph::TensorId> values{graph.input(batch, shape.inputs, shape.size)};
         std::vector<int> channels{shape.inputs};
-        for (const Layer& layer : shape.layers()) {
+        const std::vector<Layer> layers = shape.layers();
+        for (const Layer& layer : layers) {
             const auto source = size_t(layer.source);
             const auto result = [&](Graph::TensorId id, int count) {
                 values.push_back(id);
@@ -48,6 +51,8 @@ struct UNet::State {
             } else {
                 Graph::ConvOptions options;
                 options.slope = layer.slope;
+                // Costs nothing, and rounding to bf16 here would be the largest error of all where results are large.
+                options.inFloat = &layer == &layers.back();
                 options.firstIn = layer.skip < 0 ? 0 : channels[size_t(layer.skip)];
                 options.countIn = channels[source];
                 if (layer.add >= 0) options.addTo = values[size_t(layer.add)];
