@@ -3,6 +3,7 @@
 
 #include "app/command.h"
 #include "app/models.h"
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
@@ -10,7 +11,6 @@
 #include "cache/network_enhancer.h"
 #include "image/image_io.h"
 #include "pbrt/scene_file.h"
-#include "render/deadline.h"
 #include "render/open_image_denoise.h"
 #include "render/renderer.h"
 
@@ -38,6 +38,7 @@ struct RenderOptions {
     bool uncorrected = false;
     std::string denoise;  // empty: not asked for
     std::string oidnLibrary;
+    std::string timing;
     bool aovs = false;
     bool usesOidn() const { return denoise == "oidn" || denoise == "oidn-direct"; }
     bool stats = false, quiet = false, verbose = false;
@@ -161,6 +162,7 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
     // Of what a pixel shows a few samples tell enough.
     constexpr int kShownSweeps = 16;
     if (o.aovs || o.usesOidn()) p.shownSweeps = kShownSweeps;
+    p.noise = o.aovs;
     if (o.spacing) p.firstSpacing = *o.spacing / float(scene.settings.film.height);
     return p;
 }
@@ -193,6 +195,8 @@ void writePictures(const RenderOptions& o, const Scene& scene, const RenderedIma
             layers.push_back({"Denoising Albedo", &picture.shown->albedo});
             layers.push_back({"Denoising Normal", &picture.shown->normal});
             layers.push_back({"Denoising Depth", &picture.shown->depth});
+            layers.push_back({"Denoising Variance", &picture.noise->variance});
+            layers.push_back({"Debug Sample Count", &picture.noise->samples});
         }
         writeExr(path, layers, metadata, window);
     }
@@ -205,6 +209,13 @@ RenderedImage denoised(RenderedImage picture, const OpenImageDenoise& oidn, bool
     for (size_t i = 0; i < noisy.data().size(); ++i)
         picture.beauty.data()[i] = std::max(0.f, noisy.data()[i] + picture.indirect->data()[i]);
     return picture;
+}
+
+void writeTiming(const std::string& path, Stats& stats) {
+    const auto seconds = [&](const char* timer) { return stats.timer(timer).seconds(); };
+    writeFileAtomically(path, fmt::format("{{\"load_seconds\": {:.4f}, \"render_seconds\": {:.4f}, \"write_seconds\": "
+                                          "{:.4f}}}\n",
+                                          seconds("load") + seconds("build"), seconds("render"), seconds("write")));
 }
 
 void render(RenderOptions o) {
@@ -243,11 +254,11 @@ void render(RenderOptions o) {
         throw Error(fmt::format("--time {:g}: reading the scene alone took {:.1f} s", o.time,
                                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()));
 
+    const auto rendering = std::chrono::steady_clock::now();
     {
-        const DeadlineToken deadline(params.deadline, interruptToken());
         Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
                           o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
-        while (renderer.step(&deadline.token())) {
+        while (renderer.step(&interruptToken())) {
             progress.set(int64_t(renderer.progress() * 1000));
             progress.setNote(renderer.status());
         }
@@ -255,6 +266,7 @@ void render(RenderOptions o) {
     }
 
     const auto writing = std::chrono::steady_clock::now();
+    stats.timer("render").add(writing - rendering);
     writePictures(o, *scene, oidn ? denoised(renderer.image(), *oidn, o.denoise == "oidn-direct") : renderer.image(),
                   {{"drc:version", DRC_VERSION},
                    {"drc:command", processInfo().commandLine},
@@ -270,6 +282,7 @@ void render(RenderOptions o) {
     logInfo(fmt::format("{}{}: {} in {:.1f} s", interruptToken().cancelled() ? "interrupted; " : "", names,
                         renderer.status(),
                         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()));
+    if (!o.timing.empty()) writeTiming(o.timing, stats);
     if (o.stats) fmt::print("{}", stats.report());
 }
 
@@ -338,8 +351,11 @@ void addRenderCommand(CLI::App& app) {
         ->check(CLI::IsMember({"off", "surface", "oidn", "oidn-direct"}));
     command->add_option("--oidn-library", o->oidnLibrary,
                         "libOpenImageDenoise.so, where the system does not find it by itself");
-    command->add_flag("--aovs", o->aovs,
-                      "Write what denoisers want to EXR files: albedo, normal and depth of what each pixel shows");
+    command->add_flag(
+        "--aovs", o->aovs,
+        "Write what denoisers want to EXR files: albedo, normal and depth of what each pixel shows, variance "
+        "and number of its samples");
+    command->add_option("--timing", o->timing, "File to write seconds of reading, rendering and writing to, as JSON");
     command->add_flag("--stats", o->stats, "Print counts and times when done");
     command->add_flag("--quiet", o->quiet, "Say nothing but warnings and errors");
     command->add_flag("-v,--verbose", o->verbose, "Say more");

@@ -73,6 +73,8 @@ TEST_F(RenderCommandTest, ShowsWhatDenoisersWantAndChangesNothingElse) {
         EXPECT_NEAR(channel("Denoising Albedo.G", 12, 8), 0.5, 1e-3);
         EXPECT_NEAR(channel("Denoising Depth.Z", 12, 8), 5, 0.02);
         EXPECT_NEAR(channel("Denoising Normal.Z", 12, 8), -1, 1e-2);
+        EXPECT_EQ(channel("Debug Sample Count.X", 12, 8), 8);
+        EXPECT_GT(channel("Denoising Variance.G", 12, 8), 0);
     }
 }
 

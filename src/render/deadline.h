@@ -1,7 +1,8 @@
 // Raises a token when a deadline passes or another token is raised, so that loops need to watch one flag alone.
 #pragma once
 #include <chrono>
-#include <optional>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 
 #include "base/parallel.h"
@@ -10,14 +11,18 @@ namespace drc {
 
 class DeadlineToken {
   public:
-    DeadlineToken(std::optional<std::chrono::steady_clock::time_point> deadline, const CancelToken& other)
-        : watcher_([this, deadline, &other](const std::stop_token& stop) {
+    // other: may be null.
+    DeadlineToken(std::chrono::steady_clock::time_point deadline, const CancelToken* other)
+        : watcher_([this, deadline, other](const std::stop_token& stop) {
+              std::mutex mutex;
+              std::unique_lock lock(mutex);
+              std::condition_variable_any stopped;  // ends a wait at once when the token goes
               while (!stop.stop_requested()) {
-                  if (other.cancelled() || (deadline && std::chrono::steady_clock::now() >= *deadline)) {
+                  if ((other && other->cancelled()) || std::chrono::steady_clock::now() >= deadline) {
                       token_.cancel();
                       return;
                   }
-                  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                  stopped.wait_for(lock, stop, std::chrono::milliseconds(5), [] { return false; });
               }
           }) {}
     const CancelToken& token() const { return token_; }

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "render/deadline.h"
 
 namespace drc {
 namespace {
@@ -20,7 +21,7 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 // Throws Error if the layers of the picture do not fit into memory: before anything is made.
 const Scene& withinMemory(const Scene& scene, const RenderParams& params) {
     // The layers, what is known of the surfaces, and what filters and files are made from; and what is shown of them.
-    const double bytesPerPixel = 960 + (params.shownSweeps > 0 ? 150 : 0);
+    const double bytesPerPixel = 960 + (params.shownSweeps > 0 ? 150 : 0) + (params.noise ? 64 : 0);
     const RenderSettings& settings = scene.settings;
     try {
         const MemoryClaim memory(
@@ -58,6 +59,7 @@ Renderer::Renderer(const Scene& scene, const RenderParams& params, std::shared_p
     }
     if (params.shownSweeps > 0)
         for (FilmLayer* layer : {&shownAlbedo_, &shownNormal_, &shownDepth_}) *layer = FilmLayer(samples_.region());
+    if (params.noise) variance_ = FilmVariance(samples_.region());
     params_.indirect.seed = hashCombine(params.seed, 0xd2c);
     if (params_.guide && !bdpt_) startGuide();
 }
@@ -128,10 +130,18 @@ float Renderer::spacingInTime() const {
     return std::max(kFinestInTime, float(lastSpacing_ * std::sqrt(lastPass_ / cost)));
 }
 
+bool Renderer::isWhole() const {
+    return samplesDone_ > 0 && (params_.integrator != Integrator::Drc || passesDone_ > 0);
+}
+
 bool Renderer::step(const CancelToken* cancel) {
     if (cancel && cancel->cancelled()) return false;
+    std::optional<DeadlineToken> inTime;
     if (params_.deadline) {
-        if (Clock::now() >= *params_.deadline) return false;
+        if (isWhole()) {
+            if (Clock::now() >= *params_.deadline) return false;
+            cancel = &inTime.emplace(*params_.deadline, cancel).token();
+        }
     } else if (samplesDone_ >= params_.spp &&
                (params_.integrator != Integrator::Drc || passesDone_ >= params_.passes)) {
         return false;
@@ -216,12 +226,14 @@ void Renderer::sampleRow(int y, const Turn& turn) {
         if (path) {
             const Rgb radiance = seen ? tracer_.radiance(camera.ray, sampler) : Rgb(0.f);
             samples_.add(x, y, radiance * camera.weight, filterWeight);
+            if (params_.noise) variance_.add(x, y, radiance * (camera.weight * filterWeight));
             continue;
         }
         SampleLayers layers;
         layers.traceWide = turn.follow;
         const Rgb direct = seen ? tracer_.direct(camera.ray, sampler, drc ? &layers : nullptr) : Rgb(0.f);
         samples_.add(x, y, (direct - layers.lit) * camera.weight, filterWeight);
+        if (params_.noise) variance_.add(x, y, (direct + layers.narrow) * (camera.weight * filterWeight));
         if (!drc) continue;
         layers.scale(camera.weight);
         lit_.add(x, y, turn.group, layers.lit, filterWeight);
@@ -259,6 +271,7 @@ void Renderer::bidirectionalRow(int y, SplatFilm::Catch& caught) {
         auto [sampler, filterWeight, camera] = cameraSample(x, y);
         const Rgb radiance = camera.weight > 0 ? bdpt_->radiance(camera.ray, sampler, caught.splats) : Rgb(0.f);
         samples_.add(x, y, radiance * camera.weight, filterWeight);
+        if (params_.noise) variance_.add(x, y, radiance * (camera.weight * filterWeight));
         ++caught.paths;
     }
 }
@@ -306,6 +319,20 @@ std::string Renderer::status() const {
     return fmt::format("direct {} spp, indirect pass {}", samplesDone_, passesDone_);
 }
 
+NoiseImages Renderer::noiseImages(float scale) const {
+    const PixelRegion& region = samples_.region();
+    NoiseImages noise{Image(region.width(), region.height()), Image(region.width(), region.height(), {"X"})};
+    for (int y = 0; y < region.height(); ++y)
+        for (int x = 0; x < region.width(); ++x) {
+            const int px = region.x0 + x, py = region.y0 + y;
+            Rgb variance = variance_.ofMean(px, py);
+            if (params_.integrator == Integrator::Drc) variance += indirect_.varianceOfMean(px, py);
+            noise.variance.setRgb(x, y, variance * (scale * scale));
+            noise.samples.at(x, y, 0) = float(variance_.count(px, py));
+        }
+    return noise;
+}
+
 RenderedImage Renderer::image() const {
     const float scale = scene_.settings.filmScale;
     RenderedImage result;
@@ -317,6 +344,7 @@ RenderedImage Renderer::image() const {
         const Image depth = shownDepth_.image(1);
         for (size_t i = 0; i < depth.pixelCount(); ++i) result.shown->depth.data()[i] = depth.data()[3 * i];
     }
+    if (params_.noise) result.noise = noiseImages(scale);
     result.beauty = samples_.image(scale);
     // Filters with negative lobes undershoot beside what is bright. As in pbrt a picture has no light below zero; its
     // layers may.

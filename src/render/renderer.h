@@ -6,6 +6,7 @@
 
 #include "cache/indirect_pass.h"
 #include "render/film.h"
+#include "render/film_variance.h"
 #include "render/layer_filter.h"
 #include "render/splat_film.h"
 
@@ -21,7 +22,8 @@ struct RenderParams {
     PathSettings path;
     IndirectSettings indirect;
     float firstSpacing = kFirstSpacing;  // of the first pass, as a share of the frame's height
-    // With a deadline spp and passes are ignored: steps are made until it.
+    // With a deadline spp and passes are ignored: steps are made until it. The first sweep, and the first pass, are
+    // finished all the same: without them there is no picture, or one without indirect light.
     std::optional<std::chrono::steady_clock::time_point> deadline;
     // DRC: whether every second sweep of direct light follows its paths further and takes a sample of indirect light,
     // for the correction of the maps' errors.
@@ -30,6 +32,8 @@ struct RenderParams {
     bool denoise = true;
     // How many of the sweeps also look at the surface that each pixel shows, for denoisers: RenderedImage::shown.
     int shownSweeps = 0;
+    // Whether to keep count of each pixel's noise: RenderedImage::noise.
+    bool noise = false;
     // Whether samples of an environment learn where its light comes in.
     bool guide = true;
     float directShare = 0.7f;  // of the time before a deadline that the direct layer gets
@@ -42,10 +46,18 @@ struct ShownImages {
     Image depth;   // one channel: length of the way there
 };
 
+// Of the camera's samples, as the film had them before any filter. Of DRC the maps' part is in it, as four groups of
+// them tell; of BDPT without what light paths bring.
+struct NoiseImages {
+    Image variance;  // of each pixel's mean, R, G and B
+    Image samples;   // one channel: their number
+};
+
 struct RenderedImage {
     Image beauty;                           // linear radiance times the film's scale, nowhere below zero
     std::optional<Image> direct, indirect;  // layers that sum to it (or to less than zero)
     std::optional<ShownImages> shown;       // if asked for
+    std::optional<NoiseImages> noise;       // the same
 };
 
 class Renderer {
@@ -54,7 +66,8 @@ class Renderer {
     Renderer(const Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer, Stats* stats);
     ~Renderer();
 
-    // One sweep. False: there was nothing left to do, or `cancel` was raised; what a sweep had done by then counts.
+    // One sweep. False: there was nothing left to do, or the deadline passed or `cancel` was raised; what a sweep had
+    // done by then counts.
     bool step(const CancelToken* cancel = nullptr);
     // Share of the work (or of the time before the deadline) that is done, in [0, 1].
     double progress() const;
@@ -69,6 +82,8 @@ class Renderer {
   private:
     using Clock = std::chrono::steady_clock;
     void startGuide();
+    // Whether there is one of all that makes up a picture.
+    bool isWhole() const;
     bool sampleStep(const CancelToken* cancel);
     bool passStep(float spacing, const CancelToken* cancel);
     bool nextIsPass(float& spacing) const;
@@ -84,6 +99,7 @@ class Renderer {
     void sampleRow(int y, const Turn& turn);
     void showRow(int y);
     void bidirectionalRow(int y, SplatFilm::Catch& caught);
+    NoiseImages noiseImages(float scale) const;
     uint32_t randomOf(uint64_t stream, int index) const;
     // Before a deadline: the spacing of the next pass, from what the last one cost.
     float spacingInTime() const;
@@ -100,6 +116,7 @@ class Renderer {
     Stats* stats_;
     FilmLayer samples_;  // paths (those of bdpt_ but for splats), or the direct layer; of DRC's that which the camera
                          // sees of emitters
+    FilmVariance variance_;
     FilmLayer shownAlbedo_, shownNormal_, shownDepth_;
     // DRC's alone. With the samples of direct light: what surfaces scatter of it; indirect light of lobes that maps
     // cannot hold; samples of what they can; and which surfaces they are. With the passes: what the maps give.

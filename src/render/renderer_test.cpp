@@ -92,6 +92,66 @@ TEST(Renderer, TheDirectLayerIsWhatTheDirectIntegratorGives) {
     EXPECT_NE(directLayer(params).data(), layer.data());
 }
 
+// However late it is, a picture has direct and indirect light everywhere.
+TEST(Renderer, ADeadlineThatHasPassedLeavesAWholePicture) {
+    const auto scene = pbrt::loadPbrtString(kLitRoom, ".", {}, "s.pbrt");
+    for (const Integrator integrator : {Integrator::Drc, Integrator::Path, Integrator::Bdpt}) {
+        RenderParams params;
+        params.integrator = integrator;
+        params.deadline = std::chrono::steady_clock::now();
+        Renderer renderer(*scene, params, makeIdentityEnhancer(), nullptr);
+        while (renderer.step()) {
+        }
+        EXPECT_EQ(renderer.samplesDone(), 1);
+        EXPECT_EQ(renderer.passesDone(), integrator == Integrator::Drc ? 1 : 0);
+        const RenderedImage image = renderer.image();
+        if (!image.indirect) continue;
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 24; ++x) EXPECT_GT(luminance(image.indirect->rgb(x, y)), 0) << x << " " << y;
+    }
+}
+
+RenderedImage noisy(Integrator integrator, int spp, uint64_t seed) {
+    const auto scene = pbrt::loadPbrtString(kLitRoom, ".", {}, "s.pbrt");
+    RenderParams params;
+    params.integrator = integrator;
+    params.spp = spp;
+    params.passes = 1;
+    params.seed = seed;
+    params.noise = true;
+    params.denoise = params.correct = false;
+    Renderer renderer(*scene, params, makeIdentityEnhancer(), nullptr);
+    while (renderer.step()) {
+    }
+    return renderer.image();
+}
+
+double meanOf(const Image& image) {
+    double sum = 0;
+    for (const float v : image.data()) sum += v;
+    return sum / double(image.data().size());
+}
+
+TEST(Renderer, KnowsHowNoisyItIs) {
+    for (const Integrator integrator : {Integrator::Path, Integrator::Bdpt, Integrator::Direct}) {
+        const RenderedImage few = noisy(integrator, 16, 1), other = noisy(integrator, 16, 2),
+                            many = noisy(integrator, 64, 3);
+        for (const float n : few.noise->samples.data()) EXPECT_EQ(n, 16);
+        const double variance = meanOf(few.noise->variance);
+        EXPECT_NEAR(meanOf(many.noise->variance) / variance, 0.25, 0.05);
+        if (integrator == Integrator::Bdpt) continue;  // its splats are not counted
+        double squares = 0;
+        for (size_t i = 0; i < few.beauty.data().size(); ++i)
+            squares +=
+                double(few.beauty.data()[i] - other.beauty.data()[i]) * (few.beauty.data()[i] - other.beauty.data()[i]);
+        const double measured = squares / double(few.beauty.data().size()) / 2;
+        // Sobol points do better than independent ones.
+        EXPECT_LT(measured, 1.2 * variance);
+        EXPECT_GT(measured, 0.1 * variance);
+    }
+    EXPECT_GT(meanOf(noisy(Integrator::Drc, 16, 1).noise->variance), 0);
+}
+
 // The film of the largest size that a file may ask for: no machine has 3.75 TiB for all of it, and any has for a part.
 TEST(Renderer, PicturesBeyondTheMemoryAreRefused) {
     const std::string text =

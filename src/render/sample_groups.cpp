@@ -37,6 +37,22 @@ Rgb SampleGroups::mean(int x, int y) const {
     return sum.mean();
 }
 
+Rgb SampleGroups::varianceOfMean(int x, int y) const {
+    const Rgb all = mean(x, y);
+    Rgb sum(0.f);
+    float importance = 0;
+    int count = 0;
+    for (const Sum& s : pixels_[region_.index(x, y)]) {
+        if (s.importance == 0) continue;
+        const Rgb difference = (s.mean() - all) * s.importance;
+        sum += difference * difference;
+        importance += s.importance;
+        ++count;
+    }
+    if (count < 2) return Rgb(0.f);
+    return sum * (float(count) / (float(count - 1) * importance * importance));
+}
+
 Image SampleGroups::image() const {
     Image image(region_.width(), region_.height());
     for (int y = 0; y < region_.height(); ++y)

@@ -23,6 +23,9 @@ class SampleGroups {
     // The mean of a group's samples by weight and importance, and of all; black if there are none.
     Rgb group(int x, int y, int group) const;
     Rgb mean(int x, int y) const;
+    // Of mean(), by how much the groups differ; zero below two groups with samples. What all groups have in common, as
+    // the maps of a pass, is not in it.
+    Rgb varianceOfMean(int x, int y) const;
     // Of the means. Region-sized.
     Image image() const;
     const PixelRegion& region() const { return region_; }

@@ -22,6 +22,22 @@ TEST(SampleGroups, MeansGoByFilterWeight) {
     EXPECT_EQ(groups.mean(4, 5), Rgb(3, 0.5f, 0.75f));
 }
 
+TEST(SampleGroups, VarianceOfTheMeanIsByHowGroupsDiffer) {
+    SampleGroups groups(kRegion);
+    EXPECT_EQ(groups.varianceOfMean(3, 4), Rgb(0.f));
+    groups.add(3, 4, 0, Rgb(1, 5, 0), 1);
+    EXPECT_EQ(groups.varianceOfMean(3, 4), Rgb(0.f));
+    groups.add(3, 4, 1, Rgb(2, 5, 0), 1);
+    groups.add(3, 4, 2, Rgb(3, 5, 0), 1);
+    groups.add(3, 4, 3, Rgb(6, 5, 0), 1);
+    EXPECT_FLOAT_EQ(groups.varianceOfMean(3, 4).x, 14.f / 12);
+    EXPECT_EQ(groups.varianceOfMean(3, 4).y, 0);
+    // Of two groups, one with three times the say: weights 1/4 and 3/4 about the mean 3.
+    groups.add(4, 5, 0, Rgb(0.f), 1, 2);
+    groups.add(4, 5, 1, Rgb(4.f), 1, 6);
+    EXPECT_FLOAT_EQ(groups.varianceOfMean(4, 5).x, 2 * (9.f / 16 + 9.f / 16));
+}
+
 TEST(SampleGroups, APixelIsCompleteWithASampleInEachGroup) {
     SampleGroups groups(kRegion);
     for (int g = 0; g < SampleGroups::kGroups; ++g) {
