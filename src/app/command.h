@@ -19,5 +19,6 @@ void addRenderCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addReferenceCommand(CLI::App& app);
 void addEvaluateCommand(CLI::App& app);
+void addBenchCommand(CLI::App& app);
 
 }  // namespace drc

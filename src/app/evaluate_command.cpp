@@ -45,9 +45,8 @@ void addEvaluateCommand(CLI::App& app) {
                      "What `drc reference` writes: files, or folders of them; maps of several projections may be mixed")
         ->required();
     command
-        ->add_option(
-            "--weights", o->settings.weights,
-            "A network: one that comes with the program, or a file of weights; may be repeated. Default: drc")
+        ->add_option("--weights", o->settings.weights,
+                     "A network: one that comes with the program, or a file of weights; may be repeated. Default: drc")
         ->allow_extra_args(false);
     command->add_flag("--all-inputs", o->settings.allInputs,
                       "Average over every realisation of an example, not the first alone");

@@ -4,8 +4,8 @@
 
 #include "app/command.h"
 #include "app/evaluation_testing.h"
-#include "report/html_testing.h"
 #include "base/atomic_file.h"
+#include "report/html_testing.h"
 
 namespace drc {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "report/html_page.h"
 #include "app/map_pictures.h"
+#include "report/html_page.h"
 
 namespace drc {
 namespace {

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     drc::addInfoCommand(app);
     drc::addReferenceCommand(app);
     drc::addEvaluateCommand(app);
+    drc::addBenchCommand(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

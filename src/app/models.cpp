@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <set>
-#include <vector>
 
+#include "app/shipped_folders.h"
 #include "base/error.h"
 
 namespace drc {
@@ -16,18 +16,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".safetensors";
 
-std::vector<fs::path> modelFolders() {
-    std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    return {(program / "models").lexically_normal(), (program / "../../models").lexically_normal(),
-            (program / "../share/drc/models").lexically_normal(), "models"};
-}
-
 // Their names, in order, with commas between.
 std::string shippedNetworks() {
     std::set<std::string> names;
     std::error_code ignored;
-    for (const fs::path& folder : modelFolders())
+    for (const fs::path& folder : shippedFolders("models"))
         for (const auto& entry : fs::directory_iterator(folder, ignored))
             if (entry.path().extension() == kExtension) names.insert(entry.path().stem().string());
     std::string list;
@@ -37,7 +30,7 @@ std::string shippedNetworks() {
 
 std::string findShipped(const std::string& name, std::string& tried) {
     std::error_code ignored;
-    for (const fs::path& folder : modelFolders()) {
+    for (const fs::path& folder : shippedFolders("models")) {
         const fs::path candidate = folder / (name + kExtension);
         if (fs::exists(candidate, ignored)) return candidate.string();
         tried += "\n  " + candidate.string();

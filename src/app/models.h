@@ -4,8 +4,7 @@
 
 namespace drc {
 
-// Of the shipped networks, what renders use by default: the one that takes least time. Pictures with the others are no
-// better (models/drc.md).
+// Of the shipped networks, what renders use by default: the one that predicts maps best (models/drc.md).
 inline constexpr const char* kDefaultNetwork = "drc";
 
 // The path of the weights that are meant. `weights`: a file, or the name of a shipped network; if empty, the

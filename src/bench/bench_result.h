@@ -28,9 +28,9 @@ struct BenchRun {
     Budget budget;
     int repeat = 0;  // from 0; its seed
 
-    std::string failure;              // one line; empty if there is a picture. Then all below means nothing
-    std::string picture;              // EXR, linear; relative to the folder of the report
-    double seconds = kNotMeasured;    // wall clock of the whole process: reading, rendering, denoising, writing
+    std::string failure;                  // one line; empty if there is a picture. Then all below means nothing
+    std::string picture;                  // EXR, linear; relative to the folder of the report
+    double seconds = kNotMeasured;        // wall clock of the whole process: reading, rendering, denoising, writing
     double renderSeconds = kNotMeasured;  // of rendering alone, where the program tells
     double cpuSeconds = kNotMeasured;     // of all threads and child processes, user and system
     double peakMegabytes = kNotMeasured;  // largest resident set, in units of 10^6 bytes
@@ -43,7 +43,7 @@ struct BenchRun {
 
 struct BenchScene {
     std::string name, file;
-    std::string reference;  // EXR; relative to the folder of the report, or absolute
+    std::string reference;        // EXR; relative to the folder of the report, or absolute
     std::string referenceOrigin;  // how it came to be, for the page: "given", or what rendered it
     int width = 0, height = 0;
     double referencePngKb = kNotMeasured, referenceEntropy = kNotMeasured;

@@ -65,7 +65,8 @@ Graph::TensorId Graph::conv(TensorId source, const UNetWeights::Conv& conv, cons
     dnnl::memory::dims dims = tensors_[size_t(source)].desc.dims();
     const Desc src(dims, type_, Tag::any);
     dims[1] = conv.shape.out;
-    const Desc dst = options.addTo < 0 ? Desc(dims, options.inFloat ? Type::f32 : type_, Tag::any) : tensors_[size_t(options.addTo)].desc;
+    const Desc dst = options.addTo < 0 ? Desc(dims, options.inFloat ? Type::f32 : type_, Tag::any)
+                                       : tensors_[size_t(options.addTo)].desc;
     const Desc weight = conv.shape.depthwise ? Desc({conv.shape.out, 1, 1, k, k}, type_, Tag::any)
                                              : Desc({conv.shape.out, countIn, k, k}, type_, Tag::any);
     const Desc bias = options.bias ? Desc({conv.shape.out}, Type::f32, Tag::a) : Desc();

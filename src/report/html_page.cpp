@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -16,7 +17,10 @@ namespace {
 // tbody.group      a block of rows with a line above it; th.block: its title; td.best: bold
 // div.wide         may be wider than the page, and scrolls by itself
 // .lead, .note     softer, and smaller, than other paragraphs
-// .plots           drawings (svg.plot, svg_box_plot.h) side by side
+// .plots           drawings (svg.plot, svg_box_plot.h, svg_line_plot.h) side by side
+// .legend          the names of their colours
+// .contents        links to the sections
+// small, .failure  what qualifies a number, below it; what went wrong instead of one
 // .example, .maps  pictures in a row, each of --map pixels, with what belongs to them above and below
 // .c0 to .c7       colours of series, for whatever is drawn in currentColor
 constexpr const char* kStyle = R"(
@@ -53,14 +57,15 @@ table.measures .name, .block { white-space: normal; overflow-wrap: anywhere; }
 .block { text-align: left; font-weight: 600; }
 td.best { font-weight: 700; }
 td.text { text-align: left; white-space: normal; overflow-wrap: anywhere; min-width: 14rem; }
-td.soft, th.soft { color: var(--soft); }
+td.soft, th.soft, tr.soft > * { color: var(--soft); }
 .gap { border-left: 1.2rem solid transparent; }
 sup { font-size: .72em; line-height: 0; }
 details { margin: .5rem 0; } summary { cursor: pointer; color: var(--soft); font-size: .87rem; }
 code { font: .92em ui-monospace, "SF Mono", Consolas, monospace; }
 .c0 { color: var(--c0); } .c1 { color: var(--c1); } .c2 { color: var(--c2); } .c3 { color: var(--c3); }
 .c4 { color: var(--c4); } .c5 { color: var(--c5); } .c6 { color: var(--c6); } .c7 { color: var(--c7); }
-.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem 1.6rem; margin: .6rem 0; }
+.plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(20rem, 100%), 1fr)); gap: 1rem 1.6rem;
+  margin: .6rem 0; }
 svg.plot { display: block; width: 100%; height: auto; overflow: visible; }
 svg.plot text { font-size: 11px; fill: var(--ink); }
 svg.plot .title { font-size: 12px; font-weight: 600; }
@@ -70,6 +75,16 @@ svg.plot .whisker { stroke: currentColor; stroke-width: 1.3; fill: none; }
 svg.plot .box { stroke: currentColor; stroke-width: 1.3; fill: currentColor; fill-opacity: .22; }
 svg.plot .median { stroke: currentColor; stroke-width: 2.6; }
 svg.plot .mean { fill: var(--paper); stroke: currentColor; stroke-width: 1.4; }
+svg.plot .line { stroke: currentColor; stroke-width: 1.6; fill: none; stroke-linejoin: round; }
+svg.plot .mark { stroke: currentColor; stroke-width: 1.4; fill: var(--paper); }
+svg.plot circle.mark { fill: currentColor; }
+.contents { max-width: none; font-size: .87rem; } .contents a { margin-right: 1.1rem; }
+a { color: var(--c2); text-decoration: none; } a:hover { text-decoration: underline; }
+small { display: block; font-size: .82em; color: var(--soft); font-weight: 400; }
+.failure { color: var(--c5); }
+.legend { font-size: .87rem; max-width: none; }
+.legend span { margin-right: 1.3rem; white-space: nowrap; }
+.legend i { display: inline-block; width: 1.4em; margin-right: .45em; border-top: 3px solid; vertical-align: .25em; }
 .example { margin: 0 0 1.6rem; padding-top: .7rem; border-top: 1px solid var(--rule); }
 .example h4 { font-size: .93rem; font-weight: 600; margin: 0 0 .5rem; }
 .example h4 span { font-weight: 400; color: var(--soft); }
@@ -83,6 +98,15 @@ svg.plot .mean { fill: var(--paper); stroke: currentColor; stroke-width: 1.4; }
 .ends { display: flex; justify-content: space-between; color: var(--soft); }
 @media print { h2 { break-after: avoid; } .example, svg.plot, tbody { break-inside: avoid; } }
 )";
+
+std::string minus(int x) { return fmt::format("{}{}", x < 0 ? "&#8722;" : "", std::abs(x)); }
+
+std::string scientific(double x, int decimals) {
+    const std::string text = fmt::format("{:.{}e}", x, decimals);  // rounds 9.96e-5 to 1.0e-04
+    const size_t e = text.find('e');
+    return fmt::format("{}&#8201;&#215;&#8201;10<sup>{}</sup>", text.substr(0, e),
+                       minus(std::stoi(text.substr(e + 1))));
+}
 
 }  // namespace
 
@@ -126,24 +150,33 @@ std::string base64(std::string_view bytes) {
 
 std::string pngDataUri(const Image& linear) { return "data:image/png;base64," + base64(encodePng(linear)); }
 
-std::string htmlPage(const std::string& title, const std::string& body) {
+std::string htmlPage(const std::string& title, const std::string& body, const std::string& style) {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-        escapeHtml(title), kStyle, body);
+        "<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+        escapeHtml(title), kStyle, style, body);
 }
 
 std::string htmlNumber(double x) { return std::isnan(x) ? "&#8211;" : fmt::format("{:.4f}", x); }
+
+std::string htmlSignificant(double x) {
+    if (std::isnan(x)) return htmlNumber(x);
+    if (std::isinf(x)) return x > 0 ? "&#8734;" : "&#8722;&#8734;";
+    const double size = std::abs(std::stod(fmt::format("{:.2e}", x)));  // as rounded: 9.996 has one decimal
+    if (size == 0) return "0";
+    if (size >= 1e-4 && size < 1e5) {
+        const int decade = int(std::floor(std::log10(size) + 1e-9));
+        return fmt::format("{:.{}f}", x, std::max(0, 2 - decade));
+    }
+    return scientific(x, 2);
+}
 
 std::string htmlP(double p) {
     if (std::isnan(p)) return htmlNumber(p);
     if (p < kSmallestP) return fmt::format("&lt;&#8201;10<sup>&#8722;{:.0f}</sup>", -std::log10(kSmallestP));
     if (p >= 0.001) return fmt::format("{:#.2g}", p);
-    const std::string scientific = fmt::format("{:.1e}", p);  // rounds 9.96e-5 to 1.0e-04
-    const size_t e = scientific.find('e');
-    return fmt::format("{}&#8201;&#215;&#8201;10<sup>&#8722;{}</sup>", scientific.substr(0, e),
-                       -std::stoi(scientific.substr(e + 1)));
+    return scientific(p, 1);
 }
 
 }  // namespace drc

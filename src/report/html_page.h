@@ -15,11 +15,14 @@ std::string base64(std::string_view bytes);
 std::string pngDataUri(const Image& linear);
 
 // The whole page. title is escaped here; body is not. Tables have right-aligned numbers; the classes of the style are
-// listed at its definition.
-std::string htmlPage(const std::string& title, const std::string& body);
+// listed at its definition. `style`: CSS of this page alone, after that of all.
+std::string htmlPage(const std::string& title, const std::string& body, const std::string& style = "");
 
 // "0.1234", or a dash for NaN.
 std::string htmlNumber(double x);
+// Three digits that count: "0.00123", "12.3", "1234"; very small and very large ones as powers of ten in tags; a dash
+// for NaN.
+std::string htmlSignificant(double x);
 // "1.3 x 10^-82" in tags, or "< 10^-300".
 std::string htmlP(double p);
 

@@ -51,5 +51,27 @@ TEST(HtmlPage, PValuesKeepTwoDigits) {
     EXPECT_EQ(htmlP(NAN), "&#8211;");
 }
 
+TEST(HtmlPage, ThreeDigitsCount) {
+    EXPECT_EQ(htmlSignificant(0), "0");
+    EXPECT_EQ(htmlSignificant(0.00123456), "0.00123");
+    EXPECT_EQ(htmlSignificant(0.5), "0.500");
+    EXPECT_EQ(htmlSignificant(9.996), "10.0");
+    EXPECT_EQ(htmlSignificant(-12.34), "-12.3");
+    EXPECT_EQ(htmlSignificant(123.4), "123");
+    EXPECT_EQ(htmlSignificant(12345), "12345");
+    EXPECT_EQ(htmlSignificant(0.000123456), "0.000123");
+    EXPECT_EQ(htmlSignificant(0.0000123456), "1.23&#8201;&#215;&#8201;10<sup>&#8722;5</sup>");
+    EXPECT_EQ(htmlSignificant(2.5e7), "2.50&#8201;&#215;&#8201;10<sup>7</sup>");
+    EXPECT_EQ(htmlSignificant(INFINITY), "&#8734;");
+    EXPECT_EQ(htmlSignificant(NAN), "&#8211;");
+}
+
+TEST(HtmlPage, StyleOfAPageFollowsThatOfAll) {
+    const std::string page = htmlPage("", "", ".mine { color: red; }");
+    EXPECT_LT(page.find(":root"), page.find(".mine { color: red; }"));
+    EXPECT_LT(page.find(".mine"), page.find("</style>"));
+    EXPECT_EQ(brokenNesting(page), "");
+}
+
 }  // namespace
 }  // namespace drc

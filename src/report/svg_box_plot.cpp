@@ -11,35 +11,8 @@ namespace drc {
 namespace {
 
 constexpr double kWidth = 360, kTop = 24, kRow = 24, kBox = 12, kFoot = 18, kRight = 12;
-constexpr double kSliver = 0.03;
 constexpr size_t kLabelLetters = 18;
 constexpr double kLetter = 6.1;
-
-// 1, 2 or 5 times a power of ten, at least x.
-double roundStep(double x) {
-    const double decade = std::pow(10, std::floor(std::log10(x)));
-    for (const double factor : {1, 2, 5})
-        if (factor * decade >= x * (1 - 1e-9)) return factor * decade;
-    return 10 * decade;
-}
-
-PlotAxis linearAxis(double low, double high) {
-    // From nought, also where a sliver is below it, which is not worth a step.
-    if (low > -kSliver * (high - low)) low = std::min(0.0, high);
-    if (!(high > low)) high = low + 1;
-    const double step = roundStep((high - low) / 5);
-    PlotAxis axis{step * std::floor(low / step), step * std::ceil(high / step), false, {}};
-    for (int i = 0; axis.low + i * step < axis.high + step / 2; ++i) axis.ticks.push_back(axis.low + i * step);
-    return axis;
-}
-
-PlotAxis logarithmicAxis(double low, double high) {
-    const int first = int(std::floor(std::log10(low))), last = std::max(first + 1, int(std::ceil(std::log10(high))));
-    PlotAxis axis{std::pow(10, first), std::pow(10, last), true, {}};
-    const int step = 1 + (last - first) / 7;
-    for (int decade = first; decade <= last; decade += step) axis.ticks.push_back(std::pow(10, decade));
-    return axis;
-}
 
 // Cut between letters of UTF-8.
 std::string shortened(const std::string& text) {
@@ -75,11 +48,6 @@ std::string drawRow(const BoxPlotRow& row, double y, const auto& x) {
 
 }  // namespace
 
-double PlotAxis::place(double value) const {
-    const auto scale = [&](double v) { return logarithmic ? std::log10(std::max(v, low)) : v; };
-    return std::clamp((scale(value) - scale(low)) / (scale(high) - scale(low)), 0.0, 1.0);
-}
-
 PlotAxis axisFor(std::span<const Summary> summaries, bool logarithmic) {
     double low = INFINITY, high = -INFINITY;
     for (const Summary& s : summaries) {
@@ -88,7 +56,7 @@ PlotAxis axisFor(std::span<const Summary> summaries, bool logarithmic) {
         high = std::max({high, s.p95, s.mean});
     }
     if (low > high) return linearAxis(0, 1);
-    return logarithmic && low > 0 ? logarithmicAxis(low, high) : linearAxis(low, high);
+    return logarithmic && low > 0 ? decadeAxis(low, high) : linearAxis(low, high);
 }
 
 std::string boxPlotSvg(const std::string& title, std::span<const BoxPlotRow> rows, const PlotAxis& axis) {

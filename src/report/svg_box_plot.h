@@ -5,17 +5,9 @@
 #include <vector>
 
 #include "math/rank_statistics.h"
+#include "report/plot_axis.h"
 
 namespace drc {
-
-struct PlotAxis {
-    double low = 0, high = 1;
-    bool logarithmic = false;
-    std::vector<double> ticks;  // increasing, from low to high
-
-    // 0 at low, 1 at high; what is outside is clamped.
-    double place(double value) const;
-};
 
 // The axis that shows all of the summaries from their 5th to their 95th percentile, with round ends; a linear one
 // begins at nought if no value is much below it. A logarithmic axis is only given for positive values: else a linear

@@ -1,0 +1,204 @@
+#include <fmt/core.h>
+
+#include <charconv>
+#include <filesystem>
+#include <set>
+
+#include "app/command.h"
+#include "app/shipped_folders.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "bench/bench.h"
+#include "bench/bench_json.h"
+#include "bench/bench_page.h"
+#include "bench/bench_table.h"
+
+namespace drc {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchOptions {
+    std::vector<std::string> scenes, methods{"drc", "path"}, namedMethods, adapters;
+    std::vector<std::string> seconds, spp, tasks;
+    std::string output = "out/bench", references, resolution;
+    ReferenceSettings reference;
+    int repeats = 1, threads = 0, directSpp = 16;
+    double limit = 3600;
+    std::string oidnLibrary;
+    bool quiet = false, verbose = false;
+};
+
+double parseAmount(const std::string& text, const std::string& option) {
+    double value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc() || end != text.data() + text.size() || !(value > 0 && value < 1e9))
+        throw Error(
+            fmt::format("{} {}: give positive numbers with commas between, or 1..256 for 1,2,4 to 256", option, text));
+    return value;
+}
+
+// "a..b" doubles from a as far as b.
+void addBudgets(std::vector<Budget>& budgets, const std::vector<std::string>& texts, BudgetUnit unit,
+                const std::string& option) {
+    const auto add = [&](double amount, const std::string& text) {
+        if (unit != BudgetUnit::Seconds && amount != std::floor(amount))
+            throw Error(fmt::format("{} {}: must be a whole number", option, text));
+        const Budget budget{unit, amount};
+        if (std::find(budgets.begin(), budgets.end(), budget) == budgets.end()) budgets.push_back(budget);
+    };
+    for (const std::string& text : texts) {
+        const size_t dots = text.find("..");
+        const double first = parseAmount(text.substr(0, dots), option);
+        const double last = dots == std::string::npos ? first : parseAmount(text.substr(dots + 2), option);
+        for (double amount = first; amount <= last; amount *= 2) add(amount, text);
+    }
+}
+
+void parseResolution(const std::string& text, BenchSettings& settings) {
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &settings.width, &settings.height, &rest) != 2 || settings.width < 11 ||
+        settings.height < 11 || settings.width > 65536 || settings.height > 65536)
+        throw Error("--resolution " + text + ": give width and height in pixels, as 1280x720, from 11 upwards");
+}
+
+std::optional<Adapter> findAdapter(const std::string& name, const std::vector<Adapter>& given) {
+    for (const Adapter& adapter : given)
+        if (adapter.name == name) return adapter;
+    std::error_code ignored;
+    for (const fs::path& folder : shippedFolders("integrations"))
+        if (fs::exists(folder / name / "adapter.json", ignored)) return readAdapter((folder / name).string());
+    return {};
+}
+
+std::vector<BenchMethod> makeMethods(const BenchOptions& o) {
+    std::vector<Adapter> adapters;
+    for (const std::string& path : o.adapters) adapters.push_back(readAdapter(path));
+    std::vector<BenchMethod> methods;
+    std::set<std::string> names;
+    const auto add = [&](const std::string& text) {
+        methods.emplace_back(text, [&](const std::string& name) { return findAdapter(name, adapters); });
+        if (!names.insert(methods.back().name()).second)
+            throw Error(fmt::format("two methods are called {}", methods.back().name()));
+    };
+    for (const std::string& method : o.methods) {
+        if (method.find('=') != std::string::npos)
+            throw Error(fmt::format("--methods {}: give a method with options of its own by --method", method));
+        add(method);
+    }
+    for (const std::string& method : o.namedMethods) {
+        if (method.find('=') == std::string::npos)
+            throw Error(fmt::format("--method {}: give NAME=OPTIONS, the options being those of drc render", method));
+        add(method);
+    }
+    return methods;
+}
+
+BenchSettings makeSettings(const BenchOptions& o) {
+    BenchSettings s;
+    s.scenes = o.scenes;
+    s.methods = makeMethods(o);
+    addBudgets(s.budgets, o.seconds, BudgetUnit::Seconds, "--seconds");
+    addBudgets(s.budgets, o.spp, BudgetUnit::Spp, "--spp");
+    addBudgets(s.budgets, o.tasks, BudgetUnit::Tasks, "--tasks");
+    if (s.budgets.empty()) s.budgets = {{BudgetUnit::Seconds, 10}};
+    for (const BenchMethod& method : s.methods)
+        if (std::none_of(s.budgets.begin(), s.budgets.end(), [&](const Budget& b) { return method.keeps(b.unit); }))
+            throw Error(fmt::format("method {} keeps none of the budgets that are asked for", method.name()));
+    if (!o.resolution.empty()) parseResolution(o.resolution, s);
+    s.repeats = o.repeats;
+    s.output = o.output;
+    s.references = o.references;
+    s.threads = threadCount();
+    s.limitSeconds = o.limit;
+    s.own.path = fs::read_symlink("/proc/self/exe").string();
+    s.own.directSpp = o.directSpp;
+    s.own.oidnLibrary = o.oidnLibrary;
+    s.reference = o.reference;
+    s.reference.program = s.own.path;
+    s.reference.threads = s.threads;
+    return s;
+}
+
+void bench(const BenchOptions& o) {
+    setLogLevel(o.quiet ? LogLevel::Quiet : o.verbose ? LogLevel::Verbose : LogLevel::Normal);
+    setThreadCount(o.threads);
+    const BenchSettings settings = makeSettings(o);
+    installInterruptHandler();
+    const BenchReport report = runBench(settings, &interruptToken());
+    const auto file = [&](const char* name) { return (fs::path(o.output) / name).string(); };
+    const std::string table = benchMarkdown(report);
+    writeFileAtomically(file("bench.json"), toJson(report));
+    writeFileAtomically(file("bench.md"), table);
+    writeFileAtomically(file("index.html"), benchPage(report, o.output));
+    fmt::print("{}", table);
+    size_t failed = 0;
+    for (const BenchRun& run : report.runs) failed += !run.failure.empty();
+    if (interruptToken().cancelled()) logInfo("interrupted; called again in the same way, it goes on");
+    logInfo(fmt::format("{}: {} runs, {} failed", file("index.html"), report.runs.size(), failed));
+    if (failed > 0 && failed == report.runs.size())
+        throw Error("all runs failed; the first: " + report.runs[0].failure);
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app) {
+    auto* command = app.add_subcommand("bench", "Compare renderers: scenes x methods x budgets, as a page with tables");
+    auto o = std::make_shared<BenchOptions>();
+    command->add_option("SCENE", o->scenes, "Scene files, pbrt-v3 or pbrt-v4")->required();
+    command->add_option("-o,--output", o->output, "Folder for index.html, bench.json, bench.md and all pictures")
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--methods", o->methods,
+            "With commas between: path, bdpt, direct, drc, drc:ENHANCER (none, gaussian, oracle), drc:NETWORK, or "
+            "the name of an adapter (cycles, mitsuba3, pbrt-v3, pbrt-v4); each with +DENOISER, as path+oidn")
+        ->delimiter(',')
+        ->capture_default_str();
+    command->add_option("--method", o->namedMethods,
+                        "NAME=OPTIONS: ours with other options of drc render; may be repeated");
+    command->add_option("--adapter", o->adapters,
+                        "Adapter file of another program, or the folder of one; may be repeated. Its name is a method");
+    command->add_option("--seconds", o->seconds, "Wall-clock budgets of the whole process, as 10,30")->delimiter(',');
+    command->add_option("--spp", o->spp, "Budgets in samples a pixel, as 1..256: path, bdpt, direct and adapters")
+        ->delimiter(',');
+    command->add_option("--tasks", o->tasks, "Budgets in indirect tasks, as 1..256: drc")->delimiter(',');
+    command->add_option("--direct-spp", o->directSpp, "Samples a pixel of direct light where the budget is in tasks")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command->add_option("--repeats", o->repeats, "Runs of each, with seeds of their own")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--references", o->references,
+                        "Folder with NAME.exr for each scene, NAME being its file's, or its folder's if that is "
+                        "scene.pbrt. Default: rendered, and kept in the output's folder");
+    command->add_option("--reference-error", o->reference.error, "relMSE to which references are rendered")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command->add_option("--reference-integrator", o->reference.integrator, "path or bdpt")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"path", "bdpt"}));
+    command->add_option("--reference-spp", o->reference.maxSpp, "Samples a pixel after which that is given up")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command->add_option("--resolution", o->resolution,
+                        "WIDTHxHEIGHT in pixels. Default: the given references', else the scenes' own");
+    command->add_option("--limit", o->limit, "Seconds after which a run that keeps no seconds is ended")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    command->add_option("--nthreads", o->threads, "Threads; 0: one a core")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--oidn-library", o->oidnLibrary,
+                        "libOpenImageDenoise.so, where the system does not find it by itself");
+    command->add_flag("--quiet", o->quiet, "Say nothing but the table, warnings and errors");
+    command->add_flag("-v,--verbose", o->verbose, "Say more, command lines among it");
+    command->footer(
+        "Example: drc bench scene.pbrt --methods drc,path,path+oidn --seconds 10,30\n"
+        "Interrupted, it goes on where it was when called again.");
+    command->callback([o] { bench(*o); });
+}
+
+}  // namespace drc

@@ -1,0 +1,115 @@
+#include "bench/bench_method.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+constexpr std::array kIntegrators{"path", "bdpt", "direct", "drc"};
+constexpr std::array kEnhancers{"none", "gaussian", "oracle"};
+constexpr std::array kDenoisers{"off", "surface", "oidn", "oidn-direct"};
+
+template <typename List>
+bool isOneOf(const std::string& name, const List& list) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+std::vector<std::string> words(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> found;
+    for (std::string word; in >> word;) found.push_back(word);
+    return found;
+}
+
+// The last --integrator among options; drc if there is none.
+std::string integratorAmong(const std::vector<std::string>& options) {
+    constexpr std::string_view kOption = "--integrator";
+    std::string integrator = "drc";
+    for (size_t i = 0; i < options.size(); ++i) {
+        if (options[i] == kOption && i + 1 < options.size()) integrator = options[i + 1];
+        if (options[i].starts_with(std::string(kOption) + "=")) integrator = options[i].substr(kOption.size() + 1);
+    }
+    return integrator;
+}
+
+}  // namespace
+
+BenchMethod::BenchMethod(const std::string& text,
+                         const std::function<std::optional<Adapter>(const std::string&)>& findAdapter) {
+    const size_t equals = text.find('=');
+    if (equals != std::string::npos) {
+        name_ = text.substr(0, equals);
+        options_ = words(text.substr(equals + 1));
+        if (name_.empty()) throw Error(fmt::format("method '{}': has no name before the =", text));
+        hasMaps_ = integratorAmong(options_) == "drc";
+        return;
+    }
+    name_ = text;
+    const size_t plus = text.find('+');
+    if (plus != std::string::npos) denoiser_ = text.substr(plus + 1);
+    const std::string way = text.substr(0, plus);
+    const size_t colon = way.find(':');
+    const std::string integrator = way.substr(0, colon);
+    if (!isOneOf(integrator, kIntegrators)) {
+        if (colon == std::string::npos) adapter_ = findAdapter(way);
+        if (!adapter_)
+            throw Error(
+                fmt::format("method '{}': there are path, bdpt, direct, drc, drc:ENHANCER, drc:NETWORK, "
+                            "NAME=OPTIONS, and what --adapter names",
+                            text));
+        if (plus != std::string::npos && !adapter_->denoises(denoiser_))
+            throw Error(fmt::format("method '{}': {} does not denoise by '{}'", text, way, denoiser_));
+        return;
+    }
+    hasMaps_ = integrator == "drc";
+    options_ = {"--integrator", integrator};
+    if (colon != std::string::npos) {
+        const std::string enhancer = way.substr(colon + 1);
+        if (!hasMaps_ || enhancer.empty())
+            throw Error(fmt::format("method '{}': only drc takes an enhancer or a network, as drc:gaussian", text));
+        options_.insert(options_.end(), {isOneOf(enhancer, kEnhancers) ? "--enhancer" : "--weights", enhancer});
+    }
+    if (plus == std::string::npos) return;
+    if (!isOneOf(denoiser_, kDenoisers))
+        throw Error(fmt::format("method '{}': denoisers are off, surface, oidn and oidn-direct", text));
+    if (!hasMaps_ && (denoiser_ == "surface" || denoiser_ == "oidn-direct"))
+        throw Error(fmt::format("method '{}': {} filters the layers that only drc has", text, denoiser_));
+    options_.insert(options_.end(), {"--denoise", denoiser_});
+}
+
+bool BenchMethod::keeps(BudgetUnit unit) const {
+    if (adapter_) return adapter_->commands.contains(unit);
+    return unit == BudgetUnit::Seconds || (unit == BudgetUnit::Tasks) == hasMaps_;
+}
+
+std::vector<std::string> BenchMethod::command(const BenchJob& job, const OwnProgram& own) const {
+    if (adapter_) {
+        AdapterValues values;
+        values.scene = job.scene, values.output = job.output, values.timing = job.timing;
+        values.width = job.width, values.height = job.height;
+        values.threads = job.threads, values.seed = job.seed;
+        values.denoiser = denoiser_, values.amount = job.budget.amount;
+        return adapter_->command(job.budget.unit, values).value();
+    }
+    std::vector<std::string> argv{own.path, "render", job.scene};
+    argv.insert(argv.end(), options_.begin(), options_.end());
+    if (!own.oidnLibrary.empty() && denoiser_.starts_with("oidn"))
+        argv.insert(argv.end(), {"--oidn-library", own.oidnLibrary});
+    const std::string amount = fmt::format("{:g}", job.budget.amount);
+    if (job.budget.unit == BudgetUnit::Seconds) argv.insert(argv.end(), {"--time", amount});
+    if (job.budget.unit == BudgetUnit::Spp) argv.insert(argv.end(), {"--spp", amount});
+    if (job.budget.unit == BudgetUnit::Tasks)
+        argv.insert(argv.end(), {"--indirect-tasks", amount, "--spp", std::to_string(own.directSpp)});
+    argv.insert(argv.end(),
+                {"--resolution", fmt::format("{}x{}", job.width, job.height), "--nthreads", std::to_string(job.threads),
+                 "--seed", std::to_string(job.seed), "--timing", job.timing, "--quiet", "-o", job.output});
+    return argv;
+}
+
+}  // namespace drc

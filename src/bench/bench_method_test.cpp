@@ -1,0 +1,86 @@
+#include "bench/bench_method.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/folder_testing.h"
+
+namespace drc {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+
+std::optional<Adapter> onlyOther(const std::string& name) {
+    if (name != "other") return {};
+    Adapter adapter;
+    adapter.name = "other";
+    adapter.denoisers = {"oidn"};
+    adapter.commands[BudgetUnit::Spp] = {"run", "{spp}", "{denoiser}"};
+    return adapter;
+}
+
+std::string line(const std::string& method, const Budget& budget, const OwnProgram& own = {"drc", 16, ""}) {
+    BenchJob job;
+    job.scene = "s.pbrt", job.output = "o.exr", job.timing = "t.json";
+    job.width = 32, job.height = 16, job.threads = 2, job.seed = 5;
+    job.budget = budget;
+    std::string joined;
+    for (const std::string& word : BenchMethod(method, onlyOther).command(job, own)) joined += word + " ";
+    return joined;
+}
+
+TEST(BenchMethod, OurIntegratorsGetTheirBudget) {
+    EXPECT_EQ(line("path", {BudgetUnit::Seconds, 2.5}),
+              "drc render s.pbrt --integrator path --time 2.5 --resolution 32x16 --nthreads 2 --seed 5 "
+              "--timing t.json --quiet -o o.exr ");
+    EXPECT_THAT(line("bdpt", {BudgetUnit::Spp, 64}), HasSubstr("--integrator bdpt --spp 64 "));
+    EXPECT_THAT(line("drc", {BudgetUnit::Tasks, 256}, {"drc", 8, ""}), HasSubstr("--indirect-tasks 256 --spp 8 "));
+}
+
+TEST(BenchMethod, EnhancersNetworksAndDenoisers) {
+    const Budget budget{BudgetUnit::Seconds, 1};
+    EXPECT_THAT(line("drc:gaussian", budget), HasSubstr("--enhancer gaussian "));
+    EXPECT_THAT(line("drc:paper-k64+off", budget),
+                AllOf(HasSubstr("--weights paper-k64 "), HasSubstr("--denoise off ")));
+    EXPECT_THAT(line("path+oidn", budget, {"drc", 16, "lib.so"}),
+                AllOf(HasSubstr("--denoise oidn "), HasSubstr("--oidn-library lib.so ")));
+    EXPECT_THAT(line("path", budget, {"drc", 16, "lib.so"}), Not(HasSubstr("lib.so")));
+}
+
+TEST(BenchMethod, OptionsOfOnesOwn) {
+    EXPECT_EQ(BenchMethod("many maps=--spacing 2", onlyOther).name(), "many maps");
+    EXPECT_THAT(line("many maps=--spacing 2", {BudgetUnit::Tasks, 4}), HasSubstr("render s.pbrt --spacing 2 "));
+    EXPECT_TRUE(BenchMethod("a=--spacing 2", onlyOther).keeps(BudgetUnit::Tasks));
+    EXPECT_FALSE(BenchMethod("a=--integrator path", onlyOther).keeps(BudgetUnit::Tasks));
+    EXPECT_TRUE(BenchMethod("a=--integrator=bdpt", onlyOther).keeps(BudgetUnit::Spp));
+}
+
+TEST(BenchMethod, OtherProgramsByTheirAdapter) {
+    EXPECT_EQ(line("other", {BudgetUnit::Spp, 8}), "run 8 off ");
+    EXPECT_EQ(line("other+oidn", {BudgetUnit::Spp, 8}), "run 8 oidn ");
+    EXPECT_FALSE(BenchMethod("other", onlyOther).keeps(BudgetUnit::Seconds));
+    EXPECT_TRUE(BenchMethod("other", onlyOther).keeps(BudgetUnit::Spp));
+}
+
+TEST(BenchMethod, UnitsThatOursKeep) {
+    const BenchMethod path("path", onlyOther), drc("drc", onlyOther);
+    EXPECT_TRUE(path.keeps(BudgetUnit::Seconds) && path.keeps(BudgetUnit::Spp) && !path.keeps(BudgetUnit::Tasks));
+    EXPECT_TRUE(drc.keeps(BudgetUnit::Seconds) && !drc.keeps(BudgetUnit::Spp) && drc.keeps(BudgetUnit::Tasks));
+}
+
+TEST(BenchMethod, ErrorsSayWhatWouldBeRight) {
+    const auto error = [](const std::string& text) { return errorOf([&] { BenchMethod(text, onlyOther); }); };
+    EXPECT_THAT(error("pathh"), AllOf(HasSubstr("'pathh'"), HasSubstr("bdpt")));
+    EXPECT_THAT(error("path:gaussian"), HasSubstr("only drc"));
+    EXPECT_THAT(error("drc:"), HasSubstr("drc:gaussian"));
+    EXPECT_THAT(error("drc+nlm"), HasSubstr("oidn-direct"));
+    EXPECT_THAT(error("path+surface"), HasSubstr("only drc"));
+    EXPECT_THAT(error("other+optix"), HasSubstr("'optix'"));
+    EXPECT_THAT(error("=--spacing 2"), HasSubstr("no name"));
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,111 @@
+#include "bench/page_equal_time.h"
+
+#include <gtest/gtest.h>
+
+#include "bench/page_testing.h"
+#include "report/html_testing.h"
+
+namespace drc {
+namespace {
+
+TEST(PageEqualTime, HasATableABudgetAndABlockAScene) {
+    ReportBuilder b;
+    for (const double amount : {30., 2.})
+        for (const char* scene : {"box", "hall"})
+            for (const char* method : {"drc", "path"}) b.add(scene, method, seconds(amount), 0.1);
+    b.add("box", "drc", tasks(4), 0.1);
+    const std::string html = equalTimeTables(b.report);
+    EXPECT_EQ(brokenNesting(html), "");
+    EXPECT_EQ(occurrences(html, "<table"), 2);
+    EXPECT_EQ(occurrences(html, ">box</th>"), 2);
+    EXPECT_EQ(occurrences(html, ">hall</th>"), 2);
+    EXPECT_LT(html.find("<h3>2 s</h3>"), html.find("<h3>30 s</h3>"));
+    EXPECT_EQ(html.find("tasks"), std::string::npos);
+}
+
+TEST(PageEqualTime, BestOfAScene) {
+    ReportBuilder b;
+    b.add("box", "a", seconds(2), 0.2, 0.9);
+    b.add("box", "b", seconds(2), 0.1, 0.8);
+    b.add("box", "c", seconds(2), 0.4, 0.9);
+    const std::string html = equalTimeTables(b.report);
+    EXPECT_EQ(occurrences(html, "<td class=\"best\">0.9000</td>"), 2);  // SSIM of a and c
+    EXPECT_EQ(occurrences(html, "<td class=\"best\">0.0500</td>"), 1);  // FLIP of b
+    EXPECT_EQ(occurrences(html, "<td class=\"best\">0.100</td>"), 1);   // relMSE of b
+    EXPECT_EQ(occurrences(html, "\"best\""), 4);
+}
+
+TEST(PageEqualTime, OneMethodIsNotTheBest) {
+    ReportBuilder b;
+    b.add("box", "a", seconds(2), 0.2);
+    b.add("box", "b", seconds(2), kNotMeasured, kNotMeasured);
+    const std::string html = equalTimeTables(b.report);
+    EXPECT_EQ(occurrences(html, "\"best\""), 0);
+    EXPECT_EQ(html.find("nan"), std::string::npos);
+    EXPECT_EQ(occurrences(html, "<td>&#8211;</td>"), 3);
+}
+
+TEST(PageEqualTime, RepeatsHaveAMedianAndAnInterval) {
+    ReportBuilder b;
+    for (const double relmse : {0.3, 0.1, 0.2}) b.add("box", "a", seconds(2), relmse, 1 - relmse);
+    b.add("box", "b", seconds(2), 0.25, 0.25);
+    const std::string html = equalTimeTables(b.report);
+    EXPECT_NE(html.find("0.8000<small>0.7000&#8202;&#8211;&#8202;0.9000</small>"), std::string::npos);
+    EXPECT_NE(html.find("0.200<small>0.100&#8202;&#8211;&#8202;0.300</small>"), std::string::npos);
+    EXPECT_NE(html.find("<td>0.2500</td>"), std::string::npos);
+    EXPECT_EQ(occurrences(html, "<small>"), 3);
+}
+
+TEST(PageEqualTime, TimeAndMemoryArePresent) {
+    ReportBuilder b;
+    BenchRun& run = b.add("box", "a", seconds(2), 0.2);
+    run.seconds = 1.987, run.cpuSeconds = 3.94, run.peakMegabytes = 1234.4;
+    const std::string html = equalTimeTables(b.report);
+    EXPECT_NE(html.find("<td>1.99</td><td>3.9</td><td>1234</td>"), std::string::npos);
+}
+
+TEST(PageEqualTime, FailuresSayWhy) {
+    ReportBuilder b;
+    b.add("box", "a", seconds(2), 0.2);
+    b.addFailure("box", "a", seconds(2), "no memory");
+    b.addFailure("box", "b", seconds(2), "killed <9>");
+    const std::string html = equalTimeTables(b.report);
+    EXPECT_EQ(brokenNesting(html), "");
+    EXPECT_NE(html.find(">1 of 2 failed: no memory</td>"), std::string::npos);
+    EXPECT_NE(html.find("<th class=\"name\">b</th><td class=\"text failure\" colspan=\"6\">killed &lt;9&gt;</td>"),
+              std::string::npos);
+}
+
+// Over the scenes that both have: ratios of 2 and 8 in two, none in the third.
+TEST(PageEqualTime, GeometricMeansAreRelativeToTheFirstMethod) {
+    ReportBuilder b;
+    b.add("box", "base", seconds(2), 0.1);
+    b.add("box", "other", seconds(2), 0.2);
+    b.add("hall", "base", seconds(2), 0.01);
+    b.add("hall", "other", seconds(2), 0.08);
+    b.add("yard", "base", seconds(2), 0.3);
+    b.addFailure("yard", "other", seconds(2), "no");
+    const std::string means = between(equalTimeTables(b.report), "geometric mean", "</table>");
+    EXPECT_NE(means.find(">base</th><td></td><td></td><td>1.00&#8201;&#215;</td><td class=\"text soft\" "
+                         "colspan=\"3\">3 scenes<"),
+              std::string::npos);
+    EXPECT_NE(means.find(">other</th><td></td><td></td><td>4.00&#8201;&#215;</td><td class=\"text soft\" "
+                         "colspan=\"3\">2 scenes<"),
+              std::string::npos);
+}
+
+TEST(PageEqualTime, NoMeansWithoutTheFirstMethod) {
+    ReportBuilder b;
+    b.addFailure("box", "base", seconds(2), "no");
+    b.add("box", "other", seconds(2), 0.2);
+    EXPECT_EQ(equalTimeTables(b.report).find("geometric"), std::string::npos);
+}
+
+TEST(PageEqualTime, NothingWithoutSeconds) {
+    ReportBuilder b;
+    b.add("box", "a", tasks(2), 0.2);
+    EXPECT_EQ(equalTimeTables(b.report), "");
+}
+
+}  // namespace
+}  // namespace drc

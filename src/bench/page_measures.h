@@ -1,0 +1,39 @@
+// What the parts of a comparison's page share: the quantities, how each is written, and which runs there are.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "bench/bench_result.h"
+
+namespace drc {
+
+struct BenchMeasure {
+    const char* title;
+    double BenchRun::*value;
+    std::string (*text)(double);  // as HTML; a dash for NaN
+    int better;                   // 1: larger is better; -1: smaller is; 0: neither
+};
+
+std::string fourDecimals(double x);  // htmlNumber
+std::string twoDecimals(double x);
+std::string oneDecimal(double x);
+std::string noDecimals(double x);
+
+extern const BenchMeasure kSsim, kFlip, kRelmse, kMse, kSeconds, kCpuSeconds, kPeakMegabytes, kPngKb;
+
+BenchSpread spreadOver(const std::vector<const BenchRun*>& runs, const BenchMeasure& measure);
+
+// "median", and in small type from where to where the repeats lie, where there are several.
+std::string spreadText(const BenchSpread& spread, const BenchMeasure& measure);
+
+// The repeats that failed.
+std::vector<const BenchRun*> failuresOf(const BenchReport& report, const std::string& scene, const std::string& method,
+                                        const Budget& budget);
+
+// Of that unit, smallest first, each once.
+std::vector<Budget> budgetsOf(const BenchReport& report, BudgetUnit unit);
+
+// One colour a method on the whole page; of html_page.h.
+int methodColour(size_t method);
+
+}  // namespace drc
