@@ -138,9 +138,9 @@ std::string howItWasMade(const BenchReport& report) {
            "luminances. <b>FLIP</b>: the difference that is seen when two pictures alternate. <b>MSE</b> and "
            "<b>relMSE</b>: squared error of linear values, and the same relative to the reference\u2019s. "
            "<b>seconds</b>: wall clock of the whole process. <b>CPU&#8201;s</b>: of all its threads and children. "
-           "<b>peak MB</b>: its largest resident "
-           "memory, in units of 10<sup>6</sup> bytes. <b>PNG KB</b>: size of the 8-bit picture in units of 1000 bytes; "
-           "noise does not compress. <b>entropy</b>: of the 256 levels of its luminance, in bits a pixel.</p>\n";
+           "<b>peak MB</b>: its largest resident memory, in units of 10<sup>6</sup> bytes. <b>PNG KB</b>: size of the "
+           "8-bit picture in units of 1000 bytes; noise does not compress. <b>entropy</b>: of the 256 levels of its "
+           "luminance, in bits a pixel.</p>\n";
 }
 
 }  // namespace

@@ -91,10 +91,10 @@ std::string beside(const BenchReport& report, const std::string& scene, const st
     }
     if (rows.empty()) return "";
     return "<div class=\"wide\"><table>\n<thead><tr class=\"span\"><th></th><th class=\"gap\" colspan=\"2\">"
-           "SSIM of the first</th><th class=\"gap\" colspan=\"2\">of the second</th></tr>\n<tr><th></th><th "
-           "class=\"gap\">16 "
-           "tasks</th><th>most tasks</th><th class=\"gap\">time of 16 tasks</th><th>four times that</th></tr></thead>\n"
-           "<tbody>\n<tr class=\"soft\"><th class=\"name\">the paper: DRC &#183; BDPT</th><td class=\"gap\">0.89</td>"
+           "SSIM of the first</th><th class=\"gap\" colspan=\"2\">of the second</th></tr>\n<tr><th></th>"
+           "<th class=\"gap\">16 tasks</th><th>most tasks</th><th class=\"gap\">time of 16 tasks</th>"
+           "<th>four times that</th></tr></thead>\n<tbody>\n<tr class=\"soft\"><th class=\"name\">the paper: DRC "
+           "&#183; BDPT</th><td class=\"gap\">0.89</td>"
            "<td>0.91</td><td class=\"gap\">0.82</td><td>0.90</td></tr>\n" +
            rows + "</tbody>\n</table></div>\n";
 }

@@ -39,7 +39,8 @@ constexpr const char* kScript = R"(
   "use strict";
   const viewer = document.querySelector(".viewer"), part = selector => viewer.querySelector(selector);
   const figures = [...document.querySelectorAll("figure[data-method]")];
-  const scene = part(".scene"), kind = part(".kind"), stage = part(".stage"), wipe = part(".wipe"), loupe = part(".loupe");
+  const scene = part(".scene"), kind = part(".kind");
+  const stage = part(".stage"), wipe = part(".wipe"), loupe = part(".loupe");
   const sides = ["right", "left"].map(name => {
     const image = stage.insertBefore(new Image(), loupe);
     image.className = name;
@@ -165,8 +166,8 @@ constexpr const char* kScript = R"(
 constexpr const char* kStyle = R"(
 .viewer { margin-bottom: 1rem; --gap: 1rem; } .viewer .heads { margin-top: .8rem; }
 .viewer[hidden], .viewer [hidden] { display: none; }
-.viewer select { font: inherit; font-size: .87rem; color: inherit; background: var(--paper); border: 1px solid var(--rule);
-  border-radius: 3px; padding: .2rem .3rem; max-width: 100%; }
+.viewer select { font: inherit; font-size: .87rem; color: inherit; background: var(--paper);
+  border: 1px solid var(--rule); border-radius: 3px; padding: .2rem .3rem; max-width: 100%; }
 .viewer .heads { display: flex; flex-wrap: wrap; gap: .4rem 1.4rem; font-size: .87rem; margin-bottom: .6rem; }
 .viewer .heads label { color: var(--soft); } .viewer .heads select { color: var(--ink); margin-left: .3rem; }
 .choices, .details { display: grid; grid-template-columns: 1fr 1fr; gap: var(--gap); }
@@ -176,8 +177,8 @@ constexpr const char* kStyle = R"(
 .stage { position: relative; aspect-ratio: var(--ratio, 1); --wipe: 50%; overflow: hidden; background: var(--faint); }
 .stage img { position: absolute; inset: 0; width: 100%; height: 100%; user-select: none; }
 .stage .left { clip-path: inset(0 calc(100% - var(--wipe)) 0 0); }
-.stage .divider { position: absolute; top: 0; bottom: 0; left: var(--wipe); width: 2px; margin-left: -1px; background: #fff;
-  box-shadow: 0 0 3px rgba(0, 0, 0, .6); pointer-events: none; }
+.stage .divider { position: absolute; top: 0; bottom: 0; left: var(--wipe); width: 2px; margin-left: -1px;
+  background: #fff; box-shadow: 0 0 3px rgba(0, 0, 0, .6); pointer-events: none; }
 .stage .divider::after { content: ""; position: absolute; top: 50%; left: 50%; width: 1.3rem; height: 1.3rem;
   margin: -.65rem 0 0 -.65rem; border-radius: 50%; background: #fff; box-shadow: 0 0 3px rgba(0, 0, 0, .6); }
 .stage .loupe { position: absolute; border: 1px solid rgba(255, 255, 255, .85); outline: 1px solid rgba(0, 0, 0, .45);
