@@ -35,6 +35,7 @@ struct RenderOptions {
     int threads = 0;
     uint64_t seed = 0;
     float clamp = 0;
+    std::string interpolation = "geometry";
     bool uncorrected = false;
     std::string denoise;  // empty: not asked for
     std::string oidnLibrary;
@@ -163,6 +164,7 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
     constexpr int kShownSweeps = 16;
     if (o.aovs || o.usesOidn()) p.shownSweeps = kShownSweeps;
     p.noise = o.aovs;
+    if (o.interpolation == "distance") p.indirect.interpolation = Interpolation::Distance;
     if (o.spacing) p.firstSpacing = *o.spacing / float(scene.settings.film.height);
     return p;
 }
@@ -332,6 +334,11 @@ void addRenderCommand(CLI::App& app) {
         ->check(CLI::IsMember({"auto", "equal-area", "latlong"}));
     command->add_option("--spacing", o->spacing, "Pixels between the maps of the first pass; 1: a map at each pixel")
         ->check(CLI::Range(1.f, 10000.f));
+    command
+        ->add_option("--interpolation", o->interpolation,
+                     "What weighs a pixel's maps: geometry, or their distance alone (for comparison)")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"geometry", "distance"}));
     command->add_option("--gather-samples", o->gatherSamples, "Directions that a camera sample gathers from a pass")
         ->check(CLI::PositiveNumber);
     command->add_option("--max-depth", o->maxDepth, "Longest path, in non-specular bounces")

@@ -68,7 +68,8 @@ std::string amountTable(const BenchReport& report, const std::string& scene, con
         spans, titles, rows);
 }
 
-// What the paper says of its method and of bidirectional path tracing, and the same of ours.
+// What the paper says of its method and of bidirectional path tracing, and the same of ours. Pairs that no time is
+// known of are left out.
 std::string beside(const BenchReport& report, const std::string& scene, const std::vector<Column>& tasks,
                    const std::vector<Column>& samples) {
     std::string rows;
@@ -80,14 +81,17 @@ std::string beside(const BenchReport& report, const std::string& scene, const st
             const auto runs = runsOf(report, scene, ours.method, budget);
             if (!runs.empty()) last = spreadOver(runs, kSsim).median, most = budget.amount;
         }
-        for (const Column& other : samples)
+        for (const Column& other : samples) {
+            const double same = ssimAfter(report, scene, other.method, other.unit, seconds),
+                         later = ssimAfter(report, scene, other.method, other.unit, 4 * seconds);
+            if (std::isnan(same) && std::isnan(later)) continue;
             rows += fmt::format(
                 "<tr><th class=\"name\">{} &#183; {}</th><td class=\"gap\">{}</td><td>{}<small>{}</small></td><td "
                 "class=\"gap\">{}</td><td>{}</td></tr>\n",
                 escapeHtml(ours.method), escapeHtml(other.method), twoDecimals(ssim), twoDecimals(last),
-                most == kPaperTasks ? "" : "at " + budgetName({BudgetUnit::Tasks, most}),
-                twoDecimals(ssimAfter(report, scene, other.method, other.unit, seconds)),
-                twoDecimals(ssimAfter(report, scene, other.method, other.unit, 4 * seconds)));
+                most == kPaperTasks ? "" : "at " + budgetName({BudgetUnit::Tasks, most}), twoDecimals(same),
+                twoDecimals(later));
+        }
     }
     if (rows.empty()) return "";
     return "<div class=\"wide\"><table>\n<thead><tr class=\"span\"><th></th><th class=\"gap\" colspan=\"2\">"

@@ -47,7 +47,10 @@ TEST_F(PagePaperTableTest, HasARowAnAmountAndAllMethodsBesideEachOther) {
 
 TEST_F(PagePaperTableTest, StandsBesideThePaper) {
     addAll();
+    add("path", spp(1), 1, 0.2, 90.5);
+    add("path", spp(16), 9, 0.5, 90.5);  // not as long as 16 tasks took
     const std::string rows = between(paperTables(b.report), "the paper: DRC", "</table>");
+    EXPECT_EQ(rows.find("path"), std::string::npos);
     EXPECT_NE(rows.find("0.89</td><td>0.91</td><td class=\"gap\">0.82</td><td>0.90</td>"), std::string::npos);
     // After 10 s: 0.3 + 0.3 log(10) / log(20); after 40 s half way from 0.6 to 0.84.
     EXPECT_NE(rows.find("drc &#183; bdpt</th><td class=\"gap\">0.93</td><td>0.96<small>at 256 tasks</small></td>"

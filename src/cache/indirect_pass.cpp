@@ -124,7 +124,7 @@ bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToke
     mapCount_ = 0;
     if (spacing <= 1) return runPerPixel(pass, add, cancel);
     Sampler offsets(hashCombine(settings_.seed, kOffset), uint32_t(pass));
-    PassMaps maps(MapGrid(tracer_.scene().settings.region(), spacing, offsets.get2D()));
+    PassMaps maps(MapGrid(tracer_.scene().settings.region(), spacing, offsets.get2D()), settings_.interpolation);
     placeMaps(maps, pass, spacing, cancel);
     if (cancel && cancel->cancelled()) return false;
     gatherPixels(maps, pass, add, cancel);

@@ -17,7 +17,8 @@ struct IndirectSettings {
     int primarySamples = 4;    // camera samples a pixel and pass
     int gatherSamples = 8;     // directions that each of them gathers, split over its maps
     float minCoverage = 0.1f;  // of a pixel's weights, below which maps are filled in
-    int fillLevels = 3;        // halvings of the spacing that fill in
+    Interpolation interpolation = Interpolation::Geometry;
+    int fillLevels = 3;  // halvings of the spacing that fill in
     uint64_t seed = 0;
 };
 

@@ -14,9 +14,11 @@ float radialWeight(const Vec2& film, const Vec2& site, float radius) {
 
 namespace {
 
-bool serves(const PixelSite& pixel, const MapSite& site) {
-    return site.hasFront && (!pixel.transmits || site.hasBack) && dot(pixel.n, site.n) > 0;
+bool present(const PixelSite& pixel, const MapSite& site) {
+    return site.hasFront && (!pixel.transmits || site.hasBack);
 }
+
+bool serves(const PixelSite& pixel, const MapSite& site) { return present(pixel, site) && dot(pixel.n, site.n) > 0; }
 
 // Distance off the plane of either, in units of half the map's reach: a depth edge, or a step.
 float step(const PixelSite& pixel, const MapSite& site) {
@@ -31,6 +33,8 @@ float split(const PixelSite& pixel, const MapSite& site) {
 }
 
 }  // namespace
+
+float presentWeight(const PixelSite& pixel, const MapSite& site) { return present(pixel, site) ? 1 : 0; }
 
 float geometryWeight(const PixelSite& pixel, const MapSite& site) {
     if (!serves(pixel, site)) return 0;

@@ -24,10 +24,16 @@ struct PixelSite {
     bool transmits = false;
 };
 
+// What a map's weight goes by. Distance: how far off it is on the film, and nothing else; to show what normals bring.
+enum class Interpolation { Distance, Geometry };
+
 // Bilinear falloff: 1 at the map, 0 at distance `radius` along either axis of the film.
 float tentWeight(const Vec2& film, const Vec2& site, float radius);
 // Radial falloff, for maps that do not stand on a grid.
 float radialWeight(const Vec2& film, const Vec2& site, float radius);
+
+// 1; 0 for a map that lacks a side that the pixel needs.
+float presentWeight(const PixelSite& pixel, const MapSite& site);
 
 // Geometry's share of the weight, in [0, 1]; zero for a normal at right angles or more, for a map off the pixel's
 // tangent plane by more than half its reach, and for a map that lacks a side that the pixel needs.

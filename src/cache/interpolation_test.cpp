@@ -91,6 +91,18 @@ TEST(Interpolation, AMapInACornerReachesLessFar) {
               0.2f * geometryWeight(pixel, siteAt(Vec3(0.2f, 0, 0), kUp, 10)));
 }
 
+TEST(Interpolation, ByDistanceAloneWhateverIsThereCounts) {
+    PixelSite pixel = pixelAt(Vec3(0, 0, 0), kUp);
+    MapSite site = siteAt(Vec3(0, 0, 5), Vec3(1, 0, 0), 0.1f);
+    EXPECT_EQ(presentWeight(pixel, site), 1);
+    pixel.transmits = true;
+    EXPECT_EQ(presentWeight(pixel, site), 0);
+    site.hasBack = true;
+    EXPECT_EQ(presentWeight(pixel, site), 1);
+    site.hasFront = false;
+    EXPECT_EQ(presentWeight(pixel, site), 0);
+}
+
 TEST(Interpolation, AMissingMapOrSideHasNoWeight) {
     PixelSite pixel = pixelAt(Vec3(0, 0, 0), kUp);
     MapSite site = siteAt(Vec3(0, 0, 0), kUp);

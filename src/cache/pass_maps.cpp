@@ -10,7 +10,8 @@ constexpr float kFillShare = 0.1f;
 
 }  // namespace
 
-PassMaps::PassMaps(const MapGrid& grid) : grid_(grid), gridSites_(size_t(grid.count())) {
+PassMaps::PassMaps(const MapGrid& grid, Interpolation interpolation)
+    : grid_(grid), interpolation_(interpolation), gridSites_(size_t(grid.count())) {
     for (int i = 0; i < grid.count(); ++i) {
         gridSites_[size_t(i)].film = grid.point(i);
         gridSites_[size_t(i)].radius = grid.spacing();
@@ -26,6 +27,10 @@ std::span<MapSite> PassMaps::addLevel(const PixelRegion& region, float radius, s
         fill.buckets.add(points[i], int(i));
     }
     return fill.sites;
+}
+
+PassMaps::Weight PassMaps::weight() const {
+    return interpolation_ == Interpolation::Distance ? presentWeight : geometryWeight;
 }
 
 template <typename F>
@@ -51,12 +56,12 @@ void PassMaps::forEachOfLevel(size_t level, const PixelSite& pixel, Weight geome
 
 float PassMaps::coverage(const PixelSite& pixel, size_t level) const {
     float sum = 0;
-    forEachOfLevel(level, pixel, geometryWeight, [&](const MapSite&, float w) { sum += w; });
+    forEachOfLevel(level, pixel, weight(), [&](const MapSite&, float w) { sum += w; });
     return sum;
 }
 
 void PassMaps::findAround(const PixelSite& pixel, float least, std::vector<WeightedSite>& result) const {
-    for (const Weight geometry : {geometryWeight, relaxedWeight}) {
+    for (const Weight geometry : {weight(), Weight(relaxedWeight)}) {
         result.clear();
         float sum = 0;
         for (size_t level = 0; level <= fills_.size(); ++level)

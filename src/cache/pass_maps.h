@@ -12,7 +12,7 @@ namespace drc {
 
 class PassMaps {
   public:
-    explicit PassMaps(const MapGrid& grid);
+    explicit PassMaps(const MapGrid& grid, Interpolation interpolation = Interpolation::Geometry);
 
     // Level 0 is the grid; each further one holds maps that reach `radius` pixels about the given points of the film.
     // Sites have their film position and reach; the caller captures their maps. A span is good until the next addLevel.
@@ -32,10 +32,12 @@ class PassMaps {
         FilmBuckets buckets;
         float radius;
     };
+    Weight weight() const;
     template <typename F>
     void forEachOfLevel(size_t level, const PixelSite& pixel, Weight geometry, F&& f) const;
 
     MapGrid grid_;
+    Interpolation interpolation_;
     std::vector<MapSite> gridSites_;
     std::vector<Fill> fills_;
 };

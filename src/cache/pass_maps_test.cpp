@@ -88,6 +88,21 @@ TEST(PassMaps, MapsAsideServeOnlyForWantOfBetterOnes) {
     EXPECT_GT(relaxed, strict);
 }
 
+// A wall's maps count for the floor, which is what normals are there to prevent.
+TEST(PassMaps, ByDistanceAloneNormalsDoNotMatter) {
+    PixelSite wall = pixelAt(Vec2(30, 20), 500);
+    wall.n = Vec3(1, 0, 0);
+    for (const Interpolation interpolation : {Interpolation::Geometry, Interpolation::Distance}) {
+        PassMaps maps(MapGrid(kRegion, 20, Vec2(0.5f, 0.5f)), interpolation);
+        for (MapSite& site : maps.grid()) place(site);
+        std::vector<WeightedSite> around;
+        maps.findAround(wall, 0.1f, around);
+        // At a third of the way between rows of the grid, and on one of its columns.
+        EXPECT_EQ(around.size(), interpolation == Interpolation::Distance ? 2u : 0u);
+        EXPECT_NEAR(maps.coverage(wall, 0), interpolation == Interpolation::Distance ? 1 : 0, 1e-5);
+    }
+}
+
 TEST(FillPoints, LieAmongTheLackingTheWorstBlocksFirst) {
     // All pixels with x < 20 lack, a fifth of those with x < 40, none of the others.
     const auto lacking = [](int x, int y) { return x < 20 ? true : x < 40 && y % 10 < 2; };
