@@ -1,6 +1,7 @@
 #include "render/layer_filter.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "base/parallel.h"
 
@@ -35,6 +36,10 @@ constexpr float kTrusted = 0.5f;
 constexpr float kLargest = 1e15f;
 
 constexpr int kGroups = SampleGroups::kGroups;
+// Where some pixels have no sample in some group, groups begin to be known after the first average. There a fourth
+// plane of each group has the share of the pixels about that do have one; with less than this share it is not known
+// there.
+constexpr float kLeastShare = 1e-3f;
 
 // f(pixel), in parallel.
 template <typename F>
@@ -51,17 +56,27 @@ Rgb notBlack(Rgb albedo) {
 }
 
 // The mean of the independent groups in the first three planes, and its variance in the other three. groups: three
-// planes of each group, one after the other.
+// planes of each group, one after the other; then, if not all are known everywhere, a plane of each group's share.
 Planes estimates(const Planes& groups, size_t pixels) {
     Planes result(pixels, 6);
+    const bool whole = groups.count() == 3 * kGroups;
     forEachPixel(pixels, [&](size_t i) {
-        constexpr float n = kGroups;
+        float perShare[kGroups], n = 0;  // 1 / share; 0: not known
+        for (int g = 0; g < kGroups; ++g) {
+            const float share = whole ? 1 : groups.plane(3 * kGroups + g)[i];
+            perShare[g] = share > kLeastShare ? 1 / share : 0;
+            n += perShare[g] > 0 ? 1 : 0;
+        }
+        if (n == 0) return;
         for (int c = 0; c < 3; ++c) {
+            const auto value = [&](int g) { return groups.plane(3 * g + c)[i] * perShare[g]; };
             float mean = 0, variance = 0;
-            for (int g = 0; g < kGroups; ++g) mean += groups.plane(3 * g + c)[i] * (1 / n);
-            for (int g = 0; g < kGroups; ++g) variance += sqr(groups.plane(3 * g + c)[i] - mean) * (1 / (n * (n - 1)));
+            for (int g = 0; g < kGroups; ++g) mean += value(g) * (1 / n);
+            for (int g = 0; g < kGroups; ++g)
+                if (perShare[g] > 0) variance += sqr(value(g) - mean);
             result.plane(c)[i] = mean;
-            result.plane(3 + c)[i] = variance;
+            // A single group does not tell: as if all of it were noise.
+            result.plane(3 + c)[i] = n > 1 ? variance * (1 / (n * (n - 1))) : sqr(mean);
         }
     });
     return result;
@@ -81,7 +96,8 @@ Rgb varianceOfMean(const SampleGroups& samples, int x, int y) {
 
 // Fine to coarse: the estimates, averaged wider and wider.
 std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t pixels) {
-    std::vector<Planes> levels{estimates(groups, pixels)};
+    std::vector<Planes> levels;
+    levels.push_back(estimates(groups, pixels));
     Planes next(pixels, groups.count());
     while (levels.size() < kLevels) {
         filter.average(1 << (levels.size() - 1), groups, next);
@@ -127,11 +143,11 @@ float shareOfNoise(const SurfaceFilter& filter, const std::vector<Planes>& level
     return std::min(1.f, *median);
 }
 
-// Coarse to fine from the level `coarsest`: of what a level adds to the coarser ones (to `sum`, in place), the share
-// that is not noise, as its neighbourhood has it. noisy: times the levels' variances, what counts as noise.
+// Coarse to fine, from the level `coarsest` to `finest`: of what a level adds to the coarser ones (to `sum`, in place),
+// the share that is not noise, as its neighbourhood has it. noisy: times the levels' variances, what counts as noise.
 void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& levels, size_t pixels, int coarsest,
-                     float noisy, Planes& sum) {
-    for (int level = coarsest; level >= 0; --level) {
+                     int finest, float noisy, Planes& sum) {
+    for (int level = coarsest; level >= finest; --level) {
         const Planes& estimates = levels[size_t(level)];
         const Planes spread = spreadAbout(filter, level, estimates, sum, pixels);
         forEachPixel(pixels, [&](size_t i) {
@@ -151,31 +167,45 @@ LayerFilter::LayerFilter(const ShownSurfaces& surfaces)
     for (float& t : trust_) t = std::clamp((t - kAlone) / (kAmongEnough - kAlone), 0.f, 1.f);
 }
 
+bool LayerFilter::isWhole(const SampleGroups& samples) const {
+    const PixelRegion& region = surfaces_.region();
+    std::atomic<bool> whole{true};
+    forEachPixel(region.count(), [&](size_t i) {
+        const int column = int(i) % region.width(), row = int(i) / region.width();
+        if (filter_.covers(i) && !samples.complete(region.x0 + column, region.y0 + row)) whole = false;
+    });
+    return whole;
+}
+
 Planes LayerFilter::withoutNoise(const SampleGroups& samples, Albedo albedo, const Image* base) const {
     const PixelRegion& region = surfaces_.region();
     const size_t pixels = region.count();
-    Planes groups(pixels, 3 * kGroups);
+    const bool whole = isWhole(samples);
+    Planes groups(pixels, (whole ? 3 : 4) * kGroups);
     forEachPixel(pixels, [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
         const Rgb known = base ? base->rgb(column, row) : Rgb(0.f);
         const Rgb scale = notBlack((surfaces_.*albedo)(x, y));
         for (int g = 0; g < kGroups; ++g) {
+            if (!whole && !samples.has(x, y, g)) continue;
+            if (!whole) groups.plane(3 * kGroups + g)[i] = 1;
             const Rgb value = (samples.group(x, y, g) - known) / scale;
             for (int c = 0; c < 3; ++c) groups.plane(3 * g + c)[i] = std::clamp(value[c], -kLargest, kLargest);
         }
     });
     const std::vector<Planes> levels = averages(filter_, std::move(groups), pixels);
-    const float share = shareOfNoise(filter_, levels, pixels);
+    const float share = whole ? shareOfNoise(filter_, levels, pixels) : 1;
+    const int finest = whole ? 0 : 1;
     Planes sum(pixels, 3);
     if (base) {
         const float noisy = std::max(kCautionOfCorrection * share, kLeastCautionOfCorrection);
-        addWithoutNoise(filter_, levels, pixels, kLevels - 1, noisy, sum);
+        addWithoutNoise(filter_, levels, pixels, kLevels - 1, finest, noisy, sum);
         return sum;
     }
     // A difference may well be nothing but noise. Light is there, and its coarsest average is not to be darkened.
     std::copy_n(levels.back().plane(0), 3 * pixels, sum.plane(0));
-    addWithoutNoise(filter_, levels, pixels, kLevels - 2, kCaution * share, sum);
+    addWithoutNoise(filter_, levels, pixels, kLevels - 2, finest, kCaution * share, sum);
     return sum;
 }
 
@@ -189,7 +219,7 @@ Image LayerFilter::smooth(const SampleGroups& samples, Albedo albedo) const {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
         const Rgb scatters = (surfaces_.*albedo)(x, y);
-        if (!filter_.covers(i) || !samples.complete(x, y) || maxComponent(scatters) <= kBlack) return;
+        if (!filter_.covers(i) || samples.count(x, y) == 0 || maxComponent(scatters) <= kBlack) return;
         Rgb value = result.rgb(column, row);
         const Rgb scale = notBlack(scatters);
         for (int c = 0; c < 3; ++c) value[c] += trust_[i] * (smoothed.plane(c)[i] * scale[c] - value[c]);
@@ -276,7 +306,7 @@ void LayerFilter::correct(Image& layer, const SampleGroups& samples, Albedo albe
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
-        if (!filter_.covers(i) || !samples.complete(x, y)) return;
+        if (!filter_.covers(i)) return;
         Rgb value = layer.rgb(column, row);
         const Rgb scale = notBlack((surfaces_.*albedo)(x, y)) * trust_[i];
         for (int c = 0; c < 3; ++c) value[c] = std::max(0.f, value[c] + correction.plane(c)[i] * scale[c]);

@@ -26,6 +26,9 @@ class LayerFilter {
     void correct(Image& layer, const SampleGroups& samples, Albedo albedo) const;
 
   private:
+    // Whether each pixel that shows a surface has a sample in each group. Where not, as in the first sweeps, groups are
+    // known from the pixels about, and there is nothing finer than these.
+    bool isWhole(const SampleGroups& samples) const;
     // What is left of the samples' mean minus `base` (null: minus nothing), divided by albedo; also where that is of no
     // use.
     Planes withoutNoise(const SampleGroups& samples, Albedo albedo, const Image* base) const;

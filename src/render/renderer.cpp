@@ -236,9 +236,11 @@ void Renderer::sampleRow(int y, const Turn& turn) {
         if (params_.noise) variance_.add(x, y, (direct + layers.narrow) * (camera.weight * filterWeight));
         if (!drc) continue;
         layers.scale(camera.weight);
-        lit_.add(x, y, turn.group, layers.lit, filterWeight);
-        narrow_.add(x, y, turn.group, layers.narrow, filterWeight);
-        if (turn.follow) wide_.add(x, y, turn.group, layers.wide, filterWeight);
+        // Each two by two pixels have all groups, also before each pixel has.
+        const int group = turn.group ^ (x & 1) ^ (2 * (y & 1));
+        lit_.add(x, y, group, layers.lit, filterWeight);
+        narrow_.add(x, y, group, layers.narrow, filterWeight);
+        if (turn.follow) wide_.add(x, y, group, layers.wide, filterWeight);
         surfaces_.add(x, y, layers, filterWeight, seen);
     }
 }

@@ -24,9 +24,13 @@ void SampleGroups::add(int x, int y, int group, const Rgb& value, float filterWe
     pixels_[region_.index(x, y)][size_t(group)].add(one);
 }
 
-bool SampleGroups::complete(int x, int y) const {
+bool SampleGroups::has(int x, int y, int group) const {
+    return pixels_[region_.index(x, y)][size_t(group)].importance > 0;
+}
+
+int SampleGroups::count(int x, int y) const {
     const auto& groups = pixels_[region_.index(x, y)];
-    return std::all_of(groups.begin(), groups.end(), [](const Sum& s) { return s.importance > 0; });
+    return int(std::count_if(groups.begin(), groups.end(), [](const Sum& s) { return s.importance > 0; }));
 }
 
 Rgb SampleGroups::group(int x, int y, int group) const { return pixels_[region_.index(x, y)][size_t(group)].mean(); }

@@ -18,8 +18,10 @@ class SampleGroups {
     // group: 0 to kGroups - 1. filterWeight: of the pixel filter, 1 on average. importance: of the pass, any positive
     // number. Different pixels may be added to from different threads.
     void add(int x, int y, int group, const Rgb& value, float filterWeight, float importance = 1);
-    // Whether each of the pixel's groups has a sample.
-    bool complete(int x, int y) const;
+    // Whether a group has a sample; how many of them do; whether all do.
+    bool has(int x, int y, int group) const;
+    int count(int x, int y) const;
+    bool complete(int x, int y) const { return count(x, y) == kGroups; }
     // The mean of a group's samples by weight and importance, and of all; black if there are none.
     Rgb group(int x, int y, int group) const;
     Rgb mean(int x, int y) const;
