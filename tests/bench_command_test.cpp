@@ -41,9 +41,20 @@ class BenchCommand : public FolderTest {
 };
 
 TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
-    const std::vector<std::string> arguments{"--methods", "path,bdpt,drc:gaussian,drc", "--spp", "2..4", "--tasks", "1",
-                                             "--direct-spp", "2", "--method", "fine=--spacing 4", "--reference-error",
-                                             "0.05", "--repeats", "2"};
+    const std::vector<std::string> arguments{"--methods",
+                                             "path,bdpt,drc:gaussian,drc",
+                                             "--spp",
+                                             "2..4",
+                                             "--tasks",
+                                             "1",
+                                             "--direct-spp",
+                                             "2",
+                                             "--method",
+                                             "fine=--spacing 4",
+                                             "--reference-error",
+                                             "0.05",
+                                             "--repeats",
+                                             "2"};
     const ProcessUse use = bench(arguments);
     ASSERT_EQ(use.exitCode, 0) << use.output;
     EXPECT_THAT(use.output, AllOf(HasSubstr("| room  | path"), HasSubstr("## 1 tasks"), HasSubstr("0 failed")));

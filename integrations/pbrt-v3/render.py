@@ -1,0 +1,12 @@
+#!/usr/bin/env python3
+"""Renders a scene with pbrt-v3: our size, samples, integrator and longest path, everything else as in the file."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+
+import budget
+import pbrt_rewrite
+
+if __name__ == "__main__":
+    budget.run(lambda: pbrt_rewrite.main(3, __doc__))
