@@ -57,7 +57,7 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
                                              "2"};
     const ProcessUse use = bench(arguments);
     ASSERT_EQ(use.exitCode, 0) << use.output;
-    EXPECT_THAT(use.output, AllOf(HasSubstr("| room  | path"), HasSubstr("## 1 tasks"), HasSubstr("0 failed")));
+    EXPECT_THAT(use.output, AllOf(HasSubstr("| room  | path"), HasSubstr("## 1 task\n"), HasSubstr("0 failed")));
     const auto report = json();
     EXPECT_EQ(report["scenes"][0]["width"], 24);
     EXPECT_THAT(report["scenes"][0]["reference_origin"].get<std::string>(), HasSubstr("path, "));

@@ -8,7 +8,8 @@
 namespace drc {
 
 std::string budgetName(const Budget& budget) {
-    const char* unit = budget.unit == BudgetUnit::Seconds ? "s" : budget.unit == BudgetUnit::Spp ? "spp" : "tasks";
+    const char* tasks = budget.amount == 1 ? "task" : "tasks";
+    const char* unit = budget.unit == BudgetUnit::Seconds ? "s" : budget.unit == BudgetUnit::Spp ? "spp" : tasks;
     return fmt::format("{:g} {}", budget.amount, unit);
 }
 

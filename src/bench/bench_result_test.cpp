@@ -11,6 +11,7 @@ TEST(BenchResult, BudgetsHaveNames) {
     EXPECT_EQ(budgetName({BudgetUnit::Seconds, 2.5}), "2.5 s");
     EXPECT_EQ(budgetName({BudgetUnit::Spp, 16}), "16 spp");
     EXPECT_EQ(budgetName({BudgetUnit::Tasks, 256}), "256 tasks");
+    EXPECT_EQ(budgetName({BudgetUnit::Tasks, 1}), "1 task");
 }
 
 TEST(BenchResult, FewValuesSpreadOverAllOfThem) {

@@ -61,6 +61,7 @@ std::string failureOf(const BenchReport& report, const std::string& scene, const
 std::string benchMarkdown(const BenchReport& report) {
     std::string text;
     for (const Budget& budget : report.budgets) {
+        std::string failures;
         std::vector<Row> rows{{"scene", "method", "seconds", "SSIM", "FLIP", "relMSE", "mean ratio RGB", "MB"}};
         for (const BenchScene& scene : report.scenes)
             for (const std::string& method : report.methods) {
@@ -71,10 +72,13 @@ std::string benchMarkdown(const BenchReport& report) {
                                     number(runs, &BenchRun::ssim, 4), number(runs, &BenchRun::flip, 4),
                                     number(runs, &BenchRun::relmse, 5), ratios(runs),
                                     number(runs, &BenchRun::peakMegabytes, 0)});
-                else if (!failure.empty())
-                    rows.push_back({inCell(scene.name), inCell(method), inCell(failure)});
+                else if (!failure.empty()) {
+                    rows.push_back({inCell(scene.name), inCell(method), "-"});
+                    failures += fmt::format("- {}, {}: {}\n", scene.name, method, failure);
+                }
             }
         if (rows.size() > 1) text += fmt::format("## {}\n\n{}\n", budgetName(budget), aligned(rows));
+        if (!failures.empty()) text += failures + "\n";
     }
     return text;
 }

@@ -26,7 +26,8 @@ TEST(BenchTable, HasMediansAndFailures) {
               "| scene | method | seconds | SSIM   | FLIP   | relMSE  | mean ratio RGB    | MB  |\n"
               "|-------|--------|---------|--------|--------|---------|-------------------|-----|\n"
               "| room  | path   | 10.0    | 0.8000 | 0.0500 | 0.01235 | 1.000 0.999 1.010 | 210 |\n"
-              "| room  | other  | a\\|b    |        |        |         |                   |     |\n\n");
+              "| room  | other  | -       |        |        |         |                   |     |\n\n"
+              "- room, other: a|b\n\n");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ bool cpuHasBf16() {
 
 Precision defaultPrecision() { return cpuHasBf16() ? Precision::Bf16 : Precision::Fp32; }
 
-bool runsInBf16(UNetKind kind) { return kind == UNetKind::Plain || kind == UNetKind::Paper; }
+bool runsInBf16(UNetKind kind) { return kind != UNetKind::Separable; }
 
 struct UNet::State {
     State(std::shared_ptr<const UNetWeights> weights_, int batch_, Precision precision_)

@@ -13,9 +13,8 @@ enum class Precision { Fp32, Bf16 };
 bool cpuHasBf16();
 // Bf16 where the hardware has it.
 Precision defaultPrecision();
-// Whether networks of this kind are run in bf16 when asked to. With random weights the results of Residual and
-// Separable ones are off by up to .07 of 4 then, as their more convolutions in a row round more often; a parity of .02
-// is promised.
+// Whether networks of this kind are run in bf16 when asked to. Separable ones are not: with more convolutions in a row
+// they round more often, and with random weights are off by up to .03, where a parity of .02 is promised.
 bool runsInBf16(UNetKind kind);
 
 // One instance a thread; the instances share the packed weights. Runs on the calling thread alone, and allocates
