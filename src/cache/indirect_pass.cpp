@@ -50,7 +50,8 @@ bool IndirectPass::wideHit(int x, int y, int index, Vec2& film, float& weight, P
     return hit.bsdf.hasWithin(LobeFlags::Wide);
 }
 
-void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel) {
+void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t level, const Progress& progress) {
+    const auto group = hashCombine(uint64_t(progress.pass), uint64_t(level));
     struct Request {
         MapSite* site;
         bool back;
@@ -65,7 +66,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
         for (int i = begin; i < end; ++i) {
             MapSite& site = sites[size_t(i)];
             const uint64_t stream =
-                hashCombine(hashCombine(settings_.seed, kCapture), hashCombine(hashCombine(pass, group), uint64_t(i)));
+                hashCombine(hashCombine(settings_.seed, kCapture), hashCombine(group, uint64_t(first) + uint64_t(i)));
             Sampler sampler(hashCombine(stream, 1), 0);
             const Vec2 uLens = sampler.get2D();
             PrimaryHit hit;
@@ -93,7 +94,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
     parallelFor(
         0, int(requests.size()), batch,
         [&](int begin, int end) {
-            if (cancel && cancel->cancelled()) return;
+            if (progress.cancelled()) return;
             std::vector<CapturedMap> maps(size_t(end - begin));
             using Clock = std::chrono::steady_clock;
             const auto start = Clock::now();
@@ -116,7 +117,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, uint64_t pass, uint64_
                 stats_->timer("map enhancement").add(enhanced - captured);
             }
         },
-        cancel);
+        progress.cancel);
     mapCount_ += int(requests.size());
 }
 
@@ -124,40 +125,57 @@ bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToke
     mapCount_ = 0;
     if (spacing <= 1) return runPerPixel(pass, add, cancel);
     Sampler offsets(hashCombine(settings_.seed, kOffset), uint32_t(pass));
-    PassMaps maps(MapGrid(tracer_.scene().settings.region(), spacing, offsets.get2D()), settings_.interpolation);
-    placeMaps(maps, pass, spacing, cancel);
-    if (cancel && cancel->cancelled()) return false;
-    gatherPixels(maps, pass, add, cancel);
-    return !(cancel && cancel->cancelled());
+    const RenderSettings& film = tracer_.scene().settings;
+    const PixelRegion region = film.region();
+    const Vec2 margin = film.filter->radius();
+    PassMaps maps(MapGrid(region, spacing, offsets.get2D()), region, std::max(margin.x, margin.y),
+                  settings_.interpolation);
+    // A band's grid is captured while the band above is filled in and, as that is whole then, the one above that is
+    // gathered.
+    Progress progress{pass, cancel, std::vector<size_t>(size_t(settings_.fillLevels) + 1)};
+    const auto exists = [&](int band) { return band >= 0 && band < maps.bandCount(); };
+    for (int band = 0; band < maps.bandCount() + 2 && !progress.cancelled(); ++band) {
+        parallelFor(0, 2, 1, [&](int part, int) {
+            if (part == 0) {
+                if (exists(band)) captureGrid(maps, band, progress);
+                return;
+            }
+            if (exists(band - 1)) fillIn(maps, band - 1, spacing, progress);
+            if (exists(band - 2)) gatherPixels(maps, band - 2, progress, add);
+        });
+        if (exists(band - 3)) maps.release(band - 3);
+    }
+    return !progress.cancelled();
 }
 
-void IndirectPass::placeMaps(PassMaps& maps, int pass, float spacing, const CancelToken* cancel) {
-    const auto cancelled = [&] { return cancel && cancel->cancelled(); };
-    captureSites(maps.grid(), uint64_t(pass), 0, cancel);
-    if (cancelled()) return;
+void IndirectPass::captureGrid(PassMaps& maps, int band, const Progress& progress) {
+    const std::span<MapSite> sites = maps.addGrid(band);
+    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, progress);
+}
 
+void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, Progress& progress) {
     // How well the grid serves each pixel.
     struct Pixel {
         PixelSite site;
         float coverage = -1;  // sum of weights; -1: no primary hit
     };
-    const PixelRegion region = tracer_.scene().settings.region();
+    const PixelRegion region = maps.pixels(band);
     std::vector<Pixel> pixels(region.count());
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
-        for (int y = begin; y < end && !cancelled(); ++y)
+        for (int y = begin; y < end && !progress.cancelled(); ++y)
             for (int x = region.x0; x < region.x1; ++x) {
                 Pixel& pixel = pixels[region.index(x, y)];
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!wideHit(x, y, pass * settings_.primarySamples, position, weight, hit)) continue;
+                if (!wideHit(x, y, progress.pass * settings_.primarySamples, position, weight, hit)) continue;
                 pixel.site = pixelSite(hit, position);
-                pixel.coverage = maps.coverage(pixel.site, 0);
+                pixel.coverage = maps.coverage(band, pixel.site, 0);
             }
     });
 
-    const size_t most = size_t(kFillBudget * float(maps.grid().size())) + 1;
-    for (int level = 1; level <= settings_.fillLevels && !cancelled(); ++level) {
+    const size_t budget = size_t(kFillBudget * float(maps.pointsThrough(band))) + 1;
+    for (size_t level = 1; level <= size_t(settings_.fillLevels) && !progress.cancelled(); ++level) {
         const float radius = spacing / float(1 << level);
         if (radius < kSmallestFill) break;
         const auto lacking = [&](int x, int y) {
@@ -165,29 +183,31 @@ void IndirectPass::placeMaps(PassMaps& maps, int pass, float spacing, const Canc
             return c >= 0 && c < settings_.minCoverage;
         };
         const auto order = [&](int x, int y) {
-            return hashCombine(pixelStream(x, y, kFill), uint64_t(pass) << 8 | uint64_t(level));
+            return hashCombine(pixelStream(x, y, kFill), uint64_t(progress.pass) << 8 | uint64_t(level));
         };
         const auto film = [&](int x, int y) { return pixels[region.index(x, y)].site.film; };
-        captureSites(maps.addLevel(region, radius, fillPoints(region, radius, most, lacking, order, film)),
-                     uint64_t(pass), uint64_t(level), cancel);
-        if (cancelled()) return;
+        size_t& filled = progress.filled[level];
+        const std::vector<Vec2> points = fillPoints(region, radius, budget - filled, lacking, order, film);
+        captureSites(maps.addLevel(band, radius, points), filled, level, progress);
+        filled += points.size();
+        if (progress.cancelled()) return;
         parallelFor(0, int(pixels.size()), 4096, [&](int begin, int end) {
             for (auto i = size_t(begin); i < size_t(end); ++i)
-                if (pixels[i].coverage >= 0) pixels[i].coverage += maps.coverage(pixels[i].site, size_t(level));
+                if (pixels[i].coverage >= 0) pixels[i].coverage += maps.coverage(band, pixels[i].site, level);
         });
     }
 }
 
-void IndirectPass::gatherPixels(const PassMaps& maps, int pass, const Add& add, const CancelToken* cancel) const {
-    const PixelRegion region = tracer_.scene().settings.region();
+void IndirectPass::gatherPixels(const PassMaps& maps, int band, const Progress& progress, const Add& add) const {
+    const PixelRegion region = maps.pixels(band);
     std::atomic<int64_t> fallbacks{0};
     const auto start = std::chrono::steady_clock::now();
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         std::vector<WeightedSite> around;
-        for (int y = begin; y < end && !(cancel && cancel->cancelled()); ++y)
+        for (int y = begin; y < end && !progress.cancelled(); ++y)
             for (int x = region.x0; x < region.x1; ++x)
                 for (int sample = 0; sample < settings_.primarySamples; ++sample) {
-                    const int index = pass * settings_.primarySamples + sample;
+                    const int index = progress.pass * settings_.primarySamples + sample;
                     Vec2 position;
                     float weight;
                     PrimaryHit hit;
@@ -195,7 +215,7 @@ void IndirectPass::gatherPixels(const PassMaps& maps, int pass, const Add& add, 
                         add(x, y, sample, Rgb(0.f), weight);
                         continue;
                     }
-                    maps.findAround(pixelSite(hit, position), kLeastShare * settings_.minCoverage, around);
+                    maps.findAround(band, pixelSite(hit, position), kLeastShare * settings_.minCoverage, around);
                     if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
                     const Rgb value = shade(hit, around, x, y, index);
                     add(x, y, sample, value * hit.throughput, weight);

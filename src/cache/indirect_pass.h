@@ -1,7 +1,9 @@
 // One sweep of indirect light over the film: maps are placed on a grid, captured and enhanced; where the grid's maps do
 // not serve (edges, small objects, corners), further ones fill in; then every pixel gathers from the maps around it.
-// Maps are shared by all pixels around them across the whole image, and are gone when the pass ends.
+// Maps are shared by all pixels around them across the whole image. They come and go in bands from the top of the film
+// to its bottom, so that the memory of a pass does not grow with the number of its maps.
 #pragma once
+#include <atomic>
 #include <functional>
 
 #include "base/parallel.h"
@@ -32,18 +34,28 @@ class IndirectPass {
 
     // Estimates the indirect radiance of every pixel of the film, narrow lobes left out (PathTracer::direct gives
     // theirs): calls add primarySamples times for each pixel, from any thread. Grid spacing of one pixel or less: a map
-    // at each pixel, seen from there alone. False: cancelled, and some pixels have no value.
+    // at each pixel, seen from there alone. False: cancelled, and some pixels have no value. The result does not depend
+    // on the number of threads.
     bool run(int pass, float spacing, const Add& add, const CancelToken* cancel = nullptr);
 
     // Maps that the last run captured.
     int mapCount() const { return mapCount_; }
 
   private:
-    // Captures the grid's maps and those that fill in where it does not serve.
-    void placeMaps(PassMaps& maps, int pass, float spacing, const CancelToken* cancel);
-    void gatherPixels(const PassMaps& maps, int pass, const Add& add, const CancelToken* cancel) const;
-    // Captures and enhances the maps of sites whose film position is set, in batches.
-    void captureSites(std::span<MapSite> sites, uint64_t pass, uint64_t group, const CancelToken* cancel);
+    // Of one pass.
+    struct Progress {
+        int pass = 0;
+        const CancelToken* cancel = nullptr;
+        std::vector<size_t> filled;  // maps that have filled in, by level
+        bool cancelled() const { return cancel && cancel->cancelled(); }
+    };
+    void captureGrid(PassMaps& maps, int band, const Progress& progress);
+    // Captures the maps that fill in where the grid does not serve the band's pixels.
+    void fillIn(PassMaps& maps, int band, float spacing, Progress& progress);
+    void gatherPixels(const PassMaps& maps, int band, const Progress& progress, const Add& add) const;
+    // Captures and enhances the maps of sites whose film position is set, in batches. first: how many of the level the
+    // pass had before these.
+    void captureSites(std::span<MapSite> sites, size_t first, size_t level, const Progress& progress);
     bool runPerPixel(int pass, const Add& add, const CancelToken* cancel);
     // Indirect radiance of the wide lobes: from the maps, or traced where there is none. index: of the camera sample.
     Rgb shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const;
@@ -56,7 +68,7 @@ class IndirectPass {
     const Enhancer& enhancer_;
     IndirectSettings settings_;
     Stats* stats_;
-    int mapCount_ = 0;
+    std::atomic<int> mapCount_{0};
 };
 
 }  // namespace drc

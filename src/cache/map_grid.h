@@ -35,6 +35,8 @@ class MapGrid {
     // Index of the upper left corner of the cell that a film position lies in; its other corners are index + 1,
     // index + columns(), index + columns() + 1.
     int cell(const Vec2& film) const;
+    // Film position of a row of points.
+    float rowAt(int row) const { return origin_.y + spacing_ * float(row); }
 
   private:
     float spacing_;

@@ -3,11 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 namespace drc {
 namespace {
 
 const PixelRegion kRegion{0, 0, 64, 48};
 const Vec3 kUp(0, 0, 1);
+constexpr float kMargin = 2;
 
 // Places a map at a site on the plane z = height, a unit of the world a pixel, that sees surfaces at distance 10.
 void place(MapSite& site, float height = 0) {
@@ -33,14 +37,14 @@ PixelSite pixelAt(const Vec2& film, float height = 0) {
 }
 
 TEST(PassMaps, GridServesAPlaneEverywhere) {
-    PassMaps maps(MapGrid(kRegion, 10, Vec2(0.3f, 0.6f)));
-    for (MapSite& site : maps.grid()) place(site);
+    PassMaps maps(MapGrid(kRegion, 10, Vec2(0.3f, 0.6f)), kRegion, kMargin);
+    for (MapSite& site : maps.addGrid(0)) place(site);
     std::vector<WeightedSite> around;
     for (float y = 0.5f; y < 48; y += 3)
         for (float x = 0.5f; x < 64; x += 3) {
             const PixelSite pixel = pixelAt(Vec2(x, y));
-            EXPECT_GT(maps.coverage(pixel, 0), 0.3f) << x << " " << y;
-            maps.findAround(pixel, 0.1f, around);
+            EXPECT_GT(maps.coverage(0, pixel, 0), 0.3f) << x << " " << y;
+            maps.findAround(0, pixel, 0.1f, around);
             ASSERT_FALSE(around.empty());
             float sum = 0;
             for (const WeightedSite& w : around) {
@@ -48,40 +52,40 @@ TEST(PassMaps, GridServesAPlaneEverywhere) {
                 EXPECT_LE(std::abs(w.site->film.y - y), 10);
                 sum += w.weight;
             }
-            EXPECT_NEAR(sum, maps.coverage(pixel, 0), 1e-5f);
+            EXPECT_NEAR(sum, maps.coverage(0, pixel, 0), 1e-5f);
         }
 }
 
 TEST(PassMaps, MapsThatFillInServeWhatTheGridDoesNot) {
-    PassMaps maps(MapGrid(kRegion, 20, Vec2(0.5f, 0.5f)));
-    for (MapSite& site : maps.grid()) place(site);
+    PassMaps maps(MapGrid(kRegion, 20, Vec2(0.5f, 0.5f)), kRegion, kMargin);
+    for (MapSite& site : maps.addGrid(0)) place(site);
     const PixelSite high = pixelAt(Vec2(30, 20), 1000);
     std::vector<WeightedSite> around;
-    EXPECT_EQ(maps.coverage(high, 0), 0);
-    maps.findAround(high, 0.1f, around);
+    EXPECT_EQ(maps.coverage(0, high, 0), 0);
+    maps.findAround(0, high, 0.1f, around);
     EXPECT_TRUE(around.empty());
 
     const std::vector<Vec2> points{Vec2(28, 20), Vec2(50, 20)};
-    const std::span<MapSite> level = maps.addLevel(kRegion, 10, points);
+    const std::span<MapSite> level = maps.addLevel(0, 10, points);
     ASSERT_EQ(level.size(), 2u);
     for (MapSite& site : level) place(site, 1000);
-    EXPECT_GT(maps.coverage(high, 1), 0.3f);
-    maps.findAround(high, 0.1f, around);
+    EXPECT_GT(maps.coverage(0, high, 1), 0.3f);
+    maps.findAround(0, high, 0.1f, around);
     ASSERT_EQ(around.size(), 1u);  // the other is out of reach
     EXPECT_EQ(around[0].site->film.x, 28);
     EXPECT_EQ(around[0].site->radius, 10);
 }
 
 TEST(PassMaps, MapsAsideServeOnlyForWantOfBetterOnes) {
-    PassMaps maps(MapGrid(kRegion, 20, Vec2(0.5f, 0.5f)));
-    for (MapSite& site : maps.grid()) place(site);
+    PassMaps maps(MapGrid(kRegion, 20, Vec2(0.5f, 0.5f)), kRegion, kMargin);
+    for (MapSite& site : maps.addGrid(0)) place(site);
     std::vector<WeightedSite> around;
     // Off the maps' plane by as much as they see half the way to.
     const PixelSite aside = pixelAt(Vec2(30, 20), 8);
-    const float strict = maps.coverage(aside, 0);
-    maps.findAround(aside, strict, around);
+    const float strict = maps.coverage(0, aside, 0);
+    maps.findAround(0, aside, strict, around);
     const size_t found = around.size();
-    maps.findAround(aside, strict + 1e-3f, around);
+    maps.findAround(0, aside, strict + 1e-3f, around);
     EXPECT_GE(around.size(), found);
     float relaxed = 0;
     for (const WeightedSite& w : around) relaxed += w.weight;
@@ -93,14 +97,74 @@ TEST(PassMaps, ByDistanceAloneNormalsDoNotMatter) {
     PixelSite wall = pixelAt(Vec2(30, 20), 500);
     wall.n = Vec3(1, 0, 0);
     for (const Interpolation interpolation : {Interpolation::Geometry, Interpolation::Distance}) {
-        PassMaps maps(MapGrid(kRegion, 20, Vec2(0.5f, 0.5f)), interpolation);
-        for (MapSite& site : maps.grid()) place(site);
+        PassMaps maps(MapGrid(kRegion, 20, Vec2(0.5f, 0.5f)), kRegion, kMargin, interpolation);
+        for (MapSite& site : maps.addGrid(0)) place(site);
         std::vector<WeightedSite> around;
-        maps.findAround(wall, 0.1f, around);
+        maps.findAround(0, wall, 0.1f, around);
         // At a third of the way between rows of the grid, and on one of its columns.
         EXPECT_EQ(around.size(), interpolation == Interpolation::Distance ? 2u : 0u);
-        EXPECT_NEAR(maps.coverage(wall, 0), interpolation == Interpolation::Distance ? 1 : 0, 1e-5);
+        EXPECT_NEAR(maps.coverage(0, wall, 0), interpolation == Interpolation::Distance ? 1 : 0, 1e-5);
     }
+}
+
+// What serves a pixel, as numbers to compare.
+std::vector<std::array<float, 4>> served(const PassMaps& maps, int band, const PixelSite& pixel) {
+    std::vector<WeightedSite> around;
+    maps.findAround(band, pixel, 0.01f, around);
+    std::vector<std::array<float, 4>> result;
+    for (const WeightedSite& w : around) result.push_back({w.site->radius, w.site->film.x, w.site->film.y, w.weight});
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+// A sample of the pixel, from one end of the filter to the other.
+Vec2 sampleOf(int x, int y) {
+    const uint64_t random = hashCombine(uint64_t(x), uint64_t(y));
+    const auto offset = [](uint64_t r) { return kMargin * (float(r % 5) / 2 - 1); };
+    return Vec2(float(x) + 0.5f + offset(random), float(y) + 0.5f + offset(random >> 32));
+}
+
+TEST(PassMaps, BandsThatComeAndGoServeAsAllAtOnce) {
+    const PixelRegion region{3, 5, 40, 400};
+    const MapGrid grid(region, 6, Vec2(0.3f, 0.6f));
+    constexpr float kReach = 3;
+    PassMaps bands(grid, region, kMargin, Interpolation::Geometry, 20);
+    PassMaps whole(grid, region, kMargin, Interpolation::Geometry, grid.count());
+    ASSERT_EQ(whole.bandCount(), 1);
+    ASSERT_GT(bands.bandCount(), 10);
+
+    std::vector<Vec2> points;
+    const auto pointsOf = [](const PixelRegion& pixels) {
+        std::vector<Vec2> result;
+        for (int y = pixels.y0; y < pixels.y1; ++y)
+            for (int x = pixels.x0 + y % 3; x < pixels.x1; x += 3) result.push_back(sampleOf(x, y));
+        return result;
+    };
+    for (MapSite& site : whole.addGrid(0)) place(site);
+    for (MapSite& site : whole.addLevel(0, kReach, pointsOf(region))) place(site);
+
+    int row = region.y0;
+    size_t fromBelow = 0;
+    for (int band = 0; band < bands.bandCount() + 1; ++band) {
+        if (band < bands.bandCount()) {
+            for (MapSite& site : bands.addGrid(band)) place(site);
+            for (MapSite& site : bands.addLevel(band, kReach, pointsOf(bands.pixels(band)))) place(site);
+        }
+        if (band == 0) continue;
+        const PixelRegion pixels = bands.pixels(band - 1);
+        EXPECT_EQ(pixels.y0, row);
+        row = pixels.y1;
+        for (int y = pixels.y0; y < pixels.y1; ++y)
+            for (int x = pixels.x0; x < pixels.x1; ++x) {
+                const PixelSite pixel = pixelAt(sampleOf(x, y));
+                const auto found = served(bands, band - 1, pixel);
+                ASSERT_EQ(found, served(whole, 0, pixel)) << x << " " << y;
+                for (const auto& site : found) fromBelow += site[2] > float(pixels.y1) + kMargin;
+            }
+        if (band > 1) bands.release(band - 2);
+    }
+    EXPECT_EQ(row, region.y1);
+    EXPECT_GT(fromBelow, 0u);
 }
 
 TEST(FillPoints, LieAmongTheLackingTheWorstBlocksFirst) {
