@@ -10,6 +10,26 @@
 namespace drc {
 namespace {
 
+// Of the model and of oneDNN with the same weights, on the same random input.
+void expectAgreement(Model& model, const std::shared_ptr<const UNetWeights>& weights) {
+    const torch::NoGradGuard noGrad;
+    constexpr int kCount = 5;
+    const UNetShape& shape = weights->shape();
+    const torch::Tensor input = torch::randn({kCount, shape.inputs, 32, 32}) * 0.3;
+    const torch::Tensor expected = model->forward(input).contiguous();
+    ASSERT_GT(expected.abs().mean().item<double>(), 0.01);
+    for (Precision precision : {Precision::Fp32, Precision::Bf16}) {
+        if (precision == Precision::Bf16 && !cpuHasBf16()) continue;
+        UNet net(weights, 8, precision);
+        EXPECT_EQ(net.precision(), runsInBf16(shape.kind) ? precision : Precision::Fp32);
+        torch::Tensor output = torch::empty_like(expected);
+        net.run(input.data_ptr<float>(), output.data_ptr<float>(), kCount);
+        const double error = (output - expected).abs().max().item<double>();
+        testing::Test::RecordProperty(precision == Precision::Fp32 ? "fp32" : "bf16", fmt::format("{:.2g}", error));
+        EXPECT_LT(error, precision == Precision::Fp32 ? 1e-4 : 2e-2);
+    }
+}
+
 class Parity : public testing::TestWithParam<std::tuple<UNetKind, int, int>> {};
 
 TEST_P(Parity, LibtorchAndOneDnnAgree) {
@@ -27,18 +47,7 @@ TEST_P(Parity, LibtorchAndOneDnnAgree) {
     model->weights()->save(path.string(), {{"projection", "equal-area"}});
     const auto weights = UNetWeights::load(path.string());
     std::filesystem::remove(path);
-
-    const torch::NoGradGuard noGrad;
-    constexpr int kCount = 5;
-    const torch::Tensor input = torch::randn({kCount, shape.inputs, 32, 32}) * 0.3;
-    const torch::Tensor expected = model->forward(input).contiguous();
-    ASSERT_GT(expected.abs().mean().item<double>(), 0.01);
-    for (Precision precision : {Precision::Fp32, Precision::Bf16}) {
-        if (precision == Precision::Bf16 && !cpuHasBf16()) continue;
-        torch::Tensor output = torch::empty_like(expected);
-        UNet(weights, 8, precision).run(input.data_ptr<float>(), output.data_ptr<float>(), kCount);
-        EXPECT_LT((output - expected).abs().max().item<double>(), precision == Precision::Fp32 ? 1e-4 : 2e-2);
-    }
+    expectAgreement(model, weights);
 }
 
 class ShippedParity : public testing::TestWithParam<const char*> {};
@@ -46,23 +55,12 @@ INSTANTIATE_TEST_SUITE_P(Networks, ShippedParity, testing::Values("drc-fast", "d
 
 TEST_P(ShippedParity, LibtorchAndOneDnnAgree) {
     const auto weights = UNetWeights::load(fmt::format("models/{}.safetensors", GetParam()));
+    EXPECT_TRUE(runsInBf16(weights->shape().kind));
     Model model(weights->shape());
     model->setWeights(*weights);
     model->eval();
-    const torch::NoGradGuard noGrad;
-    constexpr int kCount = 5;
     torch::manual_seed(5);
-    const torch::Tensor input = torch::randn({kCount, weights->shape().inputs, 32, 32}) * 0.3;
-    const torch::Tensor expected = model->forward(input).contiguous();
-    ASSERT_GT(expected.abs().mean().item<double>(), 0.01);
-    for (Precision precision : {Precision::Fp32, Precision::Bf16}) {
-        if (precision == Precision::Bf16 && !cpuHasBf16()) continue;
-        torch::Tensor output = torch::empty_like(expected);
-        UNet(weights, 8, precision).run(input.data_ptr<float>(), output.data_ptr<float>(), kCount);
-        const double error = (output - expected).abs().max().item<double>();
-        RecordProperty(precision == Precision::Fp32 ? "fp32" : "bf16", fmt::format("{:.2g}", error));
-        EXPECT_LT(error, precision == Precision::Fp32 ? 1e-4 : 2e-2);
-    }
+    expectAgreement(model, weights);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Parity,

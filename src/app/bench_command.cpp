@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <set>
 
@@ -60,13 +59,6 @@ void addBudgets(std::vector<Budget>& budgets, const std::vector<std::string>& te
     }
 }
 
-void parseResolution(const std::string& text, BenchSettings& settings) {
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &settings.width, &settings.height, &rest) != 2 || settings.width < 11 ||
-        settings.height < 11 || settings.width > 65536 || settings.height > 65536)
-        throw Error("--resolution " + text + ": give width and height in pixels, as 1280x720, from 11 upwards");
-}
-
 std::optional<Adapter> findAdapter(const std::string& name, const std::vector<Adapter>& given) {
     for (const Adapter& adapter : given)
         if (adapter.name == name) return adapter;
@@ -110,7 +102,14 @@ BenchSettings makeSettings(const BenchOptions& o) {
     for (const BenchMethod& method : s.methods)
         if (std::none_of(s.budgets.begin(), s.budgets.end(), [&](const Budget& b) { return method.keeps(b.unit); }))
             throw Error(fmt::format("method {} keeps none of the budgets that are asked for", method.name()));
-    if (!o.resolution.empty()) parseResolution(o.resolution, s);
+    if (!o.resolution.empty()) {
+        const FilmGeometry film = parseResolution(o.resolution);
+        constexpr int kLeast = 11;  // what SSIM needs
+        if (film.width < kLeast || film.height < kLeast)
+            throw Error(
+                fmt::format("--resolution {}: pictures are compared from {} pixels upwards", o.resolution, kLeast));
+        s.width = film.width, s.height = film.height;
+    }
     s.repeats = o.repeats;
     s.output = o.output;
     s.references = o.references;

@@ -2,10 +2,13 @@
 
 #include <unistd.h>
 
+#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <sstream>
 #include <string>
+
+#include "base/error.h"
 
 namespace drc {
 namespace {
@@ -36,6 +39,15 @@ std::chrono::steady_clock::time_point processStart() {
 ProcessInfo& processInfo() {
     static ProcessInfo info{processStart(), {}};
     return info;
+}
+
+FilmGeometry parseResolution(const std::string& text) {
+    FilmGeometry film;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &film.width, &film.height, &rest) != 2 || film.width < 1 ||
+        film.height < 1 || film.width > 65536 || film.height > 65536)
+        throw Error("--resolution " + text + ": give width and height in pixels, as 1280x720");
+    return film;
 }
 
 }  // namespace drc

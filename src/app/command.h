@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/camera.h"
+
 namespace drc {
 
 // When the process began to exist, to about 10 ms, and its command line, which main sets before anything else.
@@ -14,6 +16,9 @@ struct ProcessInfo {
     std::string commandLine;
 };
 ProcessInfo& processInfo();
+
+// "1280x720". Throws Error, naming --resolution, on anything else.
+FilmGeometry parseResolution(const std::string& text);
 
 void addRenderCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);

@@ -51,15 +51,6 @@ struct Quality {
 };
 constexpr Quality kQualities[] = {{"draft", 16, 7, 4, 16}, {"standard", 64, 10, 4, 128}, {"high", 256, 16, 8, 1024}};
 
-FilmGeometry parseResolution(const std::string& text) {
-    FilmGeometry film;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &film.width, &film.height, &rest) != 2 || film.width < 1 ||
-        film.height < 1 || film.width > 65536 || film.height > 65536)
-        throw Error("--resolution " + text + ": give width and height in pixels, as 1280x720");
-    return film;
-}
-
 enum class OutputKind { Exr, Png };
 
 OutputKind outputKind(const std::string& path) {

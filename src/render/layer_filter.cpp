@@ -82,18 +82,6 @@ Planes estimates(const Planes& groups, size_t pixels) {
     return result;
 }
 
-// Of a pixel's mean, as its groups tell it.
-Rgb varianceOfMean(const SampleGroups& samples, int x, int y) {
-    constexpr int n = kGroups;
-    Rgb mean(0.f), variance(0.f);
-    for (int g = 0; g < n; ++g) mean += samples.group(x, y, g) / float(n);
-    for (int g = 0; g < n; ++g) {
-        const Rgb off = samples.group(x, y, g) - mean;
-        variance += off * off / float(n * (n - 1));
-    }
-    return variance;
-}
-
 // Fine to coarse: the estimates, averaged wider and wider.
 std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t pixels) {
     std::vector<Planes> levels;
@@ -269,7 +257,7 @@ void LayerFilter::calmStrays(const SampleGroups& samples, Albedo albedo, const P
                 });
                 if (low.x == kInfinity) continue;
                 const Rgb scale = notBlack(reflects(column, row)), value = layer.rgb(column, row) / scale;
-                const Rgb noise = varianceOfMean(samples, region.x0 + column, region.y0 + row) / (scale * scale);
+                const Rgb noise = samples.varianceOfMean(region.x0 + column, region.y0 + row) / (scale * scale);
                 Rgb excess(0.f);
                 for (int c = 0; c < 3; ++c) {
                     if (count > 0) {
