@@ -93,6 +93,7 @@ TEST_F(BenchCommand, BadRequestsGetOneLine) {
     EXPECT_THAT(error({"--method", "--spacing 4"}), HasSubstr("NAME=OPTIONS"));
     EXPECT_THAT(error({"--adapter", path("none")}), HasSubstr("none"));
     EXPECT_THAT(error({"--resolution", "64"}), HasSubstr("1280x720"));
+    EXPECT_THAT(error({"--resolution", "64x10"}), HasSubstr("from 11 pixels"));
     EXPECT_THAT(error({"--references", path("nowhere")}), HasSubstr("room.exr"));
     folder_.write("room/scene.pbrt", "Shape \"sphere\"\n");
     EXPECT_THAT(error({}), HasSubstr("scene.pbrt:1:"));

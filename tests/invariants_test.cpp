@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <algorithm>
+#include <mutex>
+
 #include "cache/network_enhancer.h"
 #include "pipeline.h"
 #include "render/renderer.h"
@@ -155,6 +158,47 @@ TEST(Invariant4, TheImageDoesNotDependOnTheNumberOfThreads) {
         EXPECT_EQ(renderWith(1, integrator, gaussian), renderWith(3, integrator, gaussian));
 }
 
+// What a pass of small maps over a room of 200 by 150 pixels gives, and what it allocates at most on its way.
+struct PassOfSmallMaps {
+    std::vector<Rgb> values;
+    int maps = 0;
+    size_t mostAllocated = 0;
+};
+
+PassOfSmallMaps passOfSmallMaps(float spacing) {
+    const Pipeline pipeline(test::room(test::allMaterials()[0].second, 200, 150));
+    IndirectSettings settings;
+    settings.capture.layout = MapLayout(Projection::EqualArea, 8);
+    settings.primarySamples = settings.gatherSamples = 1;
+    const auto identity = makeIdentityEnhancer();
+    const PixelRegion region = pipeline.scene->settings.region();
+    PassOfSmallMaps result;
+    result.values.resize(region.count());
+    const size_t before = mallinfo2().uordblks;
+    std::mutex mutex;
+    IndirectPass pass(pipeline.tracer, *identity, settings, nullptr);
+    pass.run(0, spacing, [&](int x, int y, int, const Rgb& value, float weight) {
+        result.values[region.index(x, y)] = value * weight;
+        if (x > 0) return;
+        const std::lock_guard lock(mutex);
+        result.mostAllocated = std::max(result.mostAllocated, mallinfo2().uordblks - before);
+    });
+    result.maps = pass.mapCount();
+    return result;
+}
+
+TEST(Invariant4, APassOfManyBandsDoesNotDependOnTheNumberOfThreads) {
+    constexpr float kSpacing = 5.2f;
+    setThreadCount(1);
+    const PassOfSmallMaps one = passOfSmallMaps(kSpacing);
+    setThreadCount(3);
+    const PassOfSmallMaps three = passOfSmallMaps(kSpacing);
+    setThreadCount(0);
+    EXPECT_EQ(one.maps, three.maps);
+    EXPECT_EQ(one.values, three.values);
+    EXPECT_GT(one.maps, 3 * PassMaps::kBandMaps);
+}
+
 TEST(Invariant4, AnotherSeedIsAnotherImage) {
     const Pipeline pipeline(test::room(test::allMaterials()[0].second, 12, 8));
     IndirectSettings a, b;
@@ -177,6 +221,13 @@ TEST(Invariant5, MemoryDoesNotGrowWithPasses) {
     const size_t after = mallinfo2().uordblks;
     // One map of 32x32 takes 12 KiB; a pass here has hundreds.
     EXPECT_LT(double(after), double(before) + 64 * 1024);
+}
+
+// Nor on its way does a pass have more at a time because it has more in all.
+TEST(Invariant5, MemoryDoesNotGrowWithTheMapsOfAPass) {
+    const PassOfSmallMaps some = passOfSmallMaps(5.2f), many = passOfSmallMaps(2.4f);
+    ASSERT_GT(many.maps, 3 * some.maps);
+    EXPECT_LT(double(many.mostAllocated), 1.3 * double(some.mostAllocated));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace {
 constexpr uint64_t kPrimary = 0x1001, kGather = 0x1002, kCapture = 0x1003, kOffset = 0x1004, kFill = 0x1005,
                    kFallback = 0x1006;
 constexpr int kRowsPerTask = 1;
-// Maps that one level may fill in, as a share of the grid's: a pass must cost about what its spacing says, also in a
-// scene that is all edges. What remains is left to the fallback and to later, denser passes.
+// Maps that one level may fill in, as a share of the grid's in the bands so far: a pass must cost about what its
+// spacing says, also in a scene that is all edges. What remains is left to the fallback and to later, denser passes.
 constexpr float kFillBudget = 0.5f;
 constexpr float kSmallestFill = 2.5f;  // pixels
 // Of the coverage that asks for more maps: what a pixel needs at least, not to be left to the fallback.
@@ -50,8 +50,8 @@ bool IndirectPass::wideHit(int x, int y, int index, Vec2& film, float& weight, P
     return hit.bsdf.hasWithin(LobeFlags::Wide);
 }
 
-void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t level, const Progress& progress) {
-    const auto group = hashCombine(uint64_t(progress.pass), uint64_t(level));
+void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t level, const State& state) {
+    const auto group = hashCombine(uint64_t(state.pass), uint64_t(level));
     struct Request {
         MapSite* site;
         bool back;
@@ -94,7 +94,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
     parallelFor(
         0, int(requests.size()), batch,
         [&](int begin, int end) {
-            if (progress.cancelled()) return;
+            if (state.cancelled()) return;
             std::vector<CapturedMap> maps(size_t(end - begin));
             using Clock = std::chrono::steady_clock;
             const auto start = Clock::now();
@@ -117,7 +117,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
                 stats_->timer("map enhancement").add(enhanced - captured);
             }
         },
-        progress.cancel);
+        state.cancel);
     mapCount_ += int(requests.size());
 }
 
@@ -132,28 +132,28 @@ bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToke
                   settings_.interpolation);
     // A band's grid is captured while the band above is filled in and, as that is whole then, the one above that is
     // gathered.
-    Progress progress{pass, cancel, std::vector<size_t>(size_t(settings_.fillLevels) + 1)};
+    State state{pass, cancel, std::vector<size_t>(size_t(settings_.fillLevels) + 1)};
     const auto exists = [&](int band) { return band >= 0 && band < maps.bandCount(); };
-    for (int band = 0; band < maps.bandCount() + 2 && !progress.cancelled(); ++band) {
+    for (int band = 0; band < maps.bandCount() + 2 && !state.cancelled(); ++band) {
         parallelFor(0, 2, 1, [&](int part, int) {
             if (part == 0) {
-                if (exists(band)) captureGrid(maps, band, progress);
+                if (exists(band)) captureGrid(maps, band, state);
                 return;
             }
-            if (exists(band - 1)) fillIn(maps, band - 1, spacing, progress);
-            if (exists(band - 2)) gatherPixels(maps, band - 2, progress, add);
+            if (exists(band - 1)) fillIn(maps, band - 1, spacing, state);
+            if (exists(band - 2)) gatherPixels(maps, band - 2, state, add);
         });
         if (exists(band - 3)) maps.release(band - 3);
     }
-    return !progress.cancelled();
+    return !state.cancelled();
 }
 
-void IndirectPass::captureGrid(PassMaps& maps, int band, const Progress& progress) {
+void IndirectPass::captureGrid(PassMaps& maps, int band, const State& state) {
     const std::span<MapSite> sites = maps.addGrid(band);
-    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, progress);
+    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);
 }
 
-void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, Progress& progress) {
+void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state) {
     // How well the grid serves each pixel.
     struct Pixel {
         PixelSite site;
@@ -162,20 +162,20 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, Progress& pro
     const PixelRegion region = maps.pixels(band);
     std::vector<Pixel> pixels(region.count());
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
-        for (int y = begin; y < end && !progress.cancelled(); ++y)
+        for (int y = begin; y < end && !state.cancelled(); ++y)
             for (int x = region.x0; x < region.x1; ++x) {
                 Pixel& pixel = pixels[region.index(x, y)];
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!wideHit(x, y, progress.pass * settings_.primarySamples, position, weight, hit)) continue;
+                if (!wideHit(x, y, state.pass * settings_.primarySamples, position, weight, hit)) continue;
                 pixel.site = pixelSite(hit, position);
                 pixel.coverage = maps.coverage(band, pixel.site, 0);
             }
     });
 
     const size_t budget = size_t(kFillBudget * float(maps.pointsThrough(band))) + 1;
-    for (size_t level = 1; level <= size_t(settings_.fillLevels) && !progress.cancelled(); ++level) {
+    for (size_t level = 1; level <= size_t(settings_.fillLevels) && !state.cancelled(); ++level) {
         const float radius = spacing / float(1 << level);
         if (radius < kSmallestFill) break;
         const auto lacking = [&](int x, int y) {
@@ -183,14 +183,14 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, Progress& pro
             return c >= 0 && c < settings_.minCoverage;
         };
         const auto order = [&](int x, int y) {
-            return hashCombine(pixelStream(x, y, kFill), uint64_t(progress.pass) << 8 | uint64_t(level));
+            return hashCombine(pixelStream(x, y, kFill), uint64_t(state.pass) << 8 | uint64_t(level));
         };
         const auto film = [&](int x, int y) { return pixels[region.index(x, y)].site.film; };
-        size_t& filled = progress.filled[level];
+        size_t& filled = state.filled[level];
         const std::vector<Vec2> points = fillPoints(region, radius, budget - filled, lacking, order, film);
-        captureSites(maps.addLevel(band, radius, points), filled, level, progress);
+        captureSites(maps.addLevel(band, radius, points), filled, level, state);
         filled += points.size();
-        if (progress.cancelled()) return;
+        if (state.cancelled()) return;
         parallelFor(0, int(pixels.size()), 4096, [&](int begin, int end) {
             for (auto i = size_t(begin); i < size_t(end); ++i)
                 if (pixels[i].coverage >= 0) pixels[i].coverage += maps.coverage(band, pixels[i].site, level);
@@ -198,16 +198,16 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, Progress& pro
     }
 }
 
-void IndirectPass::gatherPixels(const PassMaps& maps, int band, const Progress& progress, const Add& add) const {
+void IndirectPass::gatherPixels(const PassMaps& maps, int band, const State& state, const Add& add) const {
     const PixelRegion region = maps.pixels(band);
     std::atomic<int64_t> fallbacks{0};
     const auto start = std::chrono::steady_clock::now();
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         std::vector<WeightedSite> around;
-        for (int y = begin; y < end && !progress.cancelled(); ++y)
+        for (int y = begin; y < end && !state.cancelled(); ++y)
             for (int x = region.x0; x < region.x1; ++x)
                 for (int sample = 0; sample < settings_.primarySamples; ++sample) {
-                    const int index = progress.pass * settings_.primarySamples + sample;
+                    const int index = state.pass * settings_.primarySamples + sample;
                     Vec2 position;
                     float weight;
                     PrimaryHit hit;

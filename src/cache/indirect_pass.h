@@ -43,19 +43,19 @@ class IndirectPass {
 
   private:
     // Of one pass.
-    struct Progress {
+    struct State {
         int pass = 0;
         const CancelToken* cancel = nullptr;
         std::vector<size_t> filled;  // maps that have filled in, by level
         bool cancelled() const { return cancel && cancel->cancelled(); }
     };
-    void captureGrid(PassMaps& maps, int band, const Progress& progress);
+    void captureGrid(PassMaps& maps, int band, const State& state);
     // Captures the maps that fill in where the grid does not serve the band's pixels.
-    void fillIn(PassMaps& maps, int band, float spacing, Progress& progress);
-    void gatherPixels(const PassMaps& maps, int band, const Progress& progress, const Add& add) const;
+    void fillIn(PassMaps& maps, int band, float spacing, State& state);
+    void gatherPixels(const PassMaps& maps, int band, const State& state, const Add& add) const;
     // Captures and enhances the maps of sites whose film position is set, in batches. first: how many of the level the
     // pass had before these.
-    void captureSites(std::span<MapSite> sites, size_t first, size_t level, const Progress& progress);
+    void captureSites(std::span<MapSite> sites, size_t first, size_t level, const State& state);
     bool runPerPixel(int pass, const Add& add, const CancelToken* cancel);
     // Indirect radiance of the wide lobes: from the maps, or traced where there is none. index: of the camera sample.
     Rgb shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const;

@@ -133,7 +133,6 @@ TEST(PassMaps, BandsThatComeAndGoServeAsAllAtOnce) {
     ASSERT_EQ(whole.bandCount(), 1);
     ASSERT_GT(bands.bandCount(), 10);
 
-    std::vector<Vec2> points;
     const auto pointsOf = [](const PixelRegion& pixels) {
         std::vector<Vec2> result;
         for (int y = pixels.y0; y < pixels.y1; ++y)
