@@ -58,7 +58,8 @@ void loadNetwork(benchmark::State& state) {
     state.SetLabel(name);
     const std::string path = findWeights(name);
     for (auto _ : state) {
-        const UNet net(UNetWeights::load(path), 8, defaultPrecision());
+        const auto weights = UNetWeights::load(path);
+        const UNet net(weights, 8, bestPrecision(*weights));
         benchmark::DoNotOptimize(&net);
     }
 }

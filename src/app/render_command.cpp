@@ -120,9 +120,8 @@ ChosenEnhancer chooseEnhancer(const RenderOptions& o, IndirectSettings& indirect
     }
     const auto weights = UNetWeights::load(findWeights(o.weights));
     setProjection(weights->projection());
-    const Precision precision = o.precision == "fp32"   ? Precision::Fp32
-                                : o.precision == "bf16" ? Precision::Bf16
-                                                        : defaultPrecision();
+    std::optional<Precision> precision;
+    if (o.precision != "auto") precision = o.precision == "fp32" ? Precision::Fp32 : Precision::Bf16;
     return {makeNetworkEnhancer(weights, indirect.capture.layout, precision), weights->hash()};
 }
 

@@ -74,7 +74,7 @@ class NetworkEnhancer final : public Enhancer {
 }  // namespace
 
 std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
-                                              Precision precision) {
+                                              std::optional<Precision> precision) {
     if (const std::string trained = weights->projection();
         !trained.empty() && trained != projectionName(layout.projection()))
         throw Error(fmt::format("the network was trained on {} maps, but the maps are {}", trained,
@@ -82,7 +82,8 @@ std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights>
     if (weights->shape().size != layout.size())
         throw Error(fmt::format("the network was trained on maps of {0}x{0} texels, but the maps have {1}x{1}",
                                 weights->shape().size, layout.size()));
-    return std::make_unique<NetworkEnhancer>(std::move(weights), size_t(layout.texels()), precision);
+    const Precision chosen = precision ? *precision : bestPrecision(*weights);
+    return std::make_unique<NetworkEnhancer>(std::move(weights), size_t(layout.texels()), chosen);
 }
 
 }  // namespace drc

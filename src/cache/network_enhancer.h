@@ -1,14 +1,16 @@
 // "network": the U-Net that this project trains (Jiang and Kainz, section 4).
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "cache/enhancer.h"
 #include "neural/unet.h"
 
 namespace drc {
 
-// Throws Error if the network was trained for another projection or size of map than `layout`.
+// Without a precision, bestPrecision(weights). Throws Error if the network was trained for another projection or size
+// of map than `layout`.
 std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
-                                              Precision precision = defaultPrecision());
+                                              std::optional<Precision> precision = {});
 
 }  // namespace drc

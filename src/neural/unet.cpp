@@ -1,10 +1,13 @@
 #include "neural/unet.h"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "base/error.h"
 #include "neural/graph.h"
 #include "neural/onednn_thread.h"
+#include "neural/packed_weights.h"
 
 namespace drc {
 
@@ -13,71 +16,73 @@ bool cpuHasBf16() {
     return (unsigned(dnnl::get_effective_cpu_isa()) & bf16) == bf16;
 }
 
-Precision defaultPrecision() { return cpuHasBf16() ? Precision::Bf16 : Precision::Fp32; }
+namespace {
 
-bool runsInBf16(UNetKind kind) { return kind != UNetKind::Separable; }
+dnnl::memory::data_type typeOf(Precision precision) {
+    return precision == Precision::Bf16 ? dnnl::memory::data_type::bf16 : dnnl::memory::data_type::f32;
+}
+
+Graph::TensorId addConvOnSkip(Graph& graph, const Layer& layer, const std::vector<Graph::TensorId>& values,
+                              const UNetWeights::Conv& conv, int count) {
+    Graph::ConvOptions options;
+    options.countIn = count;
+    options.bias = options.affine = false;
+    return graph.conv(values[size_t(layer.skip)], conv, options);
+}
+
+// A network of `shape` and these weights, for batches of `batch` maps.
+void buildNetwork(Graph& graph, const UNetShape& shape, const std::vector<UNetWeights::Conv>& convs, int batch) {
+    auto conv = convs.begin();
+    std::vector<Graph::TensorId> values{graph.input(batch, shape.inputs, shape.size)};
+    std::vector<int> channels{shape.inputs};
+    const std::vector<Layer> layers = shape.layers();
+    for (const Layer& layer : layers) {
+        const auto source = size_t(layer.source);
+        const auto result = [&](Graph::TensorId id, int count) {
+            values.push_back(id);
+            channels.push_back(count);
+        };
+        if (layer.op == LayerOp::MaxPool) {
+            result(graph.maxPool2(values[source]), channels[source]);
+        } else if (layer.op == LayerOp::Upsample) {
+            result(graph.upsample2(values[source]), channels[source]);
+        } else {
+            Graph::ConvOptions options;
+            options.slope = layer.slope;
+            // Costs nothing, and rounding to bf16 here would be the largest error of all where results are large.
+            options.inFloat = &layer == &layers.back();
+            options.firstIn = layer.skip < 0 ? 0 : channels[size_t(layer.skip)];
+            options.countIn = channels[source];
+            if (layer.add >= 0) options.addTo = values[size_t(layer.add)];
+            // A convolution of two stacked arrays is the sum of one of each: no copy to stack them.
+            if (layer.skip >= 0) options.addTo = addConvOnSkip(graph, layer, values, *conv, options.firstIn);
+            result(graph.conv(values[source], *conv++, options), layer.conv.out);
+        }
+    }
+    graph.output(values.back());
+    graph.compile();
+}
+
+size_t texels(const UNetShape& shape) { return size_t(shape.size) * size_t(shape.size); }
+
+}  // namespace
 
 struct UNet::State {
-    State(std::shared_ptr<const UNetWeights> weights_, int batch_, Precision precision_)
+    State(std::shared_ptr<const UNetWeights> weights_, int batch_, Precision precision)
         : weights(std::move(weights_)),
           batch(batch_),
-          precision(runsInBf16(weights->shape().kind) ? precision_ : Precision::Fp32),
-          graph(weights->packed(),
-                precision == Precision::Bf16 ? dnnl::memory::data_type::bf16 : dnnl::memory::data_type::f32) {
-        const UNetShape& shape = weights->shape();
-        const size_t texels = size_t(shape.size) * shape.size;
-        inputFloats = shape.inputs * texels;
-        outputFloats = shape.outputs * texels;
-        lastInput.resize(batch * inputFloats);
-        lastOutput.resize(batch * outputFloats);
-        build(shape);
-    }
-
-    void build(const UNetShape& shape) {
-        auto conv = weights->convs().begin();
-        std::vector<Graph::TensorId> values{graph.input(batch, shape.inputs, shape.size)};
-        std::vector<int> channels{shape.inputs};
-        const std::vector<Layer> layers = shape.layers();
-        for (const Layer& layer : layers) {
-            const auto source = size_t(layer.source);
-            const auto result = [&](Graph::TensorId id, int count) {
-                values.push_back(id);
-                channels.push_back(count);
-            };
-            if (layer.op == LayerOp::MaxPool) {
-                result(graph.maxPool2(values[source]), channels[source]);
-            } else if (layer.op == LayerOp::Upsample) {
-                result(graph.upsample2(values[source]), channels[source]);
-            } else {
-                Graph::ConvOptions options;
-                options.slope = layer.slope;
-                // Costs nothing, and rounding to bf16 here would be the largest error of all where results are large.
-                options.inFloat = &layer == &layers.back();
-                options.firstIn = layer.skip < 0 ? 0 : channels[size_t(layer.skip)];
-                options.countIn = channels[source];
-                if (layer.add >= 0) options.addTo = values[size_t(layer.add)];
-                // A convolution of two stacked arrays is the sum of one of each: no copy to stack them.
-                if (layer.skip >= 0) options.addTo = onSkip(layer, values, *conv, options.firstIn);
-                result(graph.conv(values[source], *conv++, options), layer.conv.out);
-            }
-        }
-        graph.output(values.back());
-        graph.compile();
-    }
-
-    Graph::TensorId onSkip(const Layer& layer, const std::vector<Graph::TensorId>& values,
-                           const UNetWeights::Conv& conv, int count) {
-        Graph::ConvOptions options;
-        options.countIn = count;
-        options.bias = options.affine = false;
-        return graph.conv(values[size_t(layer.skip)], conv, options);
+          graph(weights->packed(), typeOf(precision)),
+          inputFloats(size_t(weights->shape().inputs) * texels(weights->shape())),
+          outputFloats(size_t(weights->shape().outputs) * texels(weights->shape())),
+          lastInput(batch * inputFloats),
+          lastOutput(batch * outputFloats) {
+        buildNetwork(graph, weights->shape(), weights->convs(), batch);
     }
 
     std::shared_ptr<const UNetWeights> weights;
     int batch;
-    Precision precision;
     Graph graph;
-    size_t inputFloats = 0, outputFloats = 0;  // of one map
+    size_t inputFloats, outputFloats;          // of one map
     std::vector<float> lastInput, lastOutput;  // for a batch that is not full
 };
 
@@ -111,9 +116,39 @@ void UNet::run(const float* input, float* output, int count) {
 
 const UNetShape& UNet::shape() const { return state_->weights->shape(); }
 int UNet::batch() const { return state_->batch; }
-Precision UNet::precision() const { return state_->precision; }
 size_t UNet::memoryBytes() const {
     return state_->graph.arenaBytes() + (state_->lastInput.size() + state_->lastOutput.size()) * sizeof(float);
+}
+
+float bf16Error(const UNetWeights& weights) {
+    constexpr int kMaps = 2;
+    UNetShape shape = weights.shape();
+    // A quarter of the work, and as many roundings a texel. The coarsest level keeps two texels a side.
+    shape.size = std::min(shape.size, std::max(16, 2 << (shape.levels - 1)));
+    // Between what noisy radiance varies by on that scale (.1) and what normals do (.6).
+    std::mt19937 generator(1);
+    std::normal_distribution<float> normal(0, 0.3f);
+    std::vector<float> input(kMaps * size_t(shape.inputs) * texels(shape));
+    for (float& v : input) v = normal(generator);
+    const auto outputOf = [&](Precision precision) {
+        // fp32's go with the probe: a renderer that works in bf16 has no use for them.
+        PackedWeights passing;
+        std::vector<float> output(kMaps * size_t(shape.outputs) * texels(shape));
+        const SingleThreadScope single;
+        Graph graph(precision == Precision::Bf16 ? weights.packed() : passing, typeOf(precision));
+        buildNetwork(graph, shape, weights.convs(), kMaps);
+        graph.run(input.data(), output.data());
+        return output;
+    };
+    const std::vector<float> full = outputOf(Precision::Fp32), half = outputOf(Precision::Bf16);
+    float largest = 0;
+    for (size_t i = 0; i < full.size(); ++i) largest = std::max(largest, std::abs(half[i] - full[i]));
+    return largest;
+}
+
+Precision bestPrecision(const UNetWeights& weights) {
+    constexpr float kBorne = 0.008f;
+    return cpuHasBf16() && bf16Error(weights) <= kBorne ? Precision::Bf16 : Precision::Fp32;
 }
 
 }  // namespace drc

@@ -136,6 +136,8 @@ double relativeError(const float* values, const std::vector<double>& expected) {
     return std::sqrt(difference / total);
 }
 
+Precision fastest() { return cpuHasBf16() ? Precision::Bf16 : Precision::Fp32; }
+
 struct Case {
     int width, levels, size;
     UNetKind kind = UNetKind::Plain;
@@ -178,7 +180,7 @@ TEST(UNet, AnyCountGivesTheSameBitsAsOneAtATime) {
     const auto input = randomInput(shape, count);
     const size_t in = 7 * 32 * 32, out = 3 * 32 * 32;
     std::vector<float> together(count * out), single(count * out);
-    UNet net(weights, 8);
+    UNet net(weights, 8, fastest());
     net.run(input.data(), together.data(), count);
     for (int i = 0; i < count; ++i) net.run(input.data() + i * in, single.data() + i * out, 1);
     EXPECT_EQ(together, single);
@@ -194,21 +196,42 @@ TEST(UNet, ThreadsGiveTheSameBits) {
     const auto input = randomInput(shape, count);
     const size_t in = 7 * 32 * 32, out = 3 * 32 * 32;
     std::vector<float> alone(count * out), shared(count * out);
-    UNet(weights, 8).run(input.data(), alone.data(), count);
+    UNet(weights, 8, fastest()).run(input.data(), alone.data(), count);
     std::thread threads[2];
     for (int t = 0; t < 2; ++t)
         threads[t] = std::thread([&, t] {
-            UNet net(weights, 8);
+            UNet net(weights, 8, fastest());
             for (int pass = 0; pass < 5; ++pass) net.run(input.data() + t * 8 * in, shared.data() + t * 8 * out, 8);
         });
     for (auto& t : threads) t.join();
     EXPECT_EQ(alone, shared);
 
     // Made by one thread, run by another.
-    UNet net(weights, 8);
+    UNet net(weights, 8, fastest());
     std::fill(shared.begin(), shared.end(), 0.f);
     std::thread([&] { net.run(input.data(), shared.data(), count); }).join();
     EXPECT_EQ(alone, shared);
+}
+
+// Twice the result has twice the error, exactly: a power of two changes no rounding.
+TEST(UNet, Bf16IsForWeightsThatBearIt) {
+    if (!cpuHasBf16()) GTEST_SKIP() << "no bf16 on this processor";
+    UNetShape shape;
+    shape.width = 8;
+    const auto scaledBy = [&](float factor) {
+        std::vector<UNetWeights::Conv> convs = UNetWeights::random(shape, 4)->convs();
+        for (float& w : convs.back().weight) w *= factor;
+        for (float& b : convs.back().bias) b *= factor;
+        return std::make_shared<const UNetWeights>(shape, std::move(convs));
+    };
+    const float error = bf16Error(*scaledBy(1));
+    ASSERT_GT(error, 0);
+    float factor = 1;
+    while (factor * error > 0.008f) factor /= 2;
+    while (2 * factor * error <= 0.008f) factor *= 2;
+    EXPECT_FLOAT_EQ(bf16Error(*scaledBy(factor)), factor * error);
+    EXPECT_EQ(bestPrecision(*scaledBy(factor)), Precision::Bf16);
+    EXPECT_EQ(bestPrecision(*scaledBy(2 * factor)), Precision::Fp32);
 }
 
 TEST(UNet, OutputIsNeverNegative) {
@@ -216,14 +239,14 @@ TEST(UNet, OutputIsNeverNegative) {
     shape.width = 8;
     const auto input = randomInput(shape, 1);
     std::vector<float> output(3 * 32 * 32);
-    UNet(UNetWeights::random(shape, 9), 1).run(input.data(), output.data(), 1);
+    UNet(UNetWeights::random(shape, 9), 1, fastest()).run(input.data(), output.data(), 1);
     for (float v : output) EXPECT_GE(v, 0);
 }
 
 TEST(UNet, RefusesAnEmptyBatch) {
     UNetShape shape;
     shape.width = 4;
-    EXPECT_THROW(UNet(UNetWeights::random(shape, 1), 0), Error);
+    EXPECT_THROW(UNet(UNetWeights::random(shape, 1), 0, Precision::Fp32), Error);
 }
 
 // What the authors' own network counts: 5,465,027 parameters and 495.06 million multiply-adds.
