@@ -62,12 +62,16 @@ OutputKind outputKind(const std::string& path) {
 }
 
 // Before the work, not after it: a folder that is missing or may not be written to.
-void checkOutput(const std::string& path) {
-    outputKind(path);
+void checkFolder(const std::string& option, const std::string& path) {
     const auto folder = std::filesystem::absolute(path).parent_path();
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored))
-        throw Error("-o " + path + ": there is no folder " + folder.string());
+        throw Error(option + " " + path + ": there is no folder " + folder.string());
+}
+
+void checkOutput(const std::string& path) {
+    outputKind(path);
+    checkFolder("-o", path);
 }
 
 std::string integratorName(Integrator integrator) {
@@ -216,6 +220,7 @@ void render(RenderOptions o) {
     setThreadCount(o.threads);
     installInterruptHandler();
     for (const std::string& path : o.outputs) checkOutput(path);
+    if (!o.timing.empty()) checkFolder("--timing", o.timing);
 
     Stats stats;
     pbrt::LoadOptions load;

@@ -46,6 +46,17 @@ TEST_F(RenderCommandTest, DenoisesUnlessToldNotTo) {
     EXPECT_NE(picture({"--denoise", "off"}), standard);
 }
 
+// Before the scene is read, let alone rendered.
+TEST_F(RenderCommandTest, FoldersThatAreMissingAreSaidFirst) {
+    folder_.write("scene.pbrt", "Nonsense");
+    for (const char* option : {"-o", "--timing"})
+        EXPECT_THAT(
+            errorOf([&] {
+                run({option, path("nowhere/file.exr")});
+            }),
+            testing::AllOf(HasSubstr(option + (" " + path("nowhere/file.exr"))), HasSubstr("there is no folder")));
+}
+
 TEST_F(RenderCommandTest, OnlyLayersOfDrcAreDenoised) {
     EXPECT_NO_THROW(run({"--integrator", "path", "--denoise", "off"}));
     EXPECT_THAT(errorOf([&] {
