@@ -150,8 +150,8 @@ void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& lev
 
 }  // namespace
 
-LayerFilter::LayerFilter(const ShownSurfaces& surfaces)
-    : surfaces_(surfaces), filter_(surfaces.filter()), trust_(filter_.weights(1)) {
+LayerFilter::LayerFilter(const ShownSurfaces& surfaces, Scattering lobes)
+    : surfaces_(surfaces), lobes_(lobes), filter_(surfaces.filter(lobes)), trust_(filter_.weights(1)) {
     for (float& t : trust_) t = std::clamp((t - kAlone) / (kAmongEnough - kAlone), 0.f, 1.f);
 }
 
@@ -165,7 +165,7 @@ bool LayerFilter::isWhole(const SampleGroups& samples) const {
     return whole;
 }
 
-Planes LayerFilter::withoutNoise(const SampleGroups& samples, Albedo albedo, const Image* base) const {
+Planes LayerFilter::withoutNoise(const SampleGroups& samples, const Image* base) const {
     const PixelRegion& region = surfaces_.region();
     const size_t pixels = region.count();
     const bool whole = isWhole(samples);
@@ -174,7 +174,7 @@ Planes LayerFilter::withoutNoise(const SampleGroups& samples, Albedo albedo, con
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
         const Rgb known = base ? base->rgb(column, row) : Rgb(0.f);
-        const Rgb scale = notBlack((surfaces_.*albedo)(x, y));
+        const Rgb scale = notBlack(albedo(column, row));
         for (int g = 0; g < kGroups; ++g) {
             if (!whole && !samples.has(x, y, g)) continue;
             if (!whole) groups.plane(3 * kGroups + g)[i] = 1;
@@ -197,31 +197,30 @@ Planes LayerFilter::withoutNoise(const SampleGroups& samples, Albedo albedo, con
     return sum;
 }
 
-Image LayerFilter::smooth(const SampleGroups& samples, Albedo albedo) const {
+Image LayerFilter::smooth(const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
     Image result = samples.image();
     // Many scenes have no narrow lobes.
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
-    const Planes smoothed = withoutNoise(samples, albedo, nullptr);
+    const Planes smoothed = withoutNoise(samples, nullptr);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
-        const Rgb scatters = (surfaces_.*albedo)(x, y);
+        const Rgb scatters = albedo(column, row);
         if (!filter_.covers(i) || samples.count(x, y) == 0 || maxComponent(scatters) <= kBlack) return;
         Rgb value = result.rgb(column, row);
         const Rgb scale = notBlack(scatters);
         for (int c = 0; c < 3; ++c) value[c] += trust_[i] * (smoothed.plane(c)[i] * scale[c] - value[c]);
         result.setRgb(column, row, value);
     });
-    calmStrays(samples, albedo, smoothed, result);
+    calmStrays(samples, smoothed, result);
     return result;
 }
 
-void LayerFilter::calmStrays(const SampleGroups& samples, Albedo albedo, const Planes& smoothed, Image& layer) const {
+void LayerFilter::calmStrays(const SampleGroups& samples, const Planes& smoothed, Image& layer) const {
     const PixelRegion& region = surfaces_.region();
     const int width = region.width(), height = region.height();
     const auto index = [&](int x, int y) { return size_t(y) * size_t(width) + size_t(x); };
-    const auto reflects = [&](int x, int y) { return (surfaces_.*albedo)(region.x0 + x, region.y0 + y); };
     const auto visit = [&](int column, int row, auto&& function) {
         for (int y = std::max(0, row - kReach); y <= std::min(height - 1, row + kReach); ++y)
             for (int x = std::max(0, column - kReach); x <= std::min(width - 1, column + kReach); ++x) function(x, y);
@@ -230,7 +229,7 @@ void LayerFilter::calmStrays(const SampleGroups& samples, Albedo albedo, const P
     forEachPixel(stray.size(), [&](size_t i) {
         const int x = int(i) % width, y = int(i) / width;
         stray[i] = trust_[i] <= kTrusted && samples.complete(region.x0 + x, region.y0 + y) &&
-                   maxComponent(reflects(x, y)) > kBlack;
+                   maxComponent(albedo(x, y)) > kBlack;
     });
 
     // What is taken from each, over the sum of the albedos of the strays that share it.
@@ -243,12 +242,12 @@ void LayerFilter::calmStrays(const SampleGroups& samples, Albedo albedo, const P
                 int count = 0;
                 visit(column, row, [&](int x, int y) {
                     const size_t j = index(x, y);
-                    if (stray[j]) share += reflects(x, y);
+                    if (stray[j]) share += albedo(x, y);
                     if (x == column && y == row) return;
                     if (stray[j]) {
-                        others += layer.rgb(x, y) / notBlack(reflects(x, y));
+                        others += layer.rgb(x, y) / notBlack(albedo(x, y));
                         ++count;
-                    } else if (trust_[j] > kTrusted && maxComponent(reflects(x, y)) > kBlack) {
+                    } else if (trust_[j] > kTrusted && maxComponent(albedo(x, y)) > kBlack) {
                         for (int c = 0; c < 3; ++c) {
                             low[c] = std::min(low[c], smoothed.plane(c)[j]);
                             high[c] = std::max(high[c], smoothed.plane(c)[j]);
@@ -256,7 +255,7 @@ void LayerFilter::calmStrays(const SampleGroups& samples, Albedo albedo, const P
                     }
                 });
                 if (low.x == kInfinity) continue;
-                const Rgb scale = notBlack(reflects(column, row)), value = layer.rgb(column, row) / scale;
+                const Rgb scale = notBlack(albedo(column, row)), value = layer.rgb(column, row) / scale;
                 const Rgb noise = samples.varianceOfMean(region.x0 + column, region.y0 + row) / (scale * scale);
                 Rgb excess(0.f);
                 for (int c = 0; c < 3; ++c) {
@@ -279,24 +278,23 @@ void LayerFilter::calmStrays(const SampleGroups& samples, Albedo albedo, const P
                 visit(column, row, [&](int x, int y) {
                     if (!stray[index(x, y)]) return;
                     shared += taken.rgb(x, y);
-                    share += reflects(x, y);
+                    share += albedo(x, y);
                 });
-                layer.setRgb(column, row,
-                             before.rgb(column, row) - taken.rgb(column, row) * notBlack(share) +
-                                 shared * reflects(column, row));
+                layer.setRgb(
+                    column, row,
+                    before.rgb(column, row) - taken.rgb(column, row) * notBlack(share) + shared * albedo(column, row));
             }
     });
 }
 
-void LayerFilter::correct(Image& layer, const SampleGroups& samples, Albedo albedo) const {
+void LayerFilter::correct(Image& layer, const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
-    const Planes correction = withoutNoise(samples, albedo, &layer);
+    const Planes correction = withoutNoise(samples, &layer);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
-        const int x = region.x0 + column, y = region.y0 + row;
         if (!filter_.covers(i)) return;
         Rgb value = layer.rgb(column, row);
-        const Rgb scale = notBlack((surfaces_.*albedo)(x, y)) * trust_[i];
+        const Rgb scale = notBlack(albedo(column, row)) * trust_[i];
         for (int c = 0; c < 3; ++c) value[c] = std::max(0.f, value[c] + correction.plane(c)[i] * scale[c]);
         layer.setRgb(column, row, value);
     });

@@ -12,18 +12,17 @@ namespace drc {
 
 class LayerFilter {
   public:
-    // surfaces must outlive the filter.
-    explicit LayerFilter(const ShownSurfaces& surfaces);
+    // Of layers of light that these lobes scatter. While it is averaged such a layer is divided by their albedo, so
+    // that textures stay sharp. surfaces must outlive the filter.
+    LayerFilter(const ShownSurfaces& surfaces, Scattering lobes);
 
-    // albedo: by which a layer is divided while it is averaged, so that textures stay sharp.
-    using Albedo = Rgb (ShownSurfaces::*)(int x, int y) const;
     // The samples' mean without noise.
-    Image smooth(const SampleGroups& samples, Albedo albedo) const;
+    Image smooth(const SampleGroups& samples) const;
 
     // Corrects a layer that has little noise but errors of its own (radiance maps stand too far apart for what they
     // light; the network is off in hue) by samples of the same light that have noise but no such error: adds the
     // filtered difference of the two, in place.
-    void correct(Image& layer, const SampleGroups& samples, Albedo albedo) const;
+    void correct(Image& layer, const SampleGroups& samples) const;
 
   private:
     // Whether each pixel that shows a surface has a sample in each group. Where not, as in the first sweeps, groups are
@@ -31,14 +30,21 @@ class LayerFilter {
     bool isWhole(const SampleGroups& samples) const;
     // What is left of the samples' mean minus `base` (null: minus nothing), divided by albedo; also where that is of no
     // use.
-    Planes withoutNoise(const SampleGroups& samples, Albedo albedo, const Image* base) const;
+    Planes withoutNoise(const SampleGroups& samples, const Image* base) const;
 
     // Strays are pixels that stand alone, as those that mix two surfaces at an edge. One that is brighter or darker
     // than all that is around it keeps of the difference what its own noise leaves, in place; those about it share the
     // rest, so that no light is lost.
-    void calmStrays(const SampleGroups& samples, Albedo albedo, const Planes& smoothed, Image& layer) const;
+    void calmStrays(const SampleGroups& samples, const Planes& smoothed, Image& layer) const;
+
+    // By pixels of the region.
+    Rgb albedo(int column, int row) const {
+        const PixelRegion& region = surfaces_.region();
+        return surfaces_.albedo(lobes_, region.x0 + column, region.y0 + row);
+    }
 
     const ShownSurfaces& surfaces_;
+    Scattering lobes_;
     SurfaceFilter filter_;
     std::vector<float> trust_;  // of the filter at each pixel, from 0 (it stands alone) to 1
 };

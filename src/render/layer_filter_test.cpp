@@ -28,10 +28,16 @@ struct Film {
         s.normal = normal;
         s.pixelSize = 1;
         surfaces.add(x, y, s, 1, true);
-        samples.add(x, y, (i ^ (x & 1) ^ (2 * (y & 1))) % SampleGroups::kGroups, value, 1);
+        samples.add(x, y, groupOf(x, y, i), value, 1);
     }
-    void correct(Image& layer) const { LayerFilter(surfaces).correct(layer, samples, &ShownSurfaces::wideAlbedo); }
-    Image smooth() const { return LayerFilter(surfaces).smooth(samples, &ShownSurfaces::albedo); }
+    // A sample that met no surface.
+    void addNothing(int x, int y, int i) {
+        surfaces.add(x, y, {}, 1, true);
+        samples.add(x, y, groupOf(x, y, i), Rgb(0.f), 1);
+    }
+    static int groupOf(int x, int y, int i) { return (i ^ (x & 1) ^ (2 * (y & 1))) % SampleGroups::kGroups; }
+    void correct(Image& layer) const { LayerFilter(surfaces, Scattering::Wide).correct(layer, samples); }
+    Image smooth() const { return LayerFilter(surfaces, Scattering::All).smooth(samples); }
 };
 
 template <typename F>
@@ -211,6 +217,36 @@ TEST(LayerFilter, SmoothingGivesNothingToWhatDoesNotScatter) {
         const float v = smooth.rgb(x - kRegion.x0, y - kRegion.y0).y;
         EXPECT_EQ(v > 0, x >= 30) << x << " " << y;
     });
+}
+
+// In a column of pixels every other sample met something else: a lamp, or the sky. The others tell which surface it is,
+// and it is averaged along that.
+TEST(LayerFilter, SmoothsPixelsThatShowTheirSurfaceInPart) {
+    for (const bool sky : {false, true}) {
+        Film film;
+        std::mt19937 rng(4);
+        std::exponential_distribution<float> noise(1);
+        for (int i = 0; i < 64; ++i)
+            forEachPixel([&](int x, int y) {
+                const float light = noise(rng);
+                if (x == 35 && (i / SampleGroups::kGroups) % 2) {
+                    if (sky)
+                        film.addNothing(x, y, i);
+                    else
+                        film.add(x, y, i, Rgb(0.f), Rgb(0.f), Vec3(float(x), float(y), 90), Vec3(1, 0, 0));
+                } else {
+                    film.add(x, y, i, Rgb(0.5f * light), Rgb(0.5f), Vec3(float(x), float(y), 40), Vec3(0, 0, 1));
+                }
+            });
+        const auto errorAtEdge = [](const Image& image) {
+            double sum = 0;
+            for (int y = 0; y < kRegion.height(); ++y) sum += std::abs(image.rgb(35 - kRegion.x0, y).y / 0.25 - 1);
+            return sum / kRegion.height();
+        };
+        EXPECT_GT(errorAtEdge(film.samples.image()), 0.1);
+        RecordProperty(sky ? "sky" : "lamp", std::to_string(errorAtEdge(film.smooth())));
+        EXPECT_LT(errorAtEdge(film.smooth()), 0.01) << sky;
+    }
 }
 
 // A floor of light 1, but for a column of pixels with nothing of their own surface near: an edge. One of them has the

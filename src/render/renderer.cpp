@@ -21,7 +21,7 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 // Throws Error if the layers of the picture do not fit into memory: before anything is made.
 const Scene& withinMemory(const Scene& scene, const RenderParams& params) {
     // The layers, what is known of the surfaces, and what filters and files are made from; and what is shown of them.
-    const double bytesPerPixel = 960 + (params.shownSweeps > 0 ? 150 : 0) + (params.noise ? 64 : 0);
+    const double bytesPerPixel = 984 + (params.shownSweeps > 0 ? 150 : 0) + (params.noise ? 64 : 0);
     const RenderSettings& settings = scene.settings;
     try {
         const MemoryClaim memory(
@@ -363,19 +363,18 @@ RenderedImage Renderer::image() const {
                                      result.beauty.rgb(x, y) + splats_->value(region.x0 + x, region.y0 + y) * scale);
     }
     if (params_.integrator != Integrator::Drc) return withoutNegative();
-    const LayerFilter filter(surfaces_);
-    const auto sampled = [&](const SampleGroups& samples, LayerFilter::Albedo albedo) {
-        return params_.denoise ? filter.smooth(samples, albedo) : samples.image();
+    const auto sampled = [&](const SampleGroups& samples, Scattering lobes) {
+        return params_.denoise ? LayerFilter(surfaces_, lobes).smooth(samples) : samples.image();
     };
     const auto add = [scale](const Image& from, Image& to) {
         for (size_t i = 0; i < to.data().size(); ++i) to.data()[i] += from.data()[i] * scale;
     };
-    add(sampled(lit_, &ShownSurfaces::albedo), result.beauty);
+    add(sampled(lit_, Scattering::All), result.beauty);
     result.direct = result.beauty;
-    result.indirect = sampled(indirect_, &ShownSurfaces::wideAlbedo);
-    if (params_.correct && passesDone_ > 0) filter.correct(*result.indirect, wide_, &ShownSurfaces::wideAlbedo);
+    result.indirect = sampled(indirect_, Scattering::Wide);
+    if (params_.correct && passesDone_ > 0) LayerFilter(surfaces_, Scattering::Wide).correct(*result.indirect, wide_);
     for (float& v : result.indirect->data()) v *= scale;
-    add(sampled(narrow_, &ShownSurfaces::narrowAlbedo), *result.indirect);
+    add(sampled(narrow_, Scattering::Narrow), *result.indirect);
     for (size_t i = 0; i < result.beauty.data().size(); ++i) result.beauty.data()[i] += result.indirect->data()[i];
     return withoutNegative();
 }

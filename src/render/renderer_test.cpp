@@ -160,7 +160,7 @@ TEST(Renderer, PicturesBeyondTheMemoryAreRefused) {
     const auto scene = pbrt::loadPbrtString(text, ".", {}, "s.pbrt");
     EXPECT_THAT(
         errorOf(*scene),
-        AllOf(StartsWith("s.pbrt:1:6: a picture of 65536 x 65536 pixels needs about 3840.0 GiB of memory, and "),
+        AllOf(StartsWith("s.pbrt:1:6: a picture of 65536 x 65536 pixels needs about 3936.0 GiB of memory, and "),
               HasSubstr("choose a smaller --resolution, or a part of it by --crop")));
     const float part[4] = {0.5f, 0.501f, 0.5f, 0.501f};
     std::copy(part, part + 4, scene->settings.cropWindow);
