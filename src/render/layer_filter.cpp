@@ -1,6 +1,7 @@
 #include "render/layer_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "base/parallel.h"
@@ -16,6 +17,9 @@ constexpr float kSmallestAlbedo = 0.02f, kBlack = 1e-4f;
 // Times the variance that counts as noise. One gives the least mean square error of Gaussian noise, if the variance is
 // known; a correction is better kept calm.
 constexpr float kCaution = 1, kCautionOfCorrection = 1.5f;
+// Times that, what counts as noise of a correction of single pixels: most of what the four groups of a pixel take for
+// detail there is the chance that two of them met a bright path, and it shows as a dot.
+constexpr float kCautionOfDots = 2;
 // Below one, a bright path that only one group met (its square over the variance is one, however bright it is) would
 // count for something, and become a blotch of the correction.
 constexpr float kLeastCautionOfCorrection = 1.1f;
@@ -132,15 +136,16 @@ float shareOfNoise(const SurfaceFilter& filter, const std::vector<Planes>& level
 }
 
 // Coarse to fine, from the level `coarsest` to `finest`: of what a level adds to the coarser ones (to `sum`, in place),
-// the share that is not noise, as its neighbourhood has it. noisy: times the levels' variances, what counts as noise.
+// the share that is not noise, as its neighbourhood has it. noisy: of each level, times its variance, what counts as
+// noise.
 void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& levels, size_t pixels, int coarsest,
-                     int finest, float noisy, Planes& sum) {
+                     int finest, const std::array<float, kLevels>& noisy, Planes& sum) {
     for (int level = coarsest; level >= finest; --level) {
         const Planes& estimates = levels[size_t(level)];
         const Planes spread = spreadAbout(filter, level, estimates, sum, pixels);
         forEachPixel(pixels, [&](size_t i) {
             for (int c = 0; c < 3; ++c) {
-                const float squares = spread.plane(c)[i], noise = noisy * spread.plane(3 + c)[i];
+                const float squares = spread.plane(c)[i], noise = noisy[size_t(level)] * spread.plane(3 + c)[i];
                 float& value = sum.plane(c)[i];
                 if (squares > noise) value += (estimates.plane(c)[i] - value) * (1 - noise / squares);
             }
@@ -186,14 +191,17 @@ Planes LayerFilter::withoutNoise(const SampleGroups& samples, const Image* base)
     const float share = whole ? shareOfNoise(filter_, levels, pixels) : 1;
     const int finest = whole ? 0 : 1;
     Planes sum(pixels, 3);
+    std::array<float, kLevels> noisy;
     if (base) {
-        const float noisy = std::max(kCautionOfCorrection * share, kLeastCautionOfCorrection);
+        noisy.fill(std::max(kCautionOfCorrection * share, kLeastCautionOfCorrection));
+        noisy[0] *= kCautionOfDots;
         addWithoutNoise(filter_, levels, pixels, kLevels - 1, finest, noisy, sum);
         return sum;
     }
+    noisy.fill(kCaution * share);
     // A difference may well be nothing but noise. Light is there, and its coarsest average is not to be darkened.
     std::copy_n(levels.back().plane(0), 3 * pixels, sum.plane(0));
-    addWithoutNoise(filter_, levels, pixels, kLevels - 2, finest, kCaution * share, sum);
+    addWithoutNoise(filter_, levels, pixels, kLevels - 2, finest, noisy, sum);
     return sum;
 }
 

@@ -109,6 +109,20 @@ TEST(LayerFilter, CorrectionMakesNoBlotchOfOneBrightPath) {
     EXPECT_LT(relativeError(image), 0.03);
 }
 
+// Now and then two of the groups agree by chance.
+TEST(LayerFilter, CorrectionMakesNoDotOfTwoBrightPaths) {
+    const Image truth = layer(1);
+    Image image = truth;
+    Film film = traced(16);
+    for (const int group : {0, 1}) film.samples.add(20, 35, group, Rgb(50), 1);
+    const double sampled = film.samples.mean(20, 35).y / truth.rgb(10, 15).y - 1;
+    film.correct(image);
+    const double shown = image.rgb(10, 15).y / truth.rgb(10, 15).y - 1;
+    RecordProperty("share", std::to_string(shown / sampled));
+    EXPECT_GT(sampled, 3);
+    EXPECT_LT(shown, 0.1 * sampled);
+}
+
 // Nothing is near this pixel, and of its light only one path in many is bright: those that are not prove nothing.
 TEST(LayerFilter, CorrectionLeavesAPixelAlone) {
     Film film;
