@@ -363,18 +363,19 @@ RenderedImage Renderer::image() const {
                                      result.beauty.rgb(x, y) + splats_->value(region.x0 + x, region.y0 + y) * scale);
     }
     if (params_.integrator != Integrator::Drc) return withoutNegative();
-    const auto sampled = [&](const SampleGroups& samples, Scattering lobes) {
-        return params_.denoise ? LayerFilter(surfaces_, lobes).smooth(samples) : samples.image();
+    const auto sampled = [&](const SampleGroups& samples, const LayerFilter& filter) {
+        return params_.denoise ? filter.smooth(samples) : samples.image();
     };
     const auto add = [scale](const Image& from, Image& to) {
         for (size_t i = 0; i < to.data().size(); ++i) to.data()[i] += from.data()[i] * scale;
     };
-    add(sampled(lit_, Scattering::All), result.beauty);
+    add(sampled(lit_, LayerFilter(surfaces_, Scattering::All)), result.beauty);
     result.direct = result.beauty;
-    result.indirect = sampled(indirect_, Scattering::Wide);
-    if (params_.correct && passesDone_ > 0) LayerFilter(surfaces_, Scattering::Wide).correct(*result.indirect, wide_);
+    const LayerFilter wide(surfaces_, Scattering::Wide);
+    result.indirect = sampled(indirect_, wide);
+    if (params_.correct && passesDone_ > 0) wide.correct(*result.indirect, wide_);
     for (float& v : result.indirect->data()) v *= scale;
-    add(sampled(narrow_, Scattering::Narrow), *result.indirect);
+    add(sampled(narrow_, LayerFilter(surfaces_, Scattering::Narrow)), *result.indirect);
     for (size_t i = 0; i < result.beauty.data().size(); ++i) result.beauty.data()[i] += result.indirect->data()[i];
     return withoutNegative();
 }
