@@ -1,5 +1,6 @@
 // Diffuse area light over a triangle mesh: one light for all its triangles (PBR 3e, sections 12.5 and 14.2.3). A few
-// triangles are chosen by area; of many a tree finds those that matter to the lit point.
+// triangles are sampled by area, as parallelograms where they make some; of many a tree finds those that matter to the
+// lit point.
 #include <fmt/core.h>
 
 #include "base/memory.h"
@@ -7,11 +8,12 @@
 #include "math/warp.h"
 #include "scene/light.h"
 #include "scene/light_tree.h"
+#include "scene/parallelogram.h"
 
 namespace drc {
 namespace {
 
-// Up to this many triangles are chosen by area, which costs less and keeps samples better spread.
+// Up to this many triangles are sampled by area, which costs less and keeps samples better spread.
 constexpr uint32_t kFewTriangles = 8;
 
 class MeshAreaLight final : public AreaLight {
@@ -42,44 +44,21 @@ class MeshAreaLight final : public AreaLight {
         // Not an alias table: the order of u is kept, and with it the stratification of the samples.
         triangles_ = Distribution1D(areas);
         area_ = static_cast<float>(triangles_.integral() * static_cast<double>(areas.size()));
-        if (count > kFewTriangles) tree_ = LightTree(reaches);
+        if (count > kFewTriangles)
+            tree_ = LightTree(reaches);
+        else
+            findFacets();
         findReach(reaches);
     }
 
     std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const override {
         if (!(area_ > 0)) return {};
-        int index;
-        float probability, uLeft;
-        if (tree_.empty()) {
-            const DiscreteSample chosen = triangles_.sampleDiscrete(u.x);
-            index = chosen.index;
-            probability = chosen.probability;
-            uLeft = chosen.uRemapped;
-        } else {
-            const LightTree::Choice chosen = tree_.sample(p, u.x);
-            if (chosen.index < 0) return {};
-            index = chosen.index;
-            probability = chosen.probability;
-            uLeft = chosen.uRemapped;
-        }
-        const Vec2 b = sampleUniformTriangle(Vec2(uLeft, u.y));
-        const Emitter& emitter = emitters_[size_t(index)];
-        const Vec3 point = emitter.p[0] * b.x + emitter.p[1] * b.y + emitter.p[2] * (1 - b.x - b.y);
-        const Vec3 d = point - p;
-        const float distance = length(d);
-        if (!(distance > 0)) return {};
-        EmitterHit hit;
-        hit.p = point;
-        hit.ng = emitter.ng;
-        hit.triangle = static_cast<uint32_t>(index);
-        LightSample s;
-        s.wi = d / distance;
-        s.radiance = emitted(hit, -s.wi);
-        s.pdf = density(probability, p, s.wi, hit);
-        s.distance = distance;
-        s.ng = hit.ng;
-        if (!(s.pdf > 0) || isBlack(s.radiance)) return {};
-        return s;
+        if (tree_.empty()) return sampleFacets(p, u);
+        const LightTree::Choice chosen = tree_.sample(p, u.x);
+        if (chosen.index < 0) return {};
+        const Emitter& emitter = emitters_[size_t(chosen.index)];
+        const Vec2 b = sampleUniformTriangle(Vec2(chosen.uRemapped, u.y));
+        return sampleOf(p, emitter.at(b), emitter.ng, chosen.probability / emitter.area);
     }
 
     std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere& scene) const override {
@@ -87,8 +66,7 @@ class MeshAreaLight final : public AreaLight {
         const DiscreteSample chosen = triangles_.sampleDiscrete(uOrigin.x);
         const Emitter& emitter = emitters_[size_t(chosen.index)];
         const Vec2 b = sampleUniformTriangle(Vec2(chosen.uRemapped, uOrigin.y));
-        const Vec3 p = emitter.p[0] * b.x + emitter.p[1] * b.y + emitter.p[2] * (1 - b.x - b.y);
-        auto ray = leave(p, emitter.ng, uLeaving, scene);
+        auto ray = leave(emitter.at(b), emitter.ng, uLeaving, scene);
         if (ray) ray->triangle = static_cast<uint32_t>(chosen.index);
         return ray;
     }
@@ -97,8 +75,10 @@ class MeshAreaLight final : public AreaLight {
     LightReach reach() const override { return reach_; }
 
     float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const override {
-        const int index = static_cast<int>(hit.triangle);
-        return density(tree_.empty() ? triangles_.probability(index) : tree_.probability(from, index), from, wi, hit);
+        float perArea = 1 / area_;
+        if (!tree_.empty())
+            perArea = tree_.probability(from, static_cast<int>(hit.triangle)) / emitters_[hit.triangle].area;
+        return perSolidAngle(perArea, hit.p - from, wi, hit.ng);
     }
 
   private:
@@ -109,11 +89,78 @@ class MeshAreaLight final : public AreaLight {
         Vec3 p[3];
         Vec3 ng;
         float area;
+        Vec3 at(const Vec2& b) const { return p[0] * b.x + p[1] * b.y + p[2] * (1 - b.x - b.y); }
+    };
+    // A parallelogram, or the half of it that has its corner.
+    struct Facet {
+        Parallelogram shape;
+        Vec3 ng;
+        bool half;
     };
 
-    // Per solid angle, of a triangle that is chosen with the given probability.
-    float density(float probability, const Vec3& from, const Vec3& wi, const EmitterHit& hit) const {
-        const float r = probability * lengthSquared(hit.p - from) / (absDot(hit.ng, wi) * emitters_[hit.triangle].area);
+    void findFacets() {
+        std::vector<bool> taken(emitters_.size());
+        std::vector<float> areas;
+        for (size_t i = 0; i < emitters_.size(); ++i) {
+            if (taken[i]) continue;
+            const Emitter& e = emitters_[i];
+            const std::array<Vec3, 3> corners = std::to_array(e.p);
+            Facet facet{{e.p[0], e.p[1] - e.p[0], e.p[2] - e.p[0]}, e.ng, true};
+            float area = e.area;
+            for (size_t j = i + 1; j < emitters_.size() && facet.half; ++j) {
+                const Emitter& other = emitters_[j];
+                // Shading normals may have turned one of the two.
+                if (taken[j] || !(dot(e.ng, other.ng) > 0)) continue;
+                if (const auto whole = parallelogramOf(corners, std::to_array(other.p))) {
+                    facet.shape = *whole;
+                    facet.half = false;
+                    area += other.area;
+                    taken[j] = true;
+                }
+            }
+            facets_.push_back(facet);
+            areas.push_back(area);
+        }
+        byArea_ = Distribution1D(areas);
+    }
+
+    std::optional<LightSample> sampleFacets(const Vec3& p, Vec2 u) const {
+        size_t index = 0;
+        if (facets_.size() > 1) {
+            const DiscreteSample chosen = byArea_.sampleDiscrete(u.x);
+            index = size_t(chosen.index);
+            u.x = chosen.uRemapped;
+        }
+        const Facet& facet = facets_[index];
+        if (facet.half) {
+            const Vec2 b = sampleUniformTriangle(u);
+            u = Vec2(b.y, 1 - b.x - b.y);
+        }
+        const Vec3 point = facet.shape.corner + facet.shape.side0 * u.x + facet.shape.side1 * u.y;
+        return sampleOf(p, point, facet.ng, 1 / area_);
+    }
+
+    // perArea: the density of the emitter's point.
+    std::optional<LightSample> sampleOf(const Vec3& p, const Vec3& point, const Vec3& ng, float perArea) const {
+        const Vec3 d = point - p;
+        const float distance = length(d);
+        if (!(distance > 0)) return {};
+        EmitterHit hit;
+        hit.p = point;
+        hit.ng = ng;
+        LightSample s;
+        s.wi = d / distance;
+        s.radiance = emitted(hit, -s.wi);
+        s.pdf = perSolidAngle(perArea, d, s.wi, ng);
+        s.distance = distance;
+        s.ng = ng;
+        if (!(s.pdf > 0) || isBlack(s.radiance)) return {};
+        return s;
+    }
+
+    // wi: d, which is the way to the emitter's point, as a unit vector.
+    static float perSolidAngle(float perArea, const Vec3& d, const Vec3& wi, const Vec3& ng) {
+        const float r = perArea * lengthSquared(d) / absDot(ng, wi);
         return std::isfinite(r) ? r : 0;
     }
 
@@ -136,8 +183,10 @@ class MeshAreaLight final : public AreaLight {
     }
 
     std::vector<Emitter> emitters_;
-    Distribution1D triangles_;  // by area
-    LightTree tree_;            // over the triangles; empty where they are few
+    Distribution1D triangles_;   // by area
+    LightTree tree_;             // over the triangles; empty where they are few: then
+    std::vector<Facet> facets_;  // are what is sampled
+    Distribution1D byArea_;      // over the facets
     float area_ = 0;
     LightReach reach_;
 };

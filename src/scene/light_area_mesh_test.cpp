@@ -69,6 +69,31 @@ TEST(MeshAreaLight, IrradianceMatchesUniformDirections) {
     checkIrradiance(emitter(false), true, Vec3(0.5f, 0.5f, 3));
 }
 
+TEST(MeshAreaLight, AParallelogramIsSampledAsOne) {
+    // Two of them, with a triangle between; all of the same area but the triangle.
+    TriangleMesh m;
+    m.positions = {Vec3(0, 0, 1), Vec3(0, 1, 1), Vec3(2, 0, 1), Vec3(2, 1, 1), Vec3(5, 0, 1),
+                   Vec3(5, 2, 1), Vec3(6, 0, 1), Vec3(8, 0, 1), Vec3(8, 1, 1), Vec3(6, 1, 1)};
+    m.indices = {0, 1, 2, 2, 1, 3, 3, 5, 4, 6, 9, 7, 9, 8, 7};
+    checkIrradiance(std::make_shared<TriangleMesh>(m), false, Vec3(3, 0.5f, 0));
+
+    // One alone: its points are an affine image of the square.
+    m.indices.resize(6);
+    const auto light = makeMeshAreaLight(m, Rgb(1.f), true);
+    const Vec3 p(0.5f, 0.5f, 0);
+    const auto pointAt = [&](float u, float v) {
+        const auto s = light->sample(p, Vec2(u, v));
+        return s ? p + s->wi * s->distance : Vec3(kInfinity);
+    };
+    const Vec3 corner = pointAt(0, 0), u = pointAt(1 - 0x1p-24f, 0) - corner, v = pointAt(0, 1 - 0x1p-24f) - corner;
+    EXPECT_NEAR(length(cross(u, v)), 2, 1e-5f);
+    Pcg32 rng(3);
+    for (int i = 0; i < 100; ++i) {
+        const Vec2 at = rng.nextVec2();
+        EXPECT_LT(length(pointAt(at.x, at.y) - (corner + u * at.x + v * at.y)), 1e-5f);
+    }
+}
+
 // Many triangles, whose sampling goes by a tree: a bumpy cap that looks down, and a part of it that looks away.
 TriangleMeshPtr cap() {
     auto m = std::make_shared<TriangleMesh>();
