@@ -11,6 +11,9 @@ namespace {
 
 // A layer is looked at in pixels and in four averages of it, of standard deviations 1, 2.2, 4.6 and 9.2 pixels.
 constexpr int kLevels = 5;
+constexpr LayerFilter::Scales kAlongSurfaces{0, kLevels - 1};
+// Of strays, single ones tell nothing, and far ones show another edge.
+constexpr LayerFilter::Scales kAlongEdges{1, 2};
 // Layers are divided by no smaller albedos than the first; to surfaces with less than the second the layer does not
 // belong, and takes nothing from what is around them.
 constexpr float kSmallestAlbedo = 0.02f, kBlack = 1e-4f;
@@ -87,11 +90,11 @@ Planes estimates(const Planes& groups, size_t pixels) {
 }
 
 // Fine to coarse: the estimates, averaged wider and wider.
-std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t pixels) {
+std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t pixels, int coarsest) {
     std::vector<Planes> levels;
     levels.push_back(estimates(groups, pixels));
     Planes next(pixels, groups.count());
-    while (levels.size() < kLevels) {
+    while (int(levels.size()) <= coarsest) {
         filter.average(1 << (levels.size() - 1), groups, next);
         std::swap(groups, next);
         levels.push_back(estimates(groups, pixels));
@@ -153,27 +156,33 @@ void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& lev
     }
 }
 
+// Of the filter at each pixel, from 0 (it stands alone) to 1.
+std::vector<float> trustIn(const SurfaceFilter& filter) {
+    std::vector<float> trust = filter.weights(1);
+    for (float& t : trust) t = std::clamp((t - kAlone) / (kAmongEnough - kAlone), 0.f, 1.f);
+    return trust;
+}
+
 }  // namespace
 
 LayerFilter::LayerFilter(const ShownSurfaces& surfaces, Scattering lobes)
-    : surfaces_(surfaces), lobes_(lobes), filter_(surfaces.filter(lobes)), trust_(filter_.weights(1)) {
-    for (float& t : trust_) t = std::clamp((t - kAlone) / (kAmongEnough - kAlone), 0.f, 1.f);
-}
+    : surfaces_(surfaces), lobes_(lobes), filter_(surfaces.filter(lobes)), trust_(trustIn(filter_)) {}
 
-bool LayerFilter::isWhole(const SampleGroups& samples) const {
+bool LayerFilter::isWhole(const SurfaceFilter& filter, const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
     std::atomic<bool> whole{true};
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
-        if (filter_.covers(i) && !samples.complete(region.x0 + column, region.y0 + row)) whole = false;
+        if (filter.covers(i) && !samples.complete(region.x0 + column, region.y0 + row)) whole = false;
     });
     return whole;
 }
 
-Planes LayerFilter::withoutNoise(const SampleGroups& samples, const Image* base) const {
+Planes LayerFilter::withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples,
+                                 const Image* base) const {
     const PixelRegion& region = surfaces_.region();
     const size_t pixels = region.count();
-    const bool whole = isWhole(samples);
+    const bool whole = isWhole(filter, samples);
     Planes groups(pixels, (whole ? 3 : 4) * kGroups);
     forEachPixel(pixels, [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
@@ -187,21 +196,21 @@ Planes LayerFilter::withoutNoise(const SampleGroups& samples, const Image* base)
             for (int c = 0; c < 3; ++c) groups.plane(3 * g + c)[i] = std::clamp(value[c], -kLargest, kLargest);
         }
     });
-    const std::vector<Planes> levels = averages(filter_, std::move(groups), pixels);
-    const float share = whole ? shareOfNoise(filter_, levels, pixels) : 1;
-    const int finest = whole ? 0 : 1;
+    const std::vector<Planes> levels = averages(filter, std::move(groups), pixels, scales.coarsest);
+    const float share = whole ? shareOfNoise(filter, levels, pixels) : 1;
+    const int finest = whole ? scales.finest : std::max(1, scales.finest);
     Planes sum(pixels, 3);
     std::array<float, kLevels> noisy;
     if (base) {
         noisy.fill(std::max(kCautionOfCorrection * share, kLeastCautionOfCorrection));
         noisy[0] *= kCautionOfDots;
-        addWithoutNoise(filter_, levels, pixels, kLevels - 1, finest, noisy, sum);
+        addWithoutNoise(filter, levels, pixels, scales.coarsest, finest, noisy, sum);
         return sum;
     }
     noisy.fill(kCaution * share);
     // A difference may well be nothing but noise. Light is there, and its coarsest average is not to be darkened.
     std::copy_n(levels.back().plane(0), 3 * pixels, sum.plane(0));
-    addWithoutNoise(filter_, levels, pixels, kLevels - 2, finest, noisy, sum);
+    addWithoutNoise(filter, levels, pixels, scales.coarsest - 1, finest, noisy, sum);
     return sum;
 }
 
@@ -210,7 +219,7 @@ Image LayerFilter::smooth(const SampleGroups& samples) const {
     Image result = samples.image();
     // Many scenes have no narrow lobes.
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
-    const Planes smoothed = withoutNoise(samples, nullptr);
+    const Planes smoothed = withoutNoise(filter_, kAlongSurfaces, samples, nullptr);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
@@ -295,15 +304,32 @@ void LayerFilter::calmStrays(const SampleGroups& samples, const Planes& smoothed
     });
 }
 
+SurfaceFilter LayerFilter::amongStrays() const {
+    SurfaceFilter filter(surfaces_.region().width(), surfaces_.region().height());
+    const Vec3 anyPoint(0.f), anyNormal(0, 0, 1);
+    for (size_t i = 0; i < trust_.size(); ++i)
+        if (trust_[i] < 1 && filter_.covers(i)) filter.show(i, anyPoint, anyNormal, 1);
+    return filter;
+}
+
 void LayerFilter::correct(Image& layer, const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
-    const Planes correction = withoutNoise(samples, &layer);
+    const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, &layer);
+    // At an edge maps err, and those on either side mostly alike all along it.
+    const SurfaceFilter strays = amongStrays();
+    const bool edges = isWhole(strays, samples);
+    const Planes ofEdges = edges ? withoutNoise(strays, kAlongEdges, samples, &layer) : Planes(region.count(), 3);
+    const std::vector<float> trustAmongStrays = trustIn(strays);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         if (!filter_.covers(i)) return;
         Rgb value = layer.rgb(column, row);
-        const Rgb scale = notBlack(albedo(column, row)) * trust_[i];
-        for (int c = 0; c < 3; ++c) value[c] = std::max(0.f, value[c] + correction.plane(c)[i] * scale[c]);
+        const Rgb scale = notBlack(albedo(column, row));
+        const float surface = trust_[i], edge = (1 - surface) * trustAmongStrays[i];
+        for (int c = 0; c < 3; ++c) {
+            const float correction = surface * ofSurfaces.plane(c)[i] + edge * ofEdges.plane(c)[i];
+            value[c] = std::max(0.f, value[c] + correction * scale[c]);
+        }
         layer.setRgb(column, row, value);
     });
 }

@@ -24,18 +24,26 @@ class LayerFilter {
     // filtered difference of the two, in place.
     void correct(Image& layer, const SampleGroups& samples) const;
 
+    // Of what a layer is looked at in: 0, single pixels; each further one an average twice as wide.
+    struct Scales {
+        int finest, coarsest;
+    };
+
   private:
-    // Whether each pixel that shows a surface has a sample in each group. Where not, as in the first sweeps, groups are
-    // known from the pixels about, and there is nothing finer than these.
-    bool isWhole(const SampleGroups& samples) const;
+    // Whether each pixel that the filter covers has a sample in each group. Where not, as in the first sweeps, groups
+    // are known from the pixels about, and there is nothing finer than these.
+    bool isWhole(const SurfaceFilter& filter, const SampleGroups& samples) const;
     // What is left of the samples' mean minus `base` (null: minus nothing), divided by albedo; also where that is of no
     // use.
-    Planes withoutNoise(const SampleGroups& samples, const Image* base) const;
+    Planes withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples,
+                        const Image* base) const;
 
     // Strays are pixels that stand alone, as those that mix two surfaces at an edge. One that is brighter or darker
     // than all that is around it keeps of the difference what its own noise leaves, in place; those about it share the
     // rest, so that no light is lost.
     void calmStrays(const SampleGroups& samples, const Planes& smoothed, Image& layer) const;
+    // Averages strays, and what is one in part, with each other, whatever they show.
+    SurfaceFilter amongStrays() const;
 
     // By pixels of the region.
     Rgb albedo(int column, int row) const {

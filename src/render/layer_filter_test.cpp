@@ -297,6 +297,33 @@ TEST(LayerFilter, EdgesKeepWhatAllOfTheirSamplesShow) {
     EXPECT_NEAR(smooth.rgb(25, 21).y / 0.8, 1, 0.05);
 }
 
+// Pixels that show an edge have no surface to be averaged along, but each other: what maps err by all along it is known
+// with the samples of a pixel's neighbours there, and the floor on either side does not count.
+TEST(LayerFilter, CorrectionRemovesAnErrorAllAlongAnEdge) {
+    std::mt19937 rng(5);
+    std::exponential_distribution<float> noise(1);
+    Film film;
+    for (int i = 0; i < 256; ++i)
+        forEachPixel([&](int x, int y) {
+            const Rgb albedo(x == 35 ? 0.8f : 0.4f);
+            film.add(x, y, i, albedo * noise(rng), albedo, Vec3(float(x), float(y), x == 35 ? float(100 * y) : 0.f),
+                     Vec3(0, 0, 1));
+        });
+    Image image(kRegion.width(), kRegion.height());
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) image.setRgb(x, y, x == 25 ? Rgb(2 * 0.8f) : Rgb(0.4f));
+    film.correct(image);
+    double atEdge = 0, beside = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        atEdge += image.rgb(25, y).y / 0.8 / image.height();
+        for (const int x : {24, 26}) beside += image.rgb(x, y).y / 0.4 / (2 * image.height());
+    }
+    RecordProperty("edge", std::to_string(atEdge));
+    EXPECT_LT(atEdge, 1.2);  // of an error of one
+    EXPECT_GT(atEdge, 0.95);
+    EXPECT_NEAR(beside, 1, 0.01);
+}
+
 TEST(LayerFilter, SmoothsFromTheFirstSampleOn) {
     for (const int samples : {1, 2, 3}) {
         const Film film = traced(samples);
