@@ -315,7 +315,7 @@ SurfaceFilter LayerFilter::amongStrays() const {
 void LayerFilter::correct(Image& layer, const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
     const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, &layer);
-    // At an edge maps err, and those on either side mostly alike all along it.
+    // Maps err at edges, and mostly alike all along one of them.
     const SurfaceFilter strays = amongStrays();
     const bool edges = isWhole(strays, samples);
     const Planes ofEdges = edges ? withoutNoise(strays, kAlongEdges, samples, &layer) : Planes(region.count(), 3);
