@@ -168,21 +168,20 @@ std::vector<float> trustIn(const SurfaceFilter& filter) {
 LayerFilter::LayerFilter(const ShownSurfaces& surfaces, Scattering lobes)
     : surfaces_(surfaces), lobes_(lobes), filter_(surfaces.filter(lobes)), trust_(trustIn(filter_)) {}
 
-bool LayerFilter::isWhole(const SurfaceFilter& filter, const SampleGroups& samples) const {
+bool LayerFilter::isWhole(const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
     std::atomic<bool> whole{true};
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
-        if (filter.covers(i) && !samples.complete(region.x0 + column, region.y0 + row)) whole = false;
+        if (filter_.covers(i) && !samples.complete(region.x0 + column, region.y0 + row)) whole = false;
     });
     return whole;
 }
 
-Planes LayerFilter::withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples,
+Planes LayerFilter::withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples, bool whole,
                                  const Image* base) const {
     const PixelRegion& region = surfaces_.region();
     const size_t pixels = region.count();
-    const bool whole = isWhole(filter, samples);
     Planes groups(pixels, (whole ? 3 : 4) * kGroups);
     forEachPixel(pixels, [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
@@ -219,7 +218,7 @@ Image LayerFilter::smooth(const SampleGroups& samples) const {
     Image result = samples.image();
     // Many scenes have no narrow lobes.
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
-    const Planes smoothed = withoutNoise(filter_, kAlongSurfaces, samples, nullptr);
+    const Planes smoothed = withoutNoise(filter_, kAlongSurfaces, samples, isWhole(samples), nullptr);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
@@ -314,11 +313,12 @@ SurfaceFilter LayerFilter::amongStrays() const {
 
 void LayerFilter::correct(Image& layer, const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
-    const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, &layer);
-    // Maps err at edges, and mostly alike all along one of them.
+    const bool whole = isWhole(samples);
+    const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, whole, &layer);
+    // Maps err at edges, and mostly alike all along one of them. The first few samples do not tell by how much.
     const SurfaceFilter strays = amongStrays();
-    const bool edges = isWhole(strays, samples);
-    const Planes ofEdges = edges ? withoutNoise(strays, kAlongEdges, samples, &layer) : Planes(region.count(), 3);
+    const Planes ofEdges =
+        whole ? withoutNoise(strays, kAlongEdges, samples, whole, &layer) : Planes(region.count(), 3);
     const std::vector<float> trustAmongStrays = trustIn(strays);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();

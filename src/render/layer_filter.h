@@ -21,7 +21,7 @@ class LayerFilter {
 
     // Corrects a layer that has little noise but errors of its own (radiance maps stand too far apart for what they
     // light; the network is off in hue) by samples of the same light that have noise but no such error: adds the
-    // filtered difference of the two, in place.
+    // filtered difference of the two, in place. Pixels that show an edge are corrected by that of the edge's others.
     void correct(Image& layer, const SampleGroups& samples) const;
 
     // Of what a layer is looked at in: 0, single pixels; each further one an average twice as wide.
@@ -30,12 +30,12 @@ class LayerFilter {
     };
 
   private:
-    // Whether each pixel that the filter covers has a sample in each group. Where not, as in the first sweeps, groups
-    // are known from the pixels about, and there is nothing finer than these.
-    bool isWhole(const SurfaceFilter& filter, const SampleGroups& samples) const;
+    // Whether each pixel that shows a surface has a sample in each group. Where not, as in the first sweeps, groups are
+    // known from the pixels about, and there is nothing finer than these.
+    bool isWhole(const SampleGroups& samples) const;
     // What is left of the samples' mean minus `base` (null: minus nothing), divided by albedo; also where that is of no
-    // use.
-    Planes withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples,
+    // use. whole: what isWhole says of the samples.
+    Planes withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples, bool whole,
                         const Image* base) const;
 
     // Strays are pixels that stand alone, as those that mix two surfaces at an edge. One that is brighter or darker
