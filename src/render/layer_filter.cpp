@@ -20,8 +20,8 @@ constexpr float kSmallestAlbedo = 0.02f, kBlack = 1e-4f;
 // Times the variance that counts as noise. One gives the least mean square error of Gaussian noise, if the variance is
 // known; a correction is better kept calm.
 constexpr float kCaution = 1, kCautionOfCorrection = 1.5f;
-// Times that, what counts as noise of a correction of single pixels: most of what the four groups of a pixel take for
-// detail there is the chance that two of them met a bright path, and it shows as a dot.
+// Times that, what counts as noise of single pixels: most of what the four groups of a pixel take for detail there is
+// the chance that two of them met a bright path, and it shows as a dot.
 constexpr float kCautionOfDots = 2;
 // Below one, a bright path that only one group met (its square over the variance is one, however bright it is) would
 // count for something, and become a blotch of the correction.
@@ -30,6 +30,13 @@ constexpr float kLeastCautionOfCorrection = 1.1f;
 // On a plane, of white noise: the variance of what a pixel has more than the average of the finest scale about it, in
 // units of the noise's. With the spline's weights w, 1 - 2 w0^2 + (sum of w^2)^2.
 constexpr float kNoiseAboveAverage = 0.794f;
+
+// And that of the average of the finest scale itself: (sum of w^2)^2.
+constexpr float kNoiseOfAverage = 0.0748f;
+
+// Pixels of one surface whose light differs by much more than the noise, as on both sides of a shadow's edge, are not
+// averaged with each other: of a pixel's noise, the share that what is smooth already may differ by.
+constexpr float kNoiseBetween = 0.25f;
 
 // Sum of the weights of a pixel's neighbours on its surface, of which its own is 0.14: with less than the first it
 // stands alone, as where it shows an edge, a mixture of two surfaces, and the few paths of its own are no statistics;
@@ -138,6 +145,21 @@ float shareOfNoise(const SurfaceFilter& filter, const std::vector<Planes>& level
     return std::min(1.f, *median);
 }
 
+// What the mean of a single pixel varies by, as it is about the pixel: a pixel's own few samples do not tell. level:
+// the estimates' own, zero or one.
+Planes noiseAbout(const SurfaceFilter& filter, int level, const Planes& estimates, float share, size_t pixels) {
+    Planes noise(pixels, 1), wider(pixels, 1);
+    const float scale = share * (level == 0 ? 1 : 1 / kNoiseOfAverage);
+    forEachPixel(pixels, [&](size_t i) {
+        for (int c = 0; c < 3; ++c) noise.plane(0)[i] += scale * estimates.plane(3 + c)[i];
+    });
+    for (const int step : {1, 2}) {
+        filter.average(step, noise, wider);
+        std::swap(noise, wider);
+    }
+    return noise;
+}
+
 // Coarse to fine, from the level `coarsest` to `finest`: of what a level adds to the coarser ones (to `sum`, in place),
 // the share that is not noise, as its neighbourhood has it. noisy: of each level, times its variance, what counts as
 // noise.
@@ -178,8 +200,8 @@ bool LayerFilter::isWhole(const SampleGroups& samples) const {
     return whole;
 }
 
-Planes LayerFilter::withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples, bool whole,
-                                 const Image* base) const {
+LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples,
+                                                bool whole, const Image* base) const {
     const PixelRegion& region = surfaces_.region();
     const size_t pixels = region.count();
     Planes groups(pixels, (whole ? 3 : 4) * kGroups);
@@ -197,20 +219,20 @@ Planes LayerFilter::withoutNoise(const SurfaceFilter& filter, Scales scales, con
     });
     const std::vector<Planes> levels = averages(filter, std::move(groups), pixels, scales.coarsest);
     const float share = whole ? shareOfNoise(filter, levels, pixels) : 1;
-    const int finest = whole ? scales.finest : std::max(1, scales.finest);
-    Planes sum(pixels, 3);
+    const int known = whole ? 0 : 1, finest = std::max(known, scales.finest);
+    Filtered result{Planes(pixels, 3), noiseAbout(filter, known, levels[size_t(known)], share, pixels)};
+    Planes& sum = result.values;
     std::array<float, kLevels> noisy;
+    noisy.fill(base ? std::max(kCautionOfCorrection * share, kLeastCautionOfCorrection) : kCaution * share);
+    noisy[0] *= kCautionOfDots;
     if (base) {
-        noisy.fill(std::max(kCautionOfCorrection * share, kLeastCautionOfCorrection));
-        noisy[0] *= kCautionOfDots;
         addWithoutNoise(filter, levels, pixels, scales.coarsest, finest, noisy, sum);
-        return sum;
+        return result;
     }
-    noisy.fill(kCaution * share);
     // A difference may well be nothing but noise. Light is there, and its coarsest average is not to be darkened.
     std::copy_n(levels.back().plane(0), 3 * pixels, sum.plane(0));
     addWithoutNoise(filter, levels, pixels, scales.coarsest - 1, finest, noisy, sum);
-    return sum;
+    return result;
 }
 
 Image LayerFilter::smooth(const SampleGroups& samples) const {
@@ -218,7 +240,17 @@ Image LayerFilter::smooth(const SampleGroups& samples) const {
     Image result = samples.image();
     // Many scenes have no narrow lobes.
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
-    const Planes smoothed = withoutNoise(filter_, kAlongSurfaces, samples, isWhole(samples), nullptr);
+    const bool whole = isWhole(samples);
+    Filtered first = withoutNoise(filter_, kAlongSurfaces, samples, whole, nullptr);
+    // What maps light changes slowly along a surface, and pixels that share maps share their noise. Other layers have
+    // edges of light, known once most of the noise is gone.
+    if (lobes_ != Scattering::Wide) {
+        SurfaceFilter guided = filter_;
+        for (size_t i = 0; i < region.count(); ++i) first.noise.plane(0)[i] *= kNoiseBetween;
+        guided.guideBy(std::move(first.values), std::move(first.noise));
+        first = withoutNoise(guided, kAlongSurfaces, samples, whole, nullptr);
+    }
+    const Planes& smoothed = first.values;
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
@@ -314,11 +346,11 @@ SurfaceFilter LayerFilter::amongStrays() const {
 void LayerFilter::correct(Image& layer, const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
     const bool whole = isWhole(samples);
-    const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, whole, &layer);
+    const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, whole, &layer).values;
     // Maps err at edges, and mostly alike all along one of them. The first few samples do not tell by how much.
     const SurfaceFilter strays = amongStrays();
     const Planes ofEdges =
-        whole ? withoutNoise(strays, kAlongEdges, samples, whole, &layer) : Planes(region.count(), 3);
+        whole ? withoutNoise(strays, kAlongEdges, samples, whole, &layer).values : Planes(region.count(), 3);
     const std::vector<float> trustAmongStrays = trustIn(strays);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();

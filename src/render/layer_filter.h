@@ -33,10 +33,15 @@ class LayerFilter {
     // Whether each pixel that shows a surface has a sample in each group. Where not, as in the first sweeps, groups are
     // known from the pixels about, and there is nothing finer than these.
     bool isWhole(const SampleGroups& samples) const;
+    struct Filtered {
+        Planes values;
+        Planes
+            noise;  // one plane: what the mean of a pixel's own samples varies by, thereabouts; sum over the channels
+    };
     // What is left of the samples' mean minus `base` (null: minus nothing), divided by albedo; also where that is of no
     // use. whole: what isWhole says of the samples.
-    Planes withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples, bool whole,
-                        const Image* base) const;
+    Filtered withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples, bool whole,
+                          const Image* base) const;
 
     // Strays are pixels that stand alone, as those that mix two surfaces at an edge. One that is brighter or darker
     // than all that is around it keeps of the difference what its own noise leaves, in place; those about it share the

@@ -9,6 +9,13 @@ namespace drc {
 namespace {
 
 constexpr float kSpline[3] = {0.375f, 0.25f, 0.0625f};
+constexpr float kLeastNoise = 1e-20f;
+
+// exp(-x), nearly; it ends at eight.
+float falloff(float x) {
+    const float e1 = std::max(0.f, 1 - x * 0.125f), e2 = e1 * e1, e4 = e2 * e2;
+    return e4 * e4;
+}
 
 bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -20,6 +27,11 @@ SurfaceFilter::SurfaceFilter(int width, int height)
       point_(size_t(width) * size_t(height), 3),
       normal_(size_t(width) * size_t(height), 3),
       perSize_(size_t(width) * size_t(height), 0.f) {}
+
+void SurfaceFilter::guideBy(Planes values, Planes noise) {
+    guide_ = std::move(values);
+    noise_ = std::move(noise);
+}
 
 void SurfaceFilter::show(size_t i, const Vec3& p, const Vec3& n, float size) {
     const float perSize = 1 / size;
@@ -48,16 +60,28 @@ void SurfaceFilter::weigh(size_t row, size_t neighbours, int x0, int x1, float s
         // Off the tangent plane, in units of the pixels between.
         const float off =
             (nx[i] * (px[j] - px[i]) + ny[i] * (py[j] - py[i]) + nz[i] * (pz[j] - pz[i])) * perSize[i] * perDistance;
-        // exp(-off^2), nearly; it ends at the square root of eight.
-        const float e1 = std::max(0.f, 1 - off * off * 0.125f), e2 = e1 * e1, e4 = e2 * e2;
         const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4;
-        w[i] = spline * (e4 * e4) * (c8 * c8);
+        w[i] = spline * falloff(off * off) * (c8 * c8);
     }
+}
+
+void SurfaceFilter::weighValues(size_t row, size_t neighbours, int x0, int x1, float* __restrict difference,
+                                float* __restrict w) const {
+    const size_t away = neighbours - row;
+    std::fill(difference + x0, difference + x1, 0.f);
+    for (int c = 0; c < guide_->count(); ++c) {
+        const float* __restrict value = guide_->plane(c) + row;
+        for (int x = x0; x < x1; ++x) difference[x] += sqr(value[x] - value[size_t(x) + away]);
+    }
+    const float* __restrict noise = noise_->plane(0) + row;
+    // Where there is no noise, what is equal still counts.
+    for (int x = x0; x < x1; ++x) w[x] *= falloff(difference[x] / (noise[x] + noise[size_t(x) + away] + kLeastNoise));
 }
 
 template <typename F>
 void SurfaceFilter::forEachNeighbour(int y, int dilation, float* w, F&& f) const {
     const size_t row = size_t(y) * size_t(width_);
+    std::vector<float> difference(guide_ ? size_t(width_) : 0);
     for (int ky = -2; ky <= 2; ++ky) {
         const int down = ky * dilation;
         if (y + down < 0 || y + down >= height_) continue;
@@ -68,6 +92,7 @@ void SurfaceFilter::forEachNeighbour(int y, int dilation, float* w, F&& f) const
             const ptrdiff_t offset = ptrdiff_t(down) * width_ + right;
             weigh(row, row + size_t(offset), x0, x1, kSpline[std::abs(kx)] * kSpline[std::abs(ky)],
                   1 / (0.5f * distance + 0.5f), w);
+            if (guide_) weighValues(row, row + size_t(offset), x0, x1, difference.data(), w);
             f(x0, x1, offset);
         }
     }

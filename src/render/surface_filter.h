@@ -2,6 +2,7 @@
 // they lie on the same surface (the edge-avoiding a-trous filter of Dammertz et al., "Edge-Avoiding A-Trous Wavelet
 // Transform for fast Global Illumination Filtering", 2010).
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "math/vec.h"
@@ -31,6 +32,9 @@ class SurfaceFilter {
     // zero, or with numbers that are none, it shows nothing that could be averaged along.
     void show(size_t i, const Vec3& p, const Vec3& n, float size);
     bool covers(size_t i) const { return perSize_[i] > 0; }
+    // From here on neighbours also count by how near their values are to the pixel's: of a difference whose square is
+    // d, summed over the planes, exp(-d / (noise of one + noise of the other)). noise: one plane, 0 or more.
+    void guideBy(Planes values, Planes noise);
 
     // out: each plane's means over the 5x5 neighbours at steps of `dilation` pixels; zero where no surface is shown.
     void average(int dilation, const Planes& in, Planes& out) const;
@@ -43,10 +47,12 @@ class SurfaceFilter {
     template <typename F>
     void forEachNeighbour(int y, int dilation, float* w, F&& f) const;
     void weigh(size_t row, size_t neighbours, int x0, int x1, float spline, float perDistance, float* w) const;
+    void weighValues(size_t row, size_t neighbours, int x0, int x1, float* difference, float* w) const;
 
     int width_, height_;
     Planes point_, normal_;
     std::vector<float> perSize_;  // 1 / size; 0: shows nothing
+    std::optional<Planes> guide_, noise_;
 };
 
 }  // namespace drc

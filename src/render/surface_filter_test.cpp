@@ -83,5 +83,36 @@ TEST(SurfaceFilter, NothingIsMixedAcrossDepthsOrWithNothing) {
     }
 }
 
+// A floor with a step of one in its values.
+TEST(SurfaceFilter, GuidedByValuesItMixesOnlyWhatNoiseMayMakeDiffer) {
+    SurfaceFilter plain(kWidth, kHeight);
+    Planes values(kPixels, 3);
+    for (size_t i = 0; i < kPixels; ++i) {
+        plain.show(i, Vec3(float(i % kWidth), float(i / kWidth), 0), Vec3(0, 0, 1), 1);
+        values.plane(1)[i] = int(i % kWidth) < kEdge ? 0 : 1;
+    }
+    const auto stepAt = [&](float noise, size_t i) {
+        SurfaceFilter filter = plain;
+        Planes noises(kPixels, 1);
+        std::fill_n(noises.plane(0), kPixels, noise);
+        filter.guideBy(values, std::move(noises));
+        Planes out(kPixels, 3);
+        filter.average(1, values, out);
+        return out.plane(1)[i];
+    };
+    const size_t left = 15 * kWidth + kEdge - 1, right = left + 1;
+    Planes unguided(kPixels, 3);
+    plain.average(1, values, unguided);
+    EXPECT_NEAR(unguided.plane(1)[left], 5.f / 16, 1e-5f);
+    for (const float noise : {0.f, 0.01f}) {
+        EXPECT_EQ(stepAt(noise, left), 0);
+        EXPECT_FLOAT_EQ(stepAt(noise, right), 1);
+    }
+    EXPECT_NEAR(stepAt(1e6f, left), 5.f / 16, 1e-5f);
+    // Of two pixels with a noise of one each, exp(-1/2) of a neighbour's weight.
+    const float across = 5.f / 16 * std::exp(-0.5f);
+    EXPECT_NEAR(stepAt(1, left), across / (11.f / 16 + across), 0.005f);
+}
+
 }  // namespace
 }  // namespace drc
