@@ -12,8 +12,8 @@ namespace {
 // A layer is looked at in pixels and in four averages of it, of standard deviations 1, 2.2, 4.6 and 9.2 pixels.
 constexpr int kLevels = 5;
 constexpr LayerFilter::Scales kAlongSurfaces{0, kLevels - 1};
-// Of strays, single ones tell nothing, and far ones show another edge.
-constexpr LayerFilter::Scales kAlongEdges{1, 2};
+// Of strays, far ones show another edge. In a correction single ones tell nothing.
+constexpr LayerFilter::Scales kAmongStrays{0, 1}, kAlongEdges{1, 2};
 // Layers are divided by no smaller albedos than the first; to surfaces with less than the second the layer does not
 // belong, and takes nothing from what is around them.
 constexpr float kSmallestAlbedo = 0.02f, kBlack = 1e-4f;
@@ -34,18 +34,14 @@ constexpr float kNoiseAboveAverage = 0.794f;
 // And that of the average of the finest scale itself: (sum of w^2)^2.
 constexpr float kNoiseOfAverage = 0.0748f;
 
-// Pixels of one surface whose light differs by much more than the noise, as on both sides of a shadow's edge, are not
-// averaged with each other: of a pixel's noise, the share that what is smooth already may differ by.
+// Pixels whose light differs by much more than the noise, as on both sides of a shadow's edge, are not averaged with
+// each other: of a pixel's noise, the share that what is smooth already may differ by.
 constexpr float kNoiseBetween = 0.25f;
 
 // Sum of the weights of a pixel's neighbours on its surface, of which its own is 0.14: with less than the first it
 // stands alone, as where it shows an edge, a mixture of two surfaces, and the few paths of its own are no statistics;
 // those that miss a bright spot agree with each other. With more than the second there are enough.
 constexpr float kAlone = 0.15f, kAmongEnough = 0.4f;
-// A pixel that stands alone is compared with those at most so many away; those trusted more than this are smooth.
-constexpr int kReach = 2;
-constexpr float kTrusted = 0.5f;
-
 // Of a pixel: its square, and the sum of many, are still numbers.
 constexpr float kLargest = 1e15f;
 
@@ -188,7 +184,12 @@ std::vector<float> trustIn(const SurfaceFilter& filter) {
 }  // namespace
 
 LayerFilter::LayerFilter(const ShownSurfaces& surfaces, Scattering lobes)
-    : surfaces_(surfaces), lobes_(lobes), filter_(surfaces.filter(lobes)), trust_(trustIn(filter_)) {}
+    : surfaces_(surfaces),
+      lobes_(lobes),
+      filter_(surfaces.filter(lobes)),
+      trust_(trustIn(filter_)),
+      amongStrays_(amongStrays()),
+      trustAmongStrays_(trustIn(amongStrays_)) {}
 
 bool LayerFilter::isWhole(const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
@@ -235,22 +236,28 @@ LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Sca
     return result;
 }
 
+Planes LayerFilter::withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales, const SampleGroups& samples,
+                                             bool whole) const {
+    Filtered first = withoutNoise(filter, scales, samples, whole, nullptr);
+    forEachPixel(surfaces_.region().count(), [&](size_t i) { first.noise.plane(0)[i] *= kNoiseBetween; });
+    filter.guideBy(std::move(first.values), std::move(first.noise));
+    return withoutNoise(filter, scales, samples, whole, nullptr).values;
+}
+
 Image LayerFilter::smooth(const SampleGroups& samples) const {
     const PixelRegion& region = surfaces_.region();
     Image result = samples.image();
     // Many scenes have no narrow lobes.
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
     const bool whole = isWhole(samples);
-    Filtered first = withoutNoise(filter_, kAlongSurfaces, samples, whole, nullptr);
     // What maps light changes slowly along a surface, and pixels that share maps share their noise. Other layers have
-    // edges of light, known once most of the noise is gone.
-    if (lobes_ != Scattering::Wide) {
-        SurfaceFilter guided = filter_;
-        for (size_t i = 0; i < region.count(); ++i) first.noise.plane(0)[i] *= kNoiseBetween;
-        guided.guideBy(std::move(first.values), std::move(first.noise));
-        first = withoutNoise(guided, kAlongSurfaces, samples, whole, nullptr);
-    }
-    const Planes& smoothed = first.values;
+    // edges of light.
+    const Planes ofSurfaces = lobes_ == Scattering::Wide
+                                  ? withoutNoise(filter_, kAlongSurfaces, samples, whole, nullptr).values
+                                  : withoutNoiseBetweenEdges(filter_, kAlongSurfaces, samples, whole);
+    // The first few samples do not tell by how much strays differ.
+    const Planes ofStrays =
+        whole ? withoutNoiseBetweenEdges(amongStrays_, kAmongStrays, samples, whole) : Planes(region.count(), 3);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
@@ -258,81 +265,13 @@ Image LayerFilter::smooth(const SampleGroups& samples) const {
         if (!filter_.covers(i) || samples.count(x, y) == 0 || maxComponent(scatters) <= kBlack) return;
         Rgb value = result.rgb(column, row);
         const Rgb scale = notBlack(scatters);
-        for (int c = 0; c < 3; ++c) value[c] += trust_[i] * (smoothed.plane(c)[i] * scale[c] - value[c]);
+        const float surface = trust_[i], edge = whole ? (1 - surface) * trustAmongStrays_[i] : 0;
+        for (int c = 0; c < 3; ++c)
+            value[c] += surface * (ofSurfaces.plane(c)[i] * scale[c] - value[c]) +
+                        edge * (ofStrays.plane(c)[i] * scale[c] - value[c]);
         result.setRgb(column, row, value);
     });
-    calmStrays(samples, smoothed, result);
     return result;
-}
-
-void LayerFilter::calmStrays(const SampleGroups& samples, const Planes& smoothed, Image& layer) const {
-    const PixelRegion& region = surfaces_.region();
-    const int width = region.width(), height = region.height();
-    const auto index = [&](int x, int y) { return size_t(y) * size_t(width) + size_t(x); };
-    const auto visit = [&](int column, int row, auto&& function) {
-        for (int y = std::max(0, row - kReach); y <= std::min(height - 1, row + kReach); ++y)
-            for (int x = std::max(0, column - kReach); x <= std::min(width - 1, column + kReach); ++x) function(x, y);
-    };
-    std::vector<char> stray(trust_.size());
-    forEachPixel(stray.size(), [&](size_t i) {
-        const int x = int(i) % width, y = int(i) / width;
-        stray[i] = trust_[i] <= kTrusted && samples.complete(region.x0 + x, region.y0 + y) &&
-                   maxComponent(albedo(x, y)) > kBlack;
-    });
-
-    // What is taken from each, over the sum of the albedos of the strays that share it.
-    Image taken(width, height);
-    parallelFor(0, height, 8, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row)
-            for (int column = 0; column < width; ++column) {
-                if (!stray[index(column, row)]) continue;
-                Rgb low(kInfinity), high(-kInfinity), others(0.f), share(0.f);
-                int count = 0;
-                visit(column, row, [&](int x, int y) {
-                    const size_t j = index(x, y);
-                    if (stray[j]) share += albedo(x, y);
-                    if (x == column && y == row) return;
-                    if (stray[j]) {
-                        others += layer.rgb(x, y) / notBlack(albedo(x, y));
-                        ++count;
-                    } else if (trust_[j] > kTrusted && maxComponent(albedo(x, y)) > kBlack) {
-                        for (int c = 0; c < 3; ++c) {
-                            low[c] = std::min(low[c], smoothed.plane(c)[j]);
-                            high[c] = std::max(high[c], smoothed.plane(c)[j]);
-                        }
-                    }
-                });
-                if (low.x == kInfinity) continue;
-                const Rgb scale = notBlack(albedo(column, row)), value = layer.rgb(column, row) / scale;
-                const Rgb noise = samples.varianceOfMean(region.x0 + column, region.y0 + row) / (scale * scale);
-                Rgb excess(0.f);
-                for (int c = 0; c < 3; ++c) {
-                    if (count > 0) {
-                        low[c] = std::min(low[c], others[c] / float(count));
-                        high[c] = std::max(high[c], others[c] / float(count));
-                    }
-                    const float off = value[c] - std::clamp(value[c], low[c], high[c]);
-                    if (off != 0) excess[c] = off * std::min(1.f, noise[c] / sqr(off));
-                }
-                taken.setRgb(column, row, excess * scale / notBlack(share));
-            }
-    });
-    const Image before = layer;
-    parallelFor(0, height, 8, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row)
-            for (int column = 0; column < width; ++column) {
-                if (!stray[index(column, row)]) continue;
-                Rgb shared(0.f), share(0.f);
-                visit(column, row, [&](int x, int y) {
-                    if (!stray[index(x, y)]) return;
-                    shared += taken.rgb(x, y);
-                    share += albedo(x, y);
-                });
-                layer.setRgb(
-                    column, row,
-                    before.rgb(column, row) - taken.rgb(column, row) * notBlack(share) + shared * albedo(column, row));
-            }
-    });
 }
 
 SurfaceFilter LayerFilter::amongStrays() const {
@@ -348,16 +287,14 @@ void LayerFilter::correct(Image& layer, const SampleGroups& samples) const {
     const bool whole = isWhole(samples);
     const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, whole, &layer).values;
     // Maps err at edges, and mostly alike all along one of them. The first few samples do not tell by how much.
-    const SurfaceFilter strays = amongStrays();
     const Planes ofEdges =
-        whole ? withoutNoise(strays, kAlongEdges, samples, whole, &layer).values : Planes(region.count(), 3);
-    const std::vector<float> trustAmongStrays = trustIn(strays);
+        whole ? withoutNoise(amongStrays_, kAlongEdges, samples, whole, &layer).values : Planes(region.count(), 3);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         if (!filter_.covers(i)) return;
         Rgb value = layer.rgb(column, row);
         const Rgb scale = notBlack(albedo(column, row));
-        const float surface = trust_[i], edge = (1 - surface) * trustAmongStrays[i];
+        const float surface = trust_[i], edge = (1 - surface) * trustAmongStrays_[i];
         for (int c = 0; c < 3; ++c) {
             const float correction = surface * ofSurfaces.plane(c)[i] + edge * ofEdges.plane(c)[i];
             value[c] = std::max(0.f, value[c] + correction * scale[c]);

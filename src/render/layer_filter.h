@@ -35,19 +35,18 @@ class LayerFilter {
     bool isWhole(const SampleGroups& samples) const;
     struct Filtered {
         Planes values;
-        Planes
-            noise;  // one plane: what the mean of a pixel's own samples varies by, thereabouts; sum over the channels
+        Planes noise;  // one plane: variance of the mean of a pixel's own samples thereabouts, summed over the channels
     };
     // What is left of the samples' mean minus `base` (null: minus nothing), divided by albedo; also where that is of no
     // use. whole: what isWhole says of the samples.
     Filtered withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples, bool whole,
                           const Image* base) const;
+    // Without a base, and without averaging what differs by more than noise, which a first filter without that
+    // condition tells.
+    Planes withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales, const SampleGroups& samples, bool whole) const;
 
-    // Strays are pixels that stand alone, as those that mix two surfaces at an edge. One that is brighter or darker
-    // than all that is around it keeps of the difference what its own noise leaves, in place; those about it share the
-    // rest, so that no light is lost.
-    void calmStrays(const SampleGroups& samples, const Planes& smoothed, Image& layer) const;
-    // Averages strays, and what is one in part, with each other, whatever they show.
+    // Averages strays, and what is one in part, with each other, whatever they show. Strays are pixels that stand
+    // alone, as those that mix two surfaces at an edge.
     SurfaceFilter amongStrays() const;
 
     // By pixels of the region.
@@ -60,6 +59,8 @@ class LayerFilter {
     Scattering lobes_;
     SurfaceFilter filter_;
     std::vector<float> trust_;  // of the filter at each pixel, from 0 (it stands alone) to 1
+    SurfaceFilter amongStrays_;
+    std::vector<float> trustAmongStrays_;
 };
 
 }  // namespace drc
