@@ -166,8 +166,8 @@ RenderParams makeParams(const RenderOptions& o, const Scene& scene) {
 // Time to finish, encode and write the pictures, from measurements on slow cores.
 double writeSeconds(const RenderOptions& o, const RenderParams& params, size_t pixels) {
     const bool layers = params.integrator == Integrator::Drc;
-    // Filters run when the picture is taken, on all cores.
-    const int filtered = layers ? (params.denoise ? 3 : 0) + (params.correct ? 1 : 0) : 0;
+    // Filters run when the picture is taken, on all cores: of each of three layers twice, and of the correction.
+    const int filtered = layers ? (params.denoise ? 6 : 0) + (params.correct ? 1 : 0) : 0;
     double seconds = 0.05 + double(pixels) * 2.5e-6 * filtered / threadCount();
     if (o.usesOidn()) seconds += 0.3 + double(pixels) * 14e-6 / threadCount();
     for (const std::string& path : o.outputs)
