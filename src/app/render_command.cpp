@@ -168,7 +168,7 @@ double writeSeconds(const RenderOptions& o, const RenderParams& params, size_t p
     const bool layers = params.integrator == Integrator::Drc;
     // Filters run when the picture is taken, on all cores: of each of three layers twice, and of the correction.
     const int filtered = layers ? (params.denoise ? 6 : 0) + (params.correct ? 1 : 0) : 0;
-    double seconds = 0.05 + double(pixels) * 2.5e-6 * filtered / threadCount();
+    double seconds = 0.05 + double(pixels) * 2.1e-6 * filtered / threadCount();
     if (o.usesOidn()) seconds += 0.3 + double(pixels) * 14e-6 / threadCount();
     for (const std::string& path : o.outputs)
         seconds += double(pixels) * (outputKind(path) == OutputKind::Exr ? (layers ? 9e-7 : 4e-7) : 2.5e-7);

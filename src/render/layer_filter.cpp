@@ -60,6 +60,14 @@ void forEachPixel(size_t count, const F& f) {
     });
 }
 
+// For those that the filter knows: of edges alone there are few.
+template <typename F>
+void forEachCovered(const SurfaceFilter& filter, size_t count, const F& f) {
+    forEachPixel(count, [&](size_t i) {
+        if (filter.covers(i)) f(i);
+    });
+}
+
 Rgb notBlack(Rgb albedo) {
     for (int c = 0; c < 3; ++c) albedo[c] = std::max(albedo[c], kSmallestAlbedo);
     return albedo;
@@ -67,10 +75,10 @@ Rgb notBlack(Rgb albedo) {
 
 // The mean of the independent groups in the first three planes, and its variance in the other three. groups: three
 // planes of each group, one after the other; then, if not all are known everywhere, a plane of each group's share.
-Planes estimates(const Planes& groups, size_t pixels) {
+Planes estimates(const SurfaceFilter& filter, const Planes& groups, size_t pixels) {
     Planes result(pixels, 6);
     const bool whole = groups.count() == 3 * kGroups;
-    forEachPixel(pixels, [&](size_t i) {
+    forEachCovered(filter, pixels, [&](size_t i) {
         float perShare[kGroups], n = 0;  // 1 / share; 0: not known
         for (int g = 0; g < kGroups; ++g) {
             const float share = whole ? 1 : groups.plane(3 * kGroups + g)[i];
@@ -95,21 +103,28 @@ Planes estimates(const Planes& groups, size_t pixels) {
 // Fine to coarse: the estimates, averaged wider and wider.
 std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t pixels, int coarsest) {
     std::vector<Planes> levels;
-    levels.push_back(estimates(groups, pixels));
+    levels.push_back(estimates(filter, groups, pixels));
     Planes next(pixels, groups.count());
     while (int(levels.size()) <= coarsest) {
         filter.average(1 << (levels.size() - 1), groups, next);
         std::swap(groups, next);
-        levels.push_back(estimates(groups, pixels));
+        levels.push_back(estimates(filter, groups, pixels));
     }
     return levels;
 }
 
+// Memory that is used again and again: to ask for so much of it takes time.
+struct Spread {
+    explicit Spread(size_t pixels) : planes(pixels, 6), wider(pixels, 6) {}
+    Planes planes;  // three of squares, three of their noise
+    Planes wider;   // on the way there
+};
+
 // What of a level's difference to the coarser ones there is about a pixel: its squares, and their noise.
-Planes spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimates, const Planes& coarser,
-                   size_t pixels) {
-    Planes spread(pixels, 6), wider(pixels, 6);
-    forEachPixel(pixels, [&](size_t i) {
+void spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimates, const Planes& coarser, size_t pixels,
+                 Spread& result) {
+    auto& [spread, wider] = result;
+    forEachCovered(filter, pixels, [&](size_t i) {
         for (int c = 0; c < 3; ++c) {
             spread.plane(c)[i] = sqr(estimates.plane(c)[i] - coarser.plane(c)[i]);
             spread.plane(3 + c)[i] = estimates.plane(3 + c)[i];
@@ -121,14 +136,12 @@ Planes spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimat
         filter.average(step, spread, wider);
         std::swap(spread, wider);
     }
-    return spread;
 }
 
 // The noise, as a share of what the difference between the groups tells: at most one, and less where all of a pixel's
 // samples together are better distributed than those of a group. Most pixels differ from those next to them on a
-// surface by noise alone.
-float shareOfNoise(const SurfaceFilter& filter, const std::vector<Planes>& levels, size_t pixels) {
-    const Planes spread = spreadAbout(filter, 0, levels[0], levels[1], pixels);
+// surface by noise alone. spread: that of single pixels.
+float shareOfNoise(const Planes& spread, size_t pixels) {
     std::vector<float> shares;
     for (int c = 0; c < 3; ++c)
         for (size_t i = 0; i < pixels; ++i) {
@@ -141,32 +154,18 @@ float shareOfNoise(const SurfaceFilter& filter, const std::vector<Planes>& level
     return std::min(1.f, *median);
 }
 
-// What the mean of a single pixel varies by, as it is about the pixel: a pixel's own few samples do not tell. level:
-// the estimates' own, zero or one.
-Planes noiseAbout(const SurfaceFilter& filter, int level, const Planes& estimates, float share, size_t pixels) {
-    Planes noise(pixels, 1), wider(pixels, 1);
-    const float scale = share * (level == 0 ? 1 : 1 / kNoiseOfAverage);
-    forEachPixel(pixels, [&](size_t i) {
-        for (int c = 0; c < 3; ++c) noise.plane(0)[i] += scale * estimates.plane(3 + c)[i];
-    });
-    for (const int step : {1, 2}) {
-        filter.average(step, noise, wider);
-        std::swap(noise, wider);
-    }
-    return noise;
-}
-
 // Coarse to fine, from the level `coarsest` to `finest`: of what a level adds to the coarser ones (to `sum`, in place),
 // the share that is not noise, as its neighbourhood has it. noisy: of each level, times its variance, what counts as
 // noise.
 void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& levels, size_t pixels, int coarsest,
-                     int finest, const std::array<float, kLevels>& noisy, Planes& sum) {
+                     int finest, const std::array<float, kLevels>& noisy, Spread& spread, Planes& sum) {
     for (int level = coarsest; level >= finest; --level) {
         const Planes& estimates = levels[size_t(level)];
-        const Planes spread = spreadAbout(filter, level, estimates, sum, pixels);
-        forEachPixel(pixels, [&](size_t i) {
+        spreadAbout(filter, level, estimates, sum, pixels, spread);
+        forEachCovered(filter, pixels, [&](size_t i) {
             for (int c = 0; c < 3; ++c) {
-                const float squares = spread.plane(c)[i], noise = noisy[size_t(level)] * spread.plane(3 + c)[i];
+                const float squares = spread.planes.plane(c)[i];
+                const float noise = noisy[size_t(level)] * spread.planes.plane(3 + c)[i];
                 float& value = sum.plane(c)[i];
                 if (squares > noise) value += (estimates.plane(c)[i] - value) * (1 - noise / squares);
             }
@@ -219,20 +218,27 @@ LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Sca
         }
     });
     const std::vector<Planes> levels = averages(filter, std::move(groups), pixels, scales.coarsest);
-    const float share = whole ? shareOfNoise(filter, levels, pixels) : 1;
     const int known = whole ? 0 : 1, finest = std::max(known, scales.finest);
-    Filtered result{Planes(pixels, 3), noiseAbout(filter, known, levels[size_t(known)], share, pixels)};
+    Spread spread(pixels);
+    spreadAbout(filter, 0, levels[size_t(known)], levels[1], pixels, spread);
+    const float share = whole ? shareOfNoise(spread.planes, pixels) : 1;
+    Filtered result{Planes(pixels, 3), Planes(pixels, 1)};
+    // A pixel's own few samples do not tell what their mean varies by; those about it do.
+    const float ofPixel = whole ? share : 1 / kNoiseOfAverage;
+    forEachPixel(pixels, [&](size_t i) {
+        for (int c = 0; c < 3; ++c) result.noise.plane(0)[i] += ofPixel * spread.planes.plane(3 + c)[i];
+    });
     Planes& sum = result.values;
     std::array<float, kLevels> noisy;
     noisy.fill(base ? std::max(kCautionOfCorrection * share, kLeastCautionOfCorrection) : kCaution * share);
     noisy[0] *= kCautionOfDots;
     if (base) {
-        addWithoutNoise(filter, levels, pixels, scales.coarsest, finest, noisy, sum);
+        addWithoutNoise(filter, levels, pixels, scales.coarsest, finest, noisy, spread, sum);
         return result;
     }
     // A difference may well be nothing but noise. Light is there, and its coarsest average is not to be darkened.
-    std::copy_n(levels.back().plane(0), 3 * pixels, sum.plane(0));
-    addWithoutNoise(filter, levels, pixels, scales.coarsest - 1, finest, noisy, sum);
+    for (int c = 0; c < 3; ++c) std::copy_n(levels.back().plane(c), pixels, sum.plane(c));
+    addWithoutNoise(filter, levels, pixels, scales.coarsest - 1, finest, noisy, spread, sum);
     return result;
 }
 

@@ -1,25 +1,85 @@
 #include "render/surface_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <experimental/simd>
 
 #include "base/parallel.h"
 
 namespace drc {
 namespace {
 
+namespace stdx = std::experimental;
+// Pixels of a row, side by side.
+using Lanes = stdx::native_simd<float>;
+constexpr int kLanes = int(Lanes::size());
+
 constexpr float kSpline[3] = {0.375f, 0.25f, 0.0625f};
 constexpr float kLeastNoise = 1e-20f;
+constexpr int kReach = 2, kNeighbours = (2 * kReach + 1) * (2 * kReach + 1);
 
 // exp(-x), nearly; it ends at eight.
-float falloff(float x) {
-    const float e1 = std::max(0.f, 1 - x * 0.125f), e2 = e1 * e1, e4 = e2 * e2;
+Lanes falloff(const Lanes& x) {
+    const Lanes e1 = stdx::max(Lanes(0.f), 1 - x * 0.125f), e2 = e1 * e1, e4 = e2 * e2;
     return e4 * e4;
 }
 
 bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+[[gnu::noinline]] Lanes loadAtEnd(const float* row, int x, int width) {
+    return Lanes([&](int lane) { return x + lane >= 0 && x + lane < width ? row[x + lane] : 0.f; });
+}
+// The row's values from x on; zeros beyond its ends.
+inline Lanes load(const float* row, int x, int width) {
+    if (x >= 0 && x + kLanes <= width) [[likely]]
+        return Lanes(row + x, stdx::element_aligned);
+    return loadAtEnd(row, x, width);
+}
+
+// Only what is within the row.
+void store(const Lanes& values, float* row, int x, int width) {
+    if (x + kLanes <= width)
+        values.copy_to(row + x, stdx::element_aligned);
+    else
+        for (int lane = 0; x + lane < width; ++lane) row[x + lane] = values[size_t(lane)];
+}
+
 }  // namespace
+
+// Of the pixels of a row, at steps of `dilation`, in the rows that there are.
+struct SurfaceFilter::Neighbours {
+    Neighbours(int y, int dilation, int width, int height) {
+        for (int ky = -kReach; ky <= kReach; ++ky) {
+            const int64_t other = y + int64_t(ky) * dilation;
+            if (other < 0 || other >= height) continue;
+            for (int kx = -kReach; kx <= kReach; ++kx) {
+                const float distance = float(dilation) * std::sqrt(float(kx * kx + ky * ky));
+                all[size_t(count++)] = {size_t(other) * size_t(width), kx * dilation,
+                                        kSpline[std::abs(kx)] * kSpline[std::abs(ky)], 1 / (0.5f * distance + 0.5f)};
+            }
+        }
+    }
+    struct Neighbour {
+        size_t row;  // the first pixel of its row
+        int right;
+        float spline, perDistance;
+    };
+    std::array<Neighbour, kNeighbours> all;
+    int count = 0;
+};
+
+// Of pixels side by side, the neighbours that there are, with their weights.
+struct SurfaceFilter::Weights {
+    struct From {
+        size_t row;
+        int x;
+    };
+    std::array<From, kNeighbours> from;
+    std::array<Lanes, kNeighbours> weight;
+    int count;
+    Lanes total;
+};
 
 SurfaceFilter::SurfaceFilter(int width, int height)
     : width_(width),
@@ -43,96 +103,106 @@ void SurfaceFilter::show(size_t i, const Vec3& p, const Vec3& n, float size) {
     perSize_[i] = shown ? perSize : 0;
 }
 
-// A row's pixels side by side, without a branch on any: most of the filter's time is spent here.
-void SurfaceFilter::weigh(size_t row, size_t neighbours, int x0, int x1, float spline, float perDistance,
-                          float* __restrict w) const {
-    const float* __restrict nx = normal_.plane(0) + row;
-    const float* __restrict ny = normal_.plane(1) + row;
-    const float* __restrict nz = normal_.plane(2) + row;
-    const float* __restrict px = point_.plane(0) + row;
-    const float* __restrict py = point_.plane(1) + row;
-    const float* __restrict pz = point_.plane(2) + row;
-    const float* __restrict perSize = perSize_.data() + row;
-    const size_t away = neighbours - row;
-    for (int x = x0; x < x1; ++x) {
-        const size_t i = size_t(x), j = i + away;
-        const float cosine = std::max(0.f, nx[i] * nx[j] + ny[i] * ny[j] + nz[i] * nz[j]);
+// Most of a filter's time is spent here and in sumsOf, without a branch on any pixel.
+void SurfaceFilter::weigh(size_t row, int x, const Neighbours& neighbours, Weights& result) const {
+    const auto here = [&](const Planes& planes, int c) { return load(planes.plane(c) + row, x, width_); };
+    const Lanes nx = here(normal_, 0), ny = here(normal_, 1), nz = here(normal_, 2);
+    const Lanes px = here(point_, 0), py = here(point_, 1), pz = here(point_, 2);
+    const Lanes perSize = load(perSize_.data() + row, x, width_);
+    result.count = 0;
+    result.total = 0;
+    // Single pixels at edges are all that some filters are of.
+    if (stdx::all_of(perSize == 0)) return;
+    for (int k = 0; k < neighbours.count; ++k) {
+        const Neighbours::Neighbour& to = neighbours.all[size_t(k)];
+        const int other = x + to.right;
+        if (other + kLanes <= 0 || other >= width_) continue;
+        const auto there = [&](const Planes& planes, int c) { return load(planes.plane(c) + to.row, other, width_); };
+        // Beyond the row's ends there is no normal, and so no weight.
+        const Lanes cosine =
+            stdx::max(Lanes(0.f), nx * there(normal_, 0) + ny * there(normal_, 1) + nz * there(normal_, 2));
         // Off the tangent plane, in units of the pixels between.
-        const float off =
-            (nx[i] * (px[j] - px[i]) + ny[i] * (py[j] - py[i]) + nz[i] * (pz[j] - pz[i])) * perSize[i] * perDistance;
-        const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4;
-        w[i] = spline * falloff(off * off) * (c8 * c8);
+        const Lanes off = (nx * (there(point_, 0) - px) + ny * (there(point_, 1) - py) + nz * (there(point_, 2) - pz)) *
+                          perSize * to.perDistance;
+        const Lanes c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4;
+        const auto n = size_t(result.count++);
+        result.from[n] = {to.row, other};
+        result.weight[n] = to.spline * falloff(off * off) * (c8 * c8);
     }
+    if (guide_) weighValues(row, x, result);
+    for (int k = 0; k < result.count; ++k) result.total += result.weight[size_t(k)];
 }
 
-void SurfaceFilter::weighValues(size_t row, size_t neighbours, int x0, int x1, float* __restrict difference,
-                                float* __restrict w) const {
-    const size_t away = neighbours - row;
-    std::fill(difference + x0, difference + x1, 0.f);
-    for (int c = 0; c < guide_->count(); ++c) {
-        const float* __restrict value = guide_->plane(c) + row;
-        for (int x = x0; x < x1; ++x) difference[x] += sqr(value[x] - value[size_t(x) + away]);
-    }
-    const float* __restrict noise = noise_->plane(0) + row;
+void SurfaceFilter::weighValues(size_t row, int x, Weights& weights) const {
     // Where there is no noise, what is equal still counts.
-    for (int x = x0; x < x1; ++x) w[x] *= falloff(difference[x] / (noise[x] + noise[size_t(x) + away] + kLeastNoise));
+    const Lanes noise = load(noise_->plane(0) + row, x, width_) + kLeastNoise;
+    for (size_t k = 0; k < size_t(weights.count); ++k) {
+        const Weights::From& from = weights.from[k];
+        Lanes difference = 0;
+        for (int c = 0; c < guide_->count(); ++c) {
+            const float* const values = guide_->plane(c);
+            const Lanes d = load(values + row, x, width_) - load(values + from.row, from.x, width_);
+            difference += d * d;
+        }
+        weights.weight[k] *= falloff(difference / (noise + load(noise_->plane(0) + from.row, from.x, width_)));
+    }
 }
 
+// Calls f(row, x, weights) for pixels side by side, row by row, in parallel; the last of a row may come twice.
 template <typename F>
-void SurfaceFilter::forEachNeighbour(int y, int dilation, float* w, F&& f) const {
-    const size_t row = size_t(y) * size_t(width_);
-    std::vector<float> difference(guide_ ? size_t(width_) : 0);
-    for (int ky = -2; ky <= 2; ++ky) {
-        const int down = ky * dilation;
-        if (y + down < 0 || y + down >= height_) continue;
-        for (int kx = -2; kx <= 2; ++kx) {
-            const int right = kx * dilation, x0 = std::max(0, -right), x1 = std::min(width_, width_ - right);
-            if (x0 >= x1) continue;
-            const float distance = float(dilation) * std::sqrt(float(kx * kx + ky * ky));
-            const ptrdiff_t offset = ptrdiff_t(down) * width_ + right;
-            weigh(row, row + size_t(offset), x0, x1, kSpline[std::abs(kx)] * kSpline[std::abs(ky)],
-                  1 / (0.5f * distance + 0.5f), w);
-            if (guide_) weighValues(row, row + size_t(offset), x0, x1, difference.data(), w);
-            f(x0, x1, offset);
+void SurfaceFilter::forEachWeighed(int dilation, const F& f) const {
+    constexpr int kGrain = 4;
+    parallelFor(0, height_, kGrain, [&](int begin, int end) {
+        Weights weights;
+        for (int y = begin; y < end; ++y) {
+            const size_t row = size_t(y) * size_t(width_);
+            const Neighbours neighbours(y, dilation, width_, height_);
+            for (int next = 0; next < width_; next += kLanes) {
+                const int x = std::max(0, std::min(next, width_ - kLanes));
+                weigh(row, x, neighbours, weights);
+                f(row, x, weights);
+            }
         }
-    }
+    });
 }
 
 void SurfaceFilter::average(int dilation, const Planes& in, Planes& out) const {
-    parallelFor(0, height_, 4, [&](int begin, int end) {
-        const auto width = size_t(width_);
-        std::vector<float> w(width), total(width);
-        Planes sum(width, in.count());
-        for (int y = begin; y < end; ++y) {
-            const size_t row = size_t(y) * width;
-            std::fill(total.begin(), total.end(), 0.f);
-            std::fill_n(sum.plane(0), width * size_t(in.count()), 0.f);
-            forEachNeighbour(y, dilation, w.data(), [&](int x0, int x1, ptrdiff_t offset) {
-                for (int x = x0; x < x1; ++x) total[size_t(x)] += w[size_t(x)];
-                for (int c = 0; c < in.count(); ++c) {
-                    const float* __restrict from = in.plane(c) + row + offset;
-                    const float* __restrict by = w.data();
-                    float* __restrict to = sum.plane(c);
-                    for (int x = x0; x < x1; ++x) to[x] += by[x] * from[x];
-                }
-            });
-            for (int c = 0; c < in.count(); ++c)
-                for (size_t x = 0; x < width; ++x)
-                    out.plane(c)[row + x] = total[x] > 0 ? sum.plane(c)[x] / total[x] : 0.f;
+    forEachWeighed(dilation, [&](size_t row, int x, const Weights& weights) {
+        const auto setMean = [&](int c, const Lanes& sum) {
+            Lanes mean = sum / weights.total;
+            stdx::where(!(weights.total > 0), mean) = 0;
+            store(mean, out.plane(c) + row, x, width_);
+        };
+        int c = 0;
+        // Three at once, so that each weight is read once for all of them; in variables of their own, which the
+        // compiler keeps in registers.
+        for (; c + 3 <= in.count(); c += 3) {
+            const float *const plane0 = in.plane(c), *const plane1 = in.plane(c + 1), *const plane2 = in.plane(c + 2);
+            Lanes sum0 = 0, sum1 = 0, sum2 = 0;
+            for (size_t k = 0; k < size_t(weights.count); ++k) {
+                const Weights::From& from = weights.from[k];
+                const Lanes w = weights.weight[k];
+                sum0 += w * load(plane0 + from.row, from.x, width_);
+                sum1 += w * load(plane1 + from.row, from.x, width_);
+                sum2 += w * load(plane2 + from.row, from.x, width_);
+            }
+            setMean(c, sum0);
+            setMean(c + 1, sum1);
+            setMean(c + 2, sum2);
+        }
+        for (; c < in.count(); ++c) {
+            Lanes sum = 0;
+            for (size_t k = 0; k < size_t(weights.count); ++k)
+                sum += weights.weight[k] * load(in.plane(c) + weights.from[k].row, weights.from[k].x, width_);
+            setMean(c, sum);
         }
     });
 }
 
 std::vector<float> SurfaceFilter::weights(int dilation) const {
-    std::vector<float> total(perSize_.size(), 0.f);
-    parallelFor(0, height_, 4, [&](int begin, int end) {
-        std::vector<float> w(static_cast<size_t>(width_));
-        for (int y = begin; y < end; ++y) {
-            float* const sum = total.data() + size_t(y) * size_t(width_);
-            forEachNeighbour(y, dilation, w.data(), [&](int x0, int x1, ptrdiff_t) {
-                for (int x = x0; x < x1; ++x) sum[x] += w[size_t(x)];
-            });
-        }
+    std::vector<float> total(perSize_.size());
+    forEachWeighed(dilation, [&](size_t row, int x, const Weights& weights) {
+        store(weights.total, total.data() + row, x, width_);
     });
     return total;
 }

@@ -9,17 +9,25 @@
 
 namespace drc {
 
-// Pictures of one number a pixel, of the same size, row-major.
+// Pictures of one number a pixel, of the same size, row-major, all zero at first.
 class Planes {
   public:
-    Planes(size_t pixels, int count) : values_(pixels * size_t(count), 0.f), pixels_(pixels), count_(count) {}
+    Planes(size_t pixels, int count)
+        : stride_(strideOf(pixels)), values_(stride_ * size_t(count), 0.f), count_(count) {}
     int count() const { return count_; }
-    float* plane(int c) { return values_.data() + size_t(c) * pixels_; }
-    const float* plane(int c) const { return values_.data() + size_t(c) * pixels_; }
+    float* plane(int c) { return values_.data() + size_t(c) * stride_; }
+    const float* plane(int c) const { return values_.data() + size_t(c) * stride_; }
 
   private:
+    // The same pixel of all planes is read at once. If planes were whole pages apart, as the pixels of most common
+    // sizes are, the first cache, which has eight places for each of a page's lines, could not hold so many.
+    static size_t strideOf(size_t pixels) {
+        constexpr size_t kPage = 4096 / sizeof(float), kApart = 5 * 64 / sizeof(float);
+        return (pixels + kPage - 1) / kPage * kPage + kApart;
+    }
+
+    size_t stride_;
     std::vector<float> values_;
-    size_t pixels_;
     int count_;
 };
 
@@ -42,12 +50,12 @@ class SurfaceFilter {
     std::vector<float> weights(int dilation) const;
 
   private:
-    // Calls f(x0, x1, offset) for each of the neighbours of the pixels from x0 to x1 of row y, `offset` pixels away,
-    // with their weights in w.
+    struct Neighbours;
+    struct Weights;
     template <typename F>
-    void forEachNeighbour(int y, int dilation, float* w, F&& f) const;
-    void weigh(size_t row, size_t neighbours, int x0, int x1, float spline, float perDistance, float* w) const;
-    void weighValues(size_t row, size_t neighbours, int x0, int x1, float* difference, float* w) const;
+    void forEachWeighed(int dilation, const F& f) const;
+    void weigh(size_t row, int x, const Neighbours& neighbours, Weights& result) const;
+    void weighValues(size_t row, int x, Weights& weights) const;
 
     int width_, height_;
     Planes point_, normal_;
