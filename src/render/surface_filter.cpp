@@ -103,7 +103,7 @@ void SurfaceFilter::show(size_t i, const Vec3& p, const Vec3& n, float size) {
     perSize_[i] = shown ? perSize : 0;
 }
 
-// Most of a filter's time is spent here and in sumsOf, without a branch on any pixel.
+// Most of a filter's time is spent here and in average(), without a branch on any pixel.
 void SurfaceFilter::weigh(size_t row, int x, const Neighbours& neighbours, Weights& result) const {
     const auto here = [&](const Planes& planes, int c) { return load(planes.plane(c) + row, x, width_); };
     const Lanes nx = here(normal_, 0), ny = here(normal_, 1), nz = here(normal_, 2);

@@ -114,5 +114,54 @@ TEST(SurfaceFilter, GuidedByValuesItMixesOnlyWhatNoiseMayMakeDiffer) {
     EXPECT_NEAR(stepAt(1, left), across / (11.f / 16 + across), 0.005f);
 }
 
+// Pixels are worked on side by side; rows may be shorter than that, or no multiple of it.
+TEST(SurfaceFilter, FollowsItsFormulaAtAnyWidth) {
+    constexpr int kRows = 6, kPlanes = 5, kDilation = 2;
+    for (const int width : {1, 3, 8, 21, 40}) {
+        const size_t pixels = size_t(width * kRows);
+        Pcg32 rng(uint64_t(width), 7);
+        SurfaceFilter filter(width, kRows);
+        std::vector<Vec3> p(pixels), n(pixels);
+        Planes in(pixels, kPlanes), out(pixels, kPlanes), values(pixels, 3), noise(pixels, 1);
+        for (size_t i = 0; i < pixels; ++i) {
+            p[i] = Vec3(float(int(i) % width), float(int(i) / width), rng.nextFloat());
+            n[i] = normalize(Vec3(0.5f * rng.nextFloat(), 0.5f * rng.nextFloat(), 1));
+            filter.show(i, p[i], n[i], 1);
+            for (int c = 0; c < kPlanes; ++c) in.plane(c)[i] = rng.nextFloat();
+            for (int c = 0; c < 3; ++c) values.plane(c)[i] = rng.nextFloat();
+            noise.plane(0)[i] = rng.nextFloat();
+        }
+        filter.guideBy(values, noise);
+        filter.average(kDilation, in, out);
+        const std::vector<float> totals = filter.weights(kDilation);
+
+        const auto falloff = [](float x) { return std::pow(std::max(0.f, 1 - x / 8), 8.f); };
+        constexpr float kSpline[3] = {6.f / 16, 4.f / 16, 1.f / 16};
+        for (int y = 0; y < kRows; ++y)
+            for (int x = 0; x < width; ++x) {
+                const auto i = size_t(y * width + x);
+                float total = 0, sums[kPlanes] = {};
+                for (int dy = -2; dy <= 2; ++dy)
+                    for (int dx = -2; dx <= 2; ++dx) {
+                        const int otherX = x + dx * kDilation, otherY = y + dy * kDilation;
+                        if (otherX < 0 || otherX >= width || otherY < 0 || otherY >= kRows) continue;
+                        const auto j = size_t(otherY * width + otherX);
+                        const float apart = kDilation * std::hypot(float(dx), float(dy));
+                        const float off = dot(n[i], p[j] - p[i]) / (0.5f * apart + 0.5f);
+                        float difference = 0;
+                        for (int c = 0; c < 3; ++c) difference += sqr(values.plane(c)[i] - values.plane(c)[j]);
+                        const float w = kSpline[std::abs(dx)] * kSpline[std::abs(dy)] * falloff(off * off) *
+                                        std::pow(dot(n[i], n[j]), 16.f) *
+                                        falloff(difference / (noise.plane(0)[i] + noise.plane(0)[j]));
+                        total += w;
+                        for (int c = 0; c < kPlanes; ++c) sums[c] += w * in.plane(c)[j];
+                    }
+                EXPECT_NEAR(totals[i], total, 1e-5f) << width << ": " << x << ", " << y;
+                for (int c = 0; c < kPlanes; ++c)
+                    EXPECT_NEAR(out.plane(c)[i], sums[c] / total, 2e-5f) << width << ": " << x << ", " << y;
+            }
+    }
+}
+
 }  // namespace
 }  // namespace drc
