@@ -78,7 +78,7 @@ struct Times {
 };
 
 // An iteration captures and replays all maps once. The best_ counters add up each map's fastest turn.
-void captureAndReplay(benchmark::State& state, const Scene& scene) {
+void captureAndReplay(benchmark::State& state, Scene& scene) {
     const Accel accel(scene);
     const LightSampler lights(scene);
     const PathTracer tracer(scene, accel, lights);

@@ -3,7 +3,7 @@
 // alike. The film has the scene's own shape at a size that keeps a sweep short.
 #include "base/parallel.h"
 #include "ray_recorder.h"
-#include "render/renderer.h"
+#include "render/session.h"
 #include "scene_benchmark.h"
 
 namespace drc::benchmarks {
@@ -13,23 +13,23 @@ constexpr double kPixels = 64 * 1024;
 // The guide learns at first, and what a sweep costs changes.
 constexpr int kWarmUpSweeps = 4;
 
-void tracePaths(benchmark::State& state, const Scene& scene) {
+void tracePaths(benchmark::State& state, Scene& scene) {
     setThreadCount(1);
     RenderParams params;
-    params.integrator = Integrator::Path;
+    params.integrator = "path";
     params.spp = 1 << 30;
-    Renderer renderer(scene, params, nullptr, nullptr);
-    for (int i = 0; i < kWarmUpSweeps; ++i) renderer.step();
+    Session session(scene, params, nullptr, nullptr);
+    for (int i = 0; i < kWarmUpSweeps; ++i) session.step();
     std::vector<RecordedRay> rays;
     recordRays(&rays);
-    renderer.step();
+    session.step();
     recordRays(nullptr);
     double traced = 0, tracing = 0, replaying = 0, shadows = 0;
     for (const RecordedRay& ray : rays) shadows += ray.shadow;
     for (auto _ : state) {
         const uint64_t before = raysTraced();
         const double t0 = threadSeconds();
-        renderer.step();
+        session.step();
         const double t1 = threadSeconds();
         benchmark::DoNotOptimize(replay(rays, [](const RTCRayHit&) { return 1.f; }));
         const double t2 = threadSeconds();

@@ -19,7 +19,7 @@ std::string scenePath() {
 
 }  // namespace
 
-int runOnScene(int argc, char** argv, const char* name, void (*run)(benchmark::State& state, const Scene& scene),
+int runOnScene(int argc, char** argv, const char* name, void (*run)(benchmark::State& state, Scene& scene),
                double pixels) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

@@ -16,8 +16,8 @@ constexpr int kPictures = 24;
 // pathSpp: paths from the camera are what is noisy.
 void expectSameAsPaths(const std::string& text, int spp = 32, int pathSpp = 96) {
     const std::string deep = "Integrator \"path\" \"integer maxdepth\" 12\n" + text;
-    const auto path = test::pictures(deep, Integrator::Path, kPictures, pathSpp);
-    const auto both = test::pictures(deep, Integrator::Bdpt, kPictures, spp);
+    const auto path = test::pictures(deep, "path", kPictures, pathSpp);
+    const auto both = test::pictures(deep, "bdpt", kPictures, spp);
     const Estimate a = test::estimateOf(both), b = test::estimateOf(path);
     const test::ZResult z = test::zTest(a, b);
     EXPECT_EQ(z.tests, kWidth * kHeight / (test::kBlock * test::kBlock) * 3);

@@ -92,12 +92,12 @@ class BallInFurnace : public testing::TestWithParam<Ball> {
 INSTANTIATE_TEST_SUITE_P(Furnaces, BallInFurnace, testing::ValuesIn(kBalls),
                          [](const auto& i) { return i.param.name; });
 
-TEST_P(BallInFurnace, IsNotSeenByPaths) { expectConstant(pictures(text(), Integrator::Path, 16, 16), 1); }
+TEST_P(BallInFurnace, IsNotSeenByPaths) { expectConstant(pictures(text(), "path", 16, 16), 1); }
 
-TEST_P(BallInFurnace, IsNotSeenByBidirectionalPaths) { expectConstant(pictures(text(), Integrator::Bdpt, 16, 16), 1); }
+TEST_P(BallInFurnace, IsNotSeenByBidirectionalPaths) { expectConstant(pictures(text(), "bdpt", 16, 16), 1); }
 
 TEST_P(BallInFurnace, IsNotSeenByRadianceMaps) {
-    expectConstant(pictures(text(), Integrator::Drc, 8, 16), 1, GetParam().emits ? 0 : 0.01);
+    expectConstant(pictures(text(), "drc", 8, 16), 1, GetParam().emits ? 0 : 0.01);
 }
 
 // Of those that do not emit it is not the same everywhere.
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Furnaces, EmissiveBallInFurnace, testing::ValuesIn(kBal
                          [](const auto& i) { return i.param.name; });
 
 TEST_P(EmissiveBallInFurnace, HasTheDirectLightThatFollows) {
-    expectConstant(pictures(text(), Integrator::Direct, 16, 16), GetParam().direct);
+    expectConstant(pictures(text(), "direct", 16, 16), GetParam().direct);
 }
 
 // With n bounces, of all that are reflected half: 1 - 0.5^(n + 1). Direct light is what one bounce brings, whatever the
@@ -120,10 +120,10 @@ TEST_P(DepthOfFurnace, IsTheSeriesCutShort) {
                              test::furnace(0.5f, kWidth, kHeight);
     const double expected = 1 - std::pow(0.5, depth + 1);
     // As many as let the bound in deviations be trusted: of a few pictures the deviation itself is not well known.
-    expectConstant(pictures(text, Integrator::Path, 64, 16), expected);
-    expectConstant(pictures(text, Integrator::Bdpt, 64, 16), expected);
-    expectConstant(pictures(text, Integrator::Drc, 32, 16), expected);
-    expectConstant(pictures(text, Integrator::Direct, 64, 16), 0.75);
+    expectConstant(pictures(text, "path", 64, 16), expected);
+    expectConstant(pictures(text, "bdpt", 64, 16), expected);
+    expectConstant(pictures(text, "drc", 32, 16), expected);
+    expectConstant(pictures(text, "direct", 64, 16), 0.75);
 }
 
 // Filters below zero in parts have weights of both signs.
@@ -134,8 +134,8 @@ INSTANTIATE_TEST_SUITE_P(Furnaces, FilterOfFurnace, testing::Values("box", "tria
 TEST_P(FilterOfFurnace, ChangesNothing) {
     const std::string text =
         kDeep + ("PixelFilter \"" + std::string(GetParam()) + "\"\n") + test::furnace(0.5f, kWidth, kHeight);
-    expectConstant(pictures(text, Integrator::Path, 16, 64), 1);
-    expectConstant(pictures(text, Integrator::Bdpt, 16, 64), 1);
+    expectConstant(pictures(text, "path", 16, 64), 1);
+    expectConstant(pictures(text, "bdpt", 16, 64), 1);
 }
 
 }  // namespace

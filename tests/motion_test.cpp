@@ -48,7 +48,7 @@ TEST_P(Motion, DirectAndIndirectAreThePath) {
     IndirectSettings settings;
     settings.capture.layout = MapLayout(Projection::EqualArea, 16);  // of fewer texels the map is too coarse
     settings.primarySamples = 1;
-    const Estimate narrow = of([&](int p, int i) { return pipeline.narrowIndirect(p, i); });
+    const Estimate narrow = of([&](int p, int i) { return pipeline.glossyIndirect(p, i); });
     const Estimate maps = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, 40);
     expectSame(path, direct + narrow + maps, "direct + maps at every pixel");
 }

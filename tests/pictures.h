@@ -5,7 +5,8 @@
 
 #include "cache/enhancer.h"
 #include "pbrt/scene_file.h"
-#include "render/renderer.h"
+#include "render/session.h"
+#include "render/surface_picture_filter.h"
 #include "z_test.h"
 
 namespace drc::test {
@@ -22,7 +23,8 @@ inline std::vector<Rgb> blocksOf(const Image& image) {
 }
 
 // Pictures of different seeds: [picture][block].
-inline std::vector<std::vector<Rgb>> pictures(const std::string& text, Integrator integrator, int count, int spp) {
+inline std::vector<std::vector<Rgb>> pictures(const std::string& text, const std::string& integrator, int count,
+                                              int spp) {
     const auto scene = pbrt::loadPbrtString(text);
     std::vector<std::vector<Rgb>> result;
     for (int seed = 0; seed < count; ++seed) {
@@ -30,16 +32,18 @@ inline std::vector<std::vector<Rgb>> pictures(const std::string& text, Integrato
         params.integrator = integrator;
         params.seed = uint64_t(seed);
         params.spp = spp;
-        params.passes = 2;
+        params.mapPasses = 2;
         params.firstSpacing = 4.f / float(scene->settings.film.height);
         params.indirect.capture.layout = MapLayout(Projection::EqualArea, 8);
         params.indirect.primarySamples = 1;
-        params.path.maxDepth = scene->settings.maxDepth;
-        Renderer renderer(*scene, params, makeGaussianEnhancer(1), nullptr);
-        while (renderer.step()) {
+        params.maxDepth = scene->settings.maxDepth;
+        Session session(*scene, params, makeGaussianEnhancer(1), nullptr);
+        while (session.step()) {
         }
-        EXPECT_EQ(renderer.samplesDone(), spp);
-        result.push_back(blocksOf(renderer.image().beauty));
+        EXPECT_EQ(session.samplesDone(), spp);
+        LayeredPicture picture = session.picture();
+        if (integrator == "drc") SurfacePictureFilter(true, true).apply(picture);
+        result.push_back(blocksOf(picture.beauty));
     }
     return result;
 }

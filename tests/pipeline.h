@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cache/indirect_pass.h"
+#include "integrators/camera_sample.h"
 #include "pbrt/scene_file.h"
 #include "z_test.h"
 
@@ -20,8 +21,7 @@ struct Pipeline {
         const Vec2 u = sampler.get2D();
         const Vec2 film(float(region.x0 + pixel % region.width()) + u.x,
                         float(region.y0 + pixel / region.width()) + u.y);
-        const Vec2 uLens = sampler.get2D();
-        return scene->camera->generateRay(film, uLens, sampler.get1D()).ray;
+        return drc::cameraRay(*scene, film, sampler).ray;
     }
     static Sampler sampler(uint64_t stream, int pixel, int i) {
         return Sampler(hashCombine(stream, uint64_t(pixel)), uint32_t(i));
@@ -44,27 +44,23 @@ struct Pipeline {
         if (!tracer.primaryHit(ray, s, hit)) return Rgb(0.f);
         return hit.throughput * tracer.indirect(hit, s);
     }
-    Rgb narrowIndirect(int pixel, int i) const {
+    Rgb glossyIndirect(int pixel, int i) const {
         Sampler s = sampler(4, pixel, i);
         const Ray ray = cameraRay(pixel, s);
-        SampleLayers layers;
-        tracer.direct(ray, s, &layers);
-        return layers.narrow;
+        return tracer.layers(ray, s, false).glossy;
     }
     // Indirect light of all lobes as a sample of direct light brings it along.
     Rgb indirectAlong(int pixel, int i) const {
         Sampler s = sampler(5, pixel, i);
         const Ray ray = cameraRay(pixel, s);
-        SampleLayers layers;
-        layers.traceWide = true;
-        tracer.direct(ray, s, &layers);
-        return layers.narrow + layers.wide;
+        const SampleLayers layers = tracer.layers(ray, s, true);
+        return layers.glossy + layers.broad;
     }
     // Of every pixel, by one of the ways above.
     Estimate estimate(Rgb (Pipeline::*way)(int pixel, int i) const, int samples, int group) const {
         return test::estimate(pixels(), samples, group, [&](int p, int i) { return (this->*way)(p, i); });
     }
-    // The indirect layer by radiance maps, wide lobes alone: the mean and variance over independent passes of the same
+    // The indirect layer by radiance maps, broad lobes alone: the mean and variance over independent passes of the same
     // spacing.
     Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing,
                             int passes) const {

@@ -60,7 +60,7 @@ void checkSplit(const Pipeline& pipeline) {
     settings.gatherSamples = 32;
     settings.primarySamples = 1;
     const Estimate maps = blocks(pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, kPasses));
-    expectSameBlocks(direct + of(&Pipeline::narrowIndirect) + maps, path, "direct and maps at every pixel", 0.005);
+    expectSameBlocks(direct + of(&Pipeline::glossyIndirect) + maps, path, "direct and maps at every pixel", 0.005);
 }
 
 class MaterialsOfV4 : public testing::TestWithParam<size_t> {};

@@ -25,6 +25,8 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         return app.exit(e);
+    } catch (const drc::Interrupted&) {
+        return 130;
     } catch (const std::bad_alloc&) {
         drc::logError("out of memory");
         return 1;

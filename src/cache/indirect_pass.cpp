@@ -33,20 +33,16 @@ IndirectPass::IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, c
                            Stats* stats)
     : tracer_(tracer), enhancer_(enhancer), settings_(settings), stats_(stats) {}
 
-uint64_t IndirectPass::pixelStream(int x, int y, uint64_t purpose) const {
-    return hashCombine(settings_.seed, hashCombine(purpose, (uint64_t(uint32_t(y)) << 32) | uint32_t(x)));
+uint64_t IndirectPass::stream(int x, int y, uint64_t purpose) const {
+    return pixelStream(settings_.seed, purpose, x, y);
 }
 
 bool IndirectPass::wideHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const {
-    const Scene& scene = tracer_.scene();
-    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(index));
-    const FilterSample f = scene.settings.filter->sample(sampler.get2D());
-    film = Vec2(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
-    weight = f.weight;
-    const Vec2 uLens = sampler.get2D();
-    const CameraRay camera = scene.camera->generateRay(film, uLens, sampler.get1D());
-    if (!(camera.weight > 0) || !tracer_.primaryHit(camera.ray, sampler, hit)) return false;
-    hit.throughput *= camera.weight;
+    CameraSample sample = cameraSample(tracer_.scene(), x, y, stream(x, y, kPrimary), uint32_t(index));
+    film = sample.film;
+    weight = sample.filterWeight;
+    if (!(sample.camera.weight > 0) || !tracer_.primaryHit(sample.camera.ray, sample.sampler, hit)) return false;
+    hit.throughput *= sample.camera.weight;
     return hit.bsdf.hasWithin(LobeFlags::Wide);
 }
 
@@ -68,9 +64,8 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
             const uint64_t stream =
                 hashCombine(hashCombine(settings_.seed, kCapture), hashCombine(group, uint64_t(first) + uint64_t(i)));
             Sampler sampler(hashCombine(stream, 1), 0);
-            const Vec2 uLens = sampler.get2D();
             PrimaryHit hit;
-            const CameraRay camera = scene.camera->generateRay(site.film, uLens, sampler.get1D());
+            const CameraRay camera = cameraRay(scene, site.film, sampler);
             if (!(camera.weight > 0) || !tracer_.primaryHit(camera.ray, sampler, hit) ||
                 !hit.bsdf.hasWithin(LobeFlags::Wide))
                 continue;
@@ -121,7 +116,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
     mapCount_ += int(requests.size());
 }
 
-bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToken* cancel) {
+bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToken* cancel, int stride) {
     mapCount_ = 0;
     if (spacing <= 1) return runPerPixel(pass, add, cancel);
     Sampler offsets(hashCombine(settings_.seed, kOffset), uint32_t(pass));
@@ -132,7 +127,7 @@ bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToke
                   settings_.interpolation);
     // A band's grid is captured while the band above is filled in and, as that is whole then, the one above that is
     // gathered.
-    State state{pass, cancel, std::vector<size_t>(size_t(settings_.fillLevels) + 1)};
+    State state{pass, stride, cancel, std::vector<size_t>(size_t(settings_.fillLevels) + 1)};
     const auto exists = [&](int band) { return band >= 0 && band < maps.bandCount(); };
     for (int band = 0; band < maps.bandCount() + 2 && !state.cancelled(); ++band) {
         parallelFor(0, 2, 1, [&](int part, int) {
@@ -159,11 +154,12 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
         PixelSite site;
         float coverage = -1;  // sum of weights; -1: no primary hit
     };
-    const PixelRegion region = maps.pixels(band);
+    const PixelRegion region = maps.pixels(band), film = tracer_.scene().settings.region();
     std::vector<Pixel> pixels(region.count());
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         for (int y = begin; y < end && !state.cancelled(); ++y)
             for (int x = region.x0; x < region.x1; ++x) {
+                if (state.skips(film, x, y)) continue;
                 Pixel& pixel = pixels[region.index(x, y)];
                 Vec2 position;
                 float weight;
@@ -178,16 +174,22 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
     for (size_t level = 1; level <= size_t(settings_.fillLevels) && !state.cancelled(); ++level) {
         const float radius = spacing / float(1 << level);
         if (radius < kSmallestFill) break;
+        // Pixels between those of the lattice lack what the latter do.
+        const auto onLattice = [&](int x, int y) {
+            x -= (x - film.x0) % state.stride;
+            y -= (y - film.y0) % state.stride;
+            return y < region.y0 ? nullptr : &pixels[region.index(x, y)];
+        };
         const auto lacking = [&](int x, int y) {
-            const float c = pixels[region.index(x, y)].coverage;
-            return c >= 0 && c < settings_.minCoverage;
+            const Pixel* pixel = onLattice(x, y);
+            return pixel && pixel->coverage >= 0 && pixel->coverage < settings_.minCoverage;
         };
         const auto order = [&](int x, int y) {
-            return hashCombine(pixelStream(x, y, kFill), uint64_t(state.pass) << 8 | uint64_t(level));
+            return hashCombine(stream(x, y, kFill), uint64_t(state.pass) << 8 | uint64_t(level));
         };
-        const auto film = [&](int x, int y) { return pixels[region.index(x, y)].site.film; };
+        const auto position = [&](int x, int y) { return onLattice(x, y)->site.film; };
         size_t& filled = state.filled[level];
-        const std::vector<Vec2> points = fillPoints(region, radius, budget - filled, lacking, order, film);
+        const std::vector<Vec2> points = fillPoints(region, radius, budget - filled, lacking, order, position);
         captureSites(maps.addLevel(band, radius, points), filled, level, state);
         filled += points.size();
         if (state.cancelled()) return;
@@ -199,14 +201,14 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
 }
 
 void IndirectPass::gatherPixels(const PassMaps& maps, int band, const State& state, const Add& add) const {
-    const PixelRegion region = maps.pixels(band);
+    const PixelRegion region = maps.pixels(band), film = tracer_.scene().settings.region();
     std::atomic<int64_t> fallbacks{0};
     const auto start = std::chrono::steady_clock::now();
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         std::vector<WeightedSite> around;
         for (int y = begin; y < end && !state.cancelled(); ++y)
             for (int x = region.x0; x < region.x1; ++x)
-                for (int sample = 0; sample < settings_.primarySamples; ++sample) {
+                for (int sample = 0; sample < settings_.primarySamples && !state.skips(film, x, y); ++sample) {
                     const int index = state.pass * settings_.primarySamples + sample;
                     Vec2 position;
                     float weight;
@@ -230,9 +232,9 @@ void IndirectPass::gatherPixels(const PassMaps& maps, int band, const State& sta
 Rgb IndirectPass::shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const {
     if (!sites.empty()) {
         const auto n = uint32_t(settings_.gatherSamples);
-        return gather(hit, sites, settings_.gatherSamples, pixelStream(x, y, kGather), uint32_t(index) * n);
+        return gather(hit, sites, settings_.gatherSamples, stream(x, y, kGather), uint32_t(index) * n);
     }
-    Sampler sampler(pixelStream(x, y, kFallback), uint32_t(index));
+    Sampler sampler(stream(x, y, kFallback), uint32_t(index));
     return tracer_.indirect(hit, sampler, LobeFlags::Wide);
 }
 
@@ -260,11 +262,11 @@ bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* canc
                         MapSite site;
                         site.p = hit.surface.p;
                         site.n = faceForward(hit.surface.ng, hit.surface.wo);
-                        const uint64_t stream = hashCombine(pixelStream(x, y, kCapture), uint64_t(index));
+                        const uint64_t capturing = hashCombine(stream(x, y, kCapture), uint64_t(index));
                         const auto capture = [&](const Vec3& n, uint64_t side) {
                             // Of the sample's own moment: no other pixel looks at this map.
                             captureMap(tracer_, settings_.capture, hit.surface.spawnPoint(), mapFrame(n, up),
-                                       hashCombine(stream, side), captured[0], hit.surface.time);
+                                       hashCombine(capturing, side), captured[0], hit.surface.time);
                             enhancer_.enhance(captured, layout);
                             maps.fetch_add(1, std::memory_order_relaxed);
                             return RadianceMap(captured[0], layout);

@@ -11,6 +11,7 @@
 #include "cache/enhancer.h"
 #include "cache/gather.h"
 #include "cache/pass_maps.h"
+#include "integrators/camera_sample.h"
 
 namespace drc {
 
@@ -35,8 +36,8 @@ class IndirectPass {
     // Estimates the indirect radiance of every pixel of the film, narrow lobes left out (PathTracer::direct gives
     // theirs): calls add primarySamples times for each pixel, from any thread. Grid spacing of one pixel or less: a map
     // at each pixel, seen from there alone. False: cancelled, and some pixels have no value. The result does not depend
-    // on the number of threads.
-    bool run(int pass, float spacing, const Add& add, const CancelToken* cancel = nullptr);
+    // on the number of threads. stride: only every so many rows and columns of pixels are estimated, for a first look.
+    bool run(int pass, float spacing, const Add& add, const CancelToken* cancel = nullptr, int stride = 1);
 
     // Maps that the last run captured.
     int mapCount() const { return mapCount_; }
@@ -45,9 +46,13 @@ class IndirectPass {
     // Of one pass.
     struct State {
         int pass = 0;
+        int stride = 1;
         const CancelToken* cancel = nullptr;
         std::vector<size_t> filled;  // maps that have filled in, by level
         bool cancelled() const { return cancel && cancel->cancelled(); }
+        bool skips(const PixelRegion& film, int x, int y) const {
+            return (x - film.x0) % stride != 0 || (y - film.y0) % stride != 0;
+        }
     };
     void captureGrid(PassMaps& maps, int band, const State& state);
     // Captures the maps that fill in where the grid does not serve the band's pixels.
@@ -62,7 +67,7 @@ class IndirectPass {
     // The primary point of a pixel's camera sample `index`: the same each time it is asked for. False: there is none,
     // or none with wide lobes; film and weight are set all the same.
     bool wideHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const;
-    uint64_t pixelStream(int x, int y, uint64_t purpose) const;
+    uint64_t stream(int x, int y, uint64_t purpose) const;
 
     const PathTracer& tracer_;
     const Enhancer& enhancer_;

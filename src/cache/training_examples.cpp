@@ -7,6 +7,7 @@
 #include <mutex>
 #include <set>
 
+#include "integrators/camera_sample.h"
 #include "neural/safetensors.h"
 
 namespace drc {
@@ -57,8 +58,7 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     TrainingExample example;
     example.viewpoint = viewpoint;
     example.film = onFilm(settings, scene.settings.region(), viewpoint, sampler.get2D());
-    const Vec2 uLens = sampler.get2D();
-    const CameraRay camera = scene.camera->generateRay(example.film, uLens, sampler.get1D());
+    const CameraRay camera = cameraRay(scene, example.film, sampler);
     PrimaryHit hit;
     if (!(camera.weight > 0) || !tracer.primaryHit(camera.ray, sampler, hit)) return std::nullopt;
     example.bounces = hit.bounces;

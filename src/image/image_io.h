@@ -50,6 +50,9 @@ using ExrMetadata = std::map<std::string, std::string>;
 // with the path and the reason, and leaves the old file. All layers must have the same size.
 void writeExr(const std::string& path, const std::vector<ExrLayer>& layers, const ExrMetadata& metadata = {},
               const ExrWindow& window = {});
+// The same in memory.
+std::string encodeExr(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata = {},
+                      const ExrWindow& window = {});
 // One layer, the beauty.
 void writeExr(const std::string& path, const Image& image, const ExrMetadata& metadata = {});
 // The string attributes of the first part. Throws Error if it is no EXR.

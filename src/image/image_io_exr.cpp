@@ -54,7 +54,7 @@ Imf::Header makeHeader(const Image& first, const ExrMetadata& metadata, const Ex
     return header;
 }
 
-std::string encodeExr(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata, const ExrWindow& window) {
+std::string encodeLayers(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata, const ExrWindow& window) {
     const Image& first = *layers.front().image;
     Imf::Header header = makeHeader(first, metadata, window);
     Imf::FrameBuffer frame;
@@ -90,10 +90,9 @@ std::string encodeExr(const std::vector<ExrLayer>& layers, const ExrMetadata& me
     return stream.bytes();
 }
 
-}  // namespace
-
-void writeExr(const std::string& path, const std::vector<ExrLayer>& layers, const ExrMetadata& metadata,
-              const ExrWindow& window) {
+// path: for messages.
+std::string encodeFor(const std::string& path, const std::vector<ExrLayer>& layers, const ExrMetadata& metadata,
+                      const ExrWindow& window) {
     if (layers.empty()) throw Error(fmt::format("cannot write {}: it has no layers", path));
     for (const auto& layer : layers) {
         if (!layer.image || layer.image->empty())
@@ -102,13 +101,22 @@ void writeExr(const std::string& path, const std::vector<ExrLayer>& layers, cons
             throw Error(fmt::format("cannot write {}: the layer \"{}\" is {}, the first is {}", path, layer.name,
                                     sizeString(*layer.image), sizeString(*layers[0].image)));
     }
-    std::string bytes;
     try {
-        bytes = encodeExr(layers, metadata, window);
+        return encodeLayers(layers, metadata, window);
     } catch (const std::exception& e) {
         throw Error(fmt::format("cannot write {}: {}", path, e.what()));
     }
-    writeFileAtomically(path, bytes);
+}
+
+}  // namespace
+
+std::string encodeExr(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata, const ExrWindow& window) {
+    return encodeFor("an EXR", layers, metadata, window);
+}
+
+void writeExr(const std::string& path, const std::vector<ExrLayer>& layers, const ExrMetadata& metadata,
+              const ExrWindow& window) {
+    writeFileAtomically(path, encodeFor(path, layers, metadata, window));
 }
 
 void writeExr(const std::string& path, const Image& image, const ExrMetadata& metadata) {

@@ -105,7 +105,7 @@ struct BidirectionalTracer::Step {
 
 BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Accel& accel, const LightSampler& lights,
                                          const PathSettings& settings, double lightPaths)
-    : scene_(scene), accel_(accel), lights_(lights), settings_(settings), lightPaths_(lightPaths) {
+    : scene_(scene), accel_(accel), lighting_(accel, lights), settings_(settings), lightPaths_(lightPaths) {
     const Bounds bounds = scene.bounds();
     sphere_ = {bounds.empty() ? Vec3(0.f) : bounds.center(), std::max(1e-6f, bounds.radius())};
     std::vector<float> powers;
@@ -170,7 +170,7 @@ BidirectionalTracer::LightEnd BidirectionalTracer::lightEnd(const Light& light, 
 
 BidirectionalTracer::LightEnd BidirectionalTracer::lightEnd(const Light& light, const EmitterHit& at, const Vec3& d,
                                                             const Vec3& from) const {
-    float chosen = lights_.probability(from, &light);
+    float chosen = lighting_.lights().probability(from, &light);
     if (light.isInfinite()) {
         chosen *= light.pdfEscaped(-d);
     } else if (!light.isDelta()) {
@@ -179,58 +179,55 @@ BidirectionalTracer::LightEnd BidirectionalTracer::lightEnd(const Light& light, 
     return lightEnd(light, at, d, from, chosen);
 }
 
-Rgb BidirectionalTracer::radiance(const Ray& cameraRay, Sampler& sampler, std::vector<Splat>& splats) const {
+Rgb BidirectionalTracer::radiance(const Ray& cameraRay, Sampler& sampler, std::vector<Splat>& splats,
+                                  GBufferSample* gBuffer) const {
     thread_local Paths paths;
     const size_t before = splats.size();
-    Rgb sum = traceCamera(cameraRay, sampler, paths);
+    Rgb sum = traceCamera(cameraRay, sampler, paths, gBuffer);
     traceLight(cameraRay.time, sampler, paths, splats);
     for (size_t i = 0; i < paths.camera.size(); ++i)
         for (size_t j = 0; j < paths.light.size(); ++j) sum += join(paths, i, j);
-    const auto bounded = [&](const Rgb& radiance) {
-        if (!isFinite(radiance)) return Rgb(0.f);
-        const float l = luminance(radiance);
-        return l <= settings_.clamp ? radiance : radiance * (settings_.clamp / l);
-    };
-    for (size_t i = before; i < splats.size(); ++i) splats[i].radiance = bounded(splats[i].radiance);
-    return bounded(sum);
+    for (size_t i = before; i < splats.size(); ++i)
+        splats[i].radiance = clampedSample(splats[i].radiance, settings_.clamp);
+    return clampedSample(sum, settings_.clamp);
 }
 
-Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Paths& paths) const {
+Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Paths& paths,
+                                     GBufferSample* gBuffer) const {
     paths.camera.clear();
     paths.lens = cameraRay.o;
     paths.lensCanBeJoined = scene_.camera->pixelsPerArea(cameraRay, 1) > 0;
     Rgb sum(0.f);
     Step step{cameraRay, Rgb(1.f)};
-    float etaScale = 1;
+    float etaScale = 1, distance = 0;
     int scattered = 0;
-    for (int passed = 0; passed <= kMaxPassThrough;) {
+    for (;;) {
         SurfaceInteraction hit;
         const bool first = paths.camera.empty();
         const Vec3 from = first ? paths.lens : paths.camera.back().hit.p;
-        if (!nextSurface(accel_, step.ray, hit)) {
-            for (const Light* light : lights_.infiniteLights()) {
-                const Rgb emitted = step.throughput * light->escaped(step.ray.d);
-                if (first || isBlack(emitted))
-                    sum += emitted;
-                else
-                    sum += emitted * weightOfMet(paths, lightEnd(*light, {}, -step.ray.d, from), step.pdf);
-            }
-            break;
-        }
-        const float own = first ? scene_.camera->pixelsPerArea(cameraRay, length(hit.p - from)) * absDot(hit.ng, hit.wo)
-                                : perArea(step.pdf, from, hit);
-        if (const AreaLight* light = hit.primitive->areaLight.get()) {
-            const Rgb emitted = step.throughput * hit.emitted();
+        float own = 0;  // density of the surface met, per area
+        // Each emitter counts by the share of this way among all ways to make the path.
+        const auto add = [&](const Light& light, const Rgb& radiance, const EmitterHit& at, const Vec3& d, float density) {
+            const Rgb emitted = step.throughput * radiance;
             if (first || isBlack(emitted))
                 sum += emitted;
             else
-                sum += emitted * weightOfMet(paths, lightEnd(*light, hit.emitterHit(), hit.wo, from), own);
-        }
-        if (!hit.primitive->material) {  // an emitter without a body
-            step.ray = hit.spawnRay(step.ray.d);
-            ++passed;
-            continue;
-        }
+                sum += emitted * weightOfMet(paths, lightEnd(light, at, d, from), density);
+        };
+        const Arrival arrival = toSurface(accel_, step.ray, hit, [&](const SurfaceInteraction& surface) {
+            distance += surface.t;
+            own = first ? scene_.camera->pixelsPerArea(cameraRay, length(surface.p - from)) *
+                              absDot(surface.ng, surface.wo)
+                        : perArea(step.pdf, from, surface);
+            DirectLighting::forLightAt(surface, [&](const AreaLight& light, const Rgb& radiance) {
+                add(light, radiance, surface.emitterHit(), surface.wo, own);
+            });
+        });
+        if (arrival == Arrival::Escaped)
+            lighting_.forLightsAtInfinity(step.ray.d, [&](const Light& light, const Rgb& radiance) {
+                add(light, radiance, {}, -step.ray.d, step.pdf);
+            });
+        if (arrival != Arrival::Surface) break;
         if (scattered >= settings_.maxDepth || paths.camera.size() == kMostVertices) break;
         Vertex& at = paths.camera.emplace_back();
         at.hit = hit;
@@ -238,6 +235,7 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
         at.throughput = step.throughput;
         at.own = own;
         at.scattered = scattered;
+        if (gBuffer && scattered == 0) gBuffer->record(at.throughput, hit, at.bsdf, distance);
         const auto u = sampler.getFour2D();
         if (at.bsdf.hasNonSpecular()) sum += sampleLight(paths, u[2].x, u[0]);
         if (!step.sample(at, u[2].y, u[1], TransportMode::Radiance)) break;
@@ -274,14 +272,9 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
     step.ray.coneSpread = kDiffuseSpread;
     const float start = maxComponent(step.throughput);
     int scattered = 0;
-    for (int passed = 0; passed <= kMaxPassThrough;) {
+    for (;;) {
         SurfaceInteraction hit;
-        if (!nextSurface(accel_, step.ray, hit)) break;
-        if (!hit.primitive->material) {
-            step.ray = hit.spawnRay(step.ray.d);
-            ++passed;
-            continue;
-        }
+        if (toSurface(accel_, step.ray, hit, [](const SurfaceInteraction&) {}) != Arrival::Surface) break;
         if (scattered >= settings_.maxDepth || paths.light.size() == kMostVertices) break;
         const bool first = paths.light.empty();
         if (first) paths.end = lightEnd(light, {emitted->p, emitted->ng, emitted->triangle}, emitted->d, hit.p);
@@ -310,20 +303,16 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
 
 Rgb BidirectionalTracer::sampleLight(Paths& paths, float uLight, const Vec2& u) const {
     const Vertex& at = paths.camera.back();
-    const auto choice = lights_.sample(at.hit.p, uLight);
-    if (choice.light == nullptr) return Rgb(0.f);
-    const auto s = choice.light->sample(at.hit.p, u);
-    if (!s || !(s->pdf > 0)) return Rgb(0.f);
-    const Rgb radiance = choice.light->isInfinite() ? choice.light->escaped(s->wi) : s->radiance;
-    const LobeValue value = BsdfView(at.bsdf, at.hit.wo).evaluate(s->wi);
-    const float chosen = choice.probability * s->pdf;
-    const Rgb light = at.throughput * value.f * radiance * (absDot(s->wi, at.bsdf.frame().n) / chosen);
-    if (isBlack(light) || shadowed(accel_, at.hit.spawnPoint(), s->wi, s->distance, at.hit.time)) return Rgb(0.f);
+    const BsdfView view(at.bsdf, at.hit.wo);
+    const auto proposal = lighting_.propose(at.hit, view, DirectLighting::kNoGroup, uLight, u);
+    const Rgb light = at.throughput * lighting_.arriving(at.hit, proposal);
+    if (isBlack(light)) return Rgb(0.f);
+    const LightSample& s = proposal.sample;
     EmitterHit point;
-    point.ng = s->ng;
-    if (!std::isinf(s->distance)) point.p = at.hit.p + s->wi * s->distance;
-    const LightEnd end = lightEnd(*choice.light, point, -s->wi, at.hit.p, chosen);
-    return light * weightOfSampled(paths, end, s->wi, value.pdf);
+    point.ng = s.ng;
+    if (!std::isinf(s.distance)) point.p = at.hit.p + s.wi * s.distance;
+    const LightEnd end = lightEnd(*proposal.light, point, -s.wi, at.hit.p, proposal.lightPdf);
+    return light * weightOfSampled(paths, end, s.wi, proposal.bsdfPdf);
 }
 
 void BidirectionalTracer::joinLens(Paths& paths, float time, const Vec2& uLens, std::vector<Splat>& splats) const {

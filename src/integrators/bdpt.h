@@ -9,7 +9,6 @@
 #include <span>
 #include <unordered_map>
 
-#include "integrators/light_sampler.h"
 #include "integrators/path_tracer.h"
 #include "math/distribution.h"
 
@@ -29,8 +28,9 @@ class BidirectionalTracer {
                         const PathSettings& settings, double lightPaths);
 
     // All light that arrives along a ray of the scene's camera, but for what t = 1 finds. One light path is made for
-    // it; where that reaches the film is appended to splats.
-    Rgb radiance(const Ray& cameraRay, Sampler& sampler, std::vector<Splat>& splats) const;
+    // it; where that reaches the film is appended to splats. gBuffer, if not null, receives what the camera sees.
+    Rgb radiance(const Ray& cameraRay, Sampler& sampler, std::vector<Splat>& splats,
+                 GBufferSample* gBuffer = nullptr) const;
 
     // One vertex of a whole path, for the weights: the densities, per area, with which it is made from either side.
     struct Node {
@@ -59,7 +59,7 @@ class BidirectionalTracer {
     LightEnd lightEnd(const Light& light, const EmitterHit& at, const Vec3& d, const Vec3& from, float chosen) const;
     LightEnd lightEnd(const Light& light, const EmitterHit& at, const Vec3& d, const Vec3& from) const;
 
-    Rgb traceCamera(const Ray& cameraRay, Sampler& sampler, Paths& paths) const;
+    Rgb traceCamera(const Ray& cameraRay, Sampler& sampler, Paths& paths, GBufferSample* gBuffer) const;
     void traceLight(float time, Sampler& sampler, Paths& paths, std::vector<Splat>& splats) const;
     // s = 1, for the last of the camera's vertices.
     Rgb sampleLight(Paths& paths, float uLight, const Vec2& u) const;
@@ -78,7 +78,7 @@ class BidirectionalTracer {
 
     const Scene& scene_;
     const Accel& accel_;
-    const LightSampler& lights_;
+    DirectLighting lighting_;
     PathSettings settings_;
     double lightPaths_;
     SceneSphere sphere_;

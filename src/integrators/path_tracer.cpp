@@ -1,191 +1,20 @@
 #include "integrators/path_tracer.h"
 
-#include <utility>
-
 namespace drc {
 namespace {
 
-// Density that stands for a direction no light sample could have produced: after a specular lobe, or from the camera.
-constexpr float kSpecular = 0;
-// Where it was measured, four times as many paths for narrow lobes cost 2 to 6 % of the time and took 8 to 13 % off the
+// Where it was measured, four times as many paths for glossy lobes cost 2 to 6 % of the time and took 8 to 13 % off the
 // error; eight times, no more.
-constexpr float kNarrowPaths = 4;
+constexpr float kGlossyPaths = 4;
 
-constexpr LobeFlags kNarrowLobes = LobeFlags::Narrow | LobeFlags::Reflection | LobeFlags::Transmission;
+constexpr LobeFlags kGlossyLobes = LobeFlags::Narrow | LobeFlags::Reflection | LobeFlags::Transmission;
+constexpr LobeFlags kBroadLobes = LobeFlags::Wide;
 constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
-
-float powerHeuristic(float a, float b) {
-    const float a2 = a * a, b2 = b * b;
-    return a2 > 0 ? a2 / (a2 + b2) : 0;
-}
-
-// Lobes only estimate their albedos.
-Rgb unitAlbedo(const Bsdf& bsdf, const Vec3& wo) {
-    Rgb albedo = bsdf.albedo(wo);
-    for (int c = 0; c < 3; ++c) albedo[c] = albedo[c] > 0 ? std::min(albedo[c], 1.f) : 0.f;
-    return albedo;
-}
 
 }  // namespace
 
-Rgb PathTracer::emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const {
-    const AreaLight* light = hit.primitive->areaLight.get();
-    if (light == nullptr) return Rgb(0.f);
-    const Rgb emitted = hit.emitted();
-    if (isBlack(emitted) || pdf == kSpecular) return emitted;
-    const float lightPdf = lights_.probability(from, light) * light->pdf(from, -hit.wo, hit.emitterHit());
-    return emitted * powerHeuristic(pdf, lightPdf);
-}
-
-Rgb PathTracer::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, int group) const {
-    Rgb sum(0.f);
-    for (const Light* light : lights_.infiniteLights()) {
-        const Rgb radiance = light->escaped(d);
-        if (isBlack(radiance)) continue;
-        float weight = 1;
-        if (pdf != kSpecular) {
-            float lightPdf = lights_.probability(from, light) * light->pdfEscaped(d);
-            if (group != kNoGroup && light == guide_->light()) lightPdf *= guide_->density(group, light->inverse(d));
-            weight = powerHeuristic(pdf, lightPdf);
-        }
-        sum += radiance * weight;
-    }
-    return sum;
-}
-
-PathTracer::LightProposal PathTracer::proposeLight(const SurfaceInteraction& at, const BsdfView& bsdf, int group,
-                                                   const VertexNumbers& numbers) const {
-    const auto choice = lights_.sample(at.p, numbers.light);
-    if (choice.light == nullptr) return {};
-    float pdf = choice.probability;
-    Vec2 u = numbers.onLight;
-    int slot = -1;
-    if (group != kNoGroup && choice.light == guide_->light()) {
-        const EnvironmentGuide::Guided guided = guide_->sample(group, u);
-        u = guided.u;
-        pdf *= guided.density;
-        slot = guided.slot;
-    }
-    const auto s = choice.light->sample(at.p, u);
-    const bool infinite = choice.light->isInfinite();
-    if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return {};
-    const LobeValue value = bsdf.evaluate(s->wi);
-    if (isBlack(value.f)) {
-        if (slot >= 0) guide_->learn(slot, false);
-        return {};
-    }
-    pdf *= s->pdf;
-    const float weight = s->delta ? 1 : powerHeuristic(pdf, value.pdf);
-    return {choice.light, *s, value.f * (absDot(s->wi, bsdf.bsdf().frame().n) * weight / pdf), slot};
-}
-
-Rgb PathTracer::arriving(const SurfaceInteraction& at, const LightProposal& proposal) const {
-    if (proposal.light == nullptr) return Rgb(0.f);
-    const bool blocked = shadowed(accel_, at.spawnPoint(), proposal.sample.wi, proposal.sample.distance, at.time);
-    if (proposal.slot >= 0) guide_->learn(proposal.slot, !blocked);
-    if (blocked) return Rgb(0.f);
-    const LightSample& s = proposal.sample;
-    return proposal.weight * (proposal.light->isInfinite() ? proposal.light->escaped(s.wi) : s.radiance);
-}
-
-bool PathTracer::scatter(Path& path, const SurfaceInteraction& hit, const BsdfView& bsdf,
-                         const VertexNumbers& u) const {
-    const auto s = bsdf.sample(u.lobe, u.direction);
-    if (!s || !(s->pdf > 0)) return false;
-    path.throughput *= s->f * (absDot(s->wi, bsdf.bsdf().frame().n) / s->pdf);
-    if (isBlack(path.throughput)) return false;
-    path.etaScale *= sqr(s->eta);
-    if (s->isSpecular()) {
-        path.pdf = kSpecular;
-        if (++path.chain > kMaxSpecularChain) return false;
-    } else {
-        path.pdf = s->pdf;
-        ++path.depth;
-    }
-    path.from = hit.p;
-    path.ray = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
-
-    if (path.depth + path.chain >= settings_.rouletteDepth) {
-        const float survival = std::min(0.95f, maxComponent(path.throughput) * path.etaScale);
-        if (u.roulette >= survival) return false;
-        path.throughput *= 1 / survival;
-    }
-    return true;
-}
-
-Rgb PathTracer::trace(const Ray& firstRay, Sampler& sampler, Emission emission, FirstHit* first,
-                      const SurfaceInteraction* start) const {
-    Rgb sum(0.f);
-    Path path{firstRay, firstRay.o};
-    bool counted = emission == Emission::Counted;
-    // What is left out is direct light: the vertex that the ray leaves was the path's first.
-    const int maxDepth = settings_.maxDepth - (counted ? 0 : 1);
-    // Where to record what comes next: each until it is known.
-    FirstHit *hitWanted = first, *albedoWanted = nullptr, *directWanted = first;
-    SurfaceInteraction hit;
-    Accel::Found found;
-    bool met = start == nullptr && accel_.find(path.ray, found);
-    for (;;) {
-        if (start) {
-            hit = *start;
-            start = nullptr;
-        } else if (!met || !nextSurface(accel_, path.ray, found, hit)) {
-            if (counted) sum += path.throughput * emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group);
-            break;
-        }
-        if (hitWanted) {
-            hitWanted->distance = length(hit.p - path.from);
-            hitWanted->normal = faceForward(hit.ng, hit.wo);
-            albedoWanted = std::exchange(hitWanted, nullptr);
-        }
-        if (counted) sum += path.throughput * emissionAtHit(hit, path.from, path.pdf);
-        if (!hit.primitive->material) {  // an emitter without a body
-            path.ray = hit.spawnRay(path.ray.d);
-            if (++path.chain > kMaxPassThrough) break;
-            met = accel_.find(path.ray, found);
-            continue;
-        }
-        counted = true;
-        if (path.depth >= maxDepth) break;
-
-        const Bsdf bsdf = hit.bsdf();
-        if (bsdf.size() == 0) break;
-        path.group = groupOf(hit, bsdf);
-        if (albedoWanted) std::exchange(albedoWanted, nullptr)->albedo = unitAlbedo(bsdf, hit.wo);
-        const BsdfView view(bsdf, hit.wo);
-        const VertexNumbers u(sampler);
-        LightProposal light;
-        if (bsdf.hasNonSpecular()) light = proposeLight(hit, view, path.group, u);
-        const Rgb throughput = path.throughput;
-        const int depth = path.depth;
-        const bool goesOn = scatter(path, hit, view, u);
-        // The path's own ray before the shadow ray, which then hides the wait for the data of the surface met.
-        met = goesOn && accel_.find(path.ray, found);
-        if (directWanted && depth > 0) std::exchange(directWanted, nullptr)->direct = sum;
-        sum += throughput * arriving(hit, light);
-        if (!goesOn) break;
-    }
-    if (directWanted) directWanted->direct = sum;
-    if (!isFinite(sum)) {
-        if (first) first->direct = Rgb(0.f);
-        return Rgb(0.f);
-    }
-    const float l = luminance(sum);
-    if (l <= settings_.clamp) return sum;
-    if (first) first->direct *= settings_.clamp / l;
-    return sum * (settings_.clamp / l);
-}
-
-Rgb PathTracer::radiance(const Ray& ray, Sampler& sampler) const {
-    return trace(ray, sampler, Emission::Counted, nullptr);
-}
-
-Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) const {
-    return trace(ray, sampler, Emission::SkippedAtFirst, first);
-}
-
 Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, int group, const Rgb& throughput,
-                           const VertexNumbers& u, Sampler& sampler, SampleLayers* layers) const {
+                           const VertexNumbers& u, Sampler& sampler, Rgb* broad) const {
     Rgb sum(0.f);
     const Bsdf& bsdf = view.bsdf();
     const auto s = view.sample(u.lobe, u.direction);
@@ -193,87 +22,75 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
     const Rgb scale = throughput * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     Ray next = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
     SurfaceInteraction hit;
-    // Emitters without a body do not end the search for the environment or for others behind them.
-    for (int i = 0; i < kMaxPassThrough; ++i) {
-        if (!nextSurface(accel_, next, hit)) return sum + scale * s->f * emissionAtInfinity(s->wi, at.p, s->pdf, group);
-        sum += scale * s->f * emissionAtHit(hit, at.p, s->pdf);
-        if (hit.primitive->material) break;
-        next = hit.spawnRay(s->wi);
-    }
-    if (layers && layers->traceWide) {
-        const Rgb wide = bsdf.has(LobeFlags::Narrow) ? bsdf.f(at.wo, s->wi, LobeFlags::Wide) : s->f;
-        if (!isBlack(wide))
-            layers->wide += scale * wide * trace(next, sampler, Emission::SkippedAtFirst, nullptr, &hit);
+    const Arrival arrival = toSurface(lighting_.accel(), next, hit, [&](const SurfaceInteraction& surface) {
+        sum += scale * s->f * lighting_.emissionAtHit(surface, at.p, s->pdf);
+    });
+    if (arrival == Arrival::Escaped)
+        return sum + scale * s->f * lighting_.emissionAtInfinity(s->wi, at.p, s->pdf, group);
+    if (arrival == Arrival::Surface && broad) {
+        const Rgb f = bsdf.has(LobeFlags::Narrow) ? bsdf.f(at.wo, s->wi, kBroadLobes) : s->f;
+        if (!isBlack(f))
+            *broad +=
+                scale * f * walker_.walk(next, sampler, PathWalker::FirstEmission::Skipped, {}, &hit);
     }
     return sum;
 }
 
-Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, SampleLayers* layers) const {
-    Ray ray = cameraRay;
-    Rgb sum(0.f), throughput(1.f);
-    SurfaceInteraction hit;
-    for (int chain = 0; chain <= kMaxSpecularChain; ++chain) {
-        if (!nextSurface(accel_, ray, hit)) {
-            sum += throughput * emissionAtInfinity(ray.d, ray.o, kSpecular, kNoGroup);
-            break;
-        }
-        sum += throughput * emissionAtHit(hit, ray.o, kSpecular);
-        if (!hit.primitive->material) {
-            ray = hit.spawnRay(ray.d);
-            continue;
-        }
+SampleLayers PathTracer::directLayers(const Ray& cameraRay, Sampler& sampler, bool withIndirect, bool traceBroad,
+                                      GBufferSample* gBuffer) const {
+    SampleLayers layers;
+    SpecularChain chain(lighting_.accel(), cameraRay);
+    const auto met = [&](const SurfaceInteraction& hit) {
+        layers.emission += chain.throughput() * lighting_.emissionAtHit(hit, cameraRay.o, DirectLighting::kSpecular);
+    };
+    const auto atInfinity = [&](const Vec3& d) {
+        layers.emission += chain.throughput() * lighting_.emissionAtInfinity(
+                                                    d, cameraRay.o, DirectLighting::kSpecular, DirectLighting::kNoGroup);
+    };
+    while (chain.next(met, atInfinity)) {
+        const SurfaceInteraction& hit = chain.surface();
+        const Rgb& throughput = chain.throughput();
         const Bsdf bsdf = hit.bsdf();
+        if (gBuffer) gBuffer->record(throughput, hit, bsdf, chain.distance());
         if (bsdf.hasNonSpecular()) {
-            const int group = groupOf(hit, bsdf);
+            const int group = lighting_.groupOf(hit, bsdf);
             const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);
             const VertexNumbers u(sampler);
-            const Rgb arrived = throughput * arriving(hit, proposeLight(hit, view, group, u));
-            const Rgb lit = arrived + bsdfSample(hit, view, group, throughput, u, sampler, layers);
-            sum += lit;
-            if (layers) layers->lit += lit;
+            layers.lit += throughput * walker_.sampleLight(hit, view, group, u);
+            layers.lit += bsdfSample(hit, view, group, throughput, u, sampler, traceBroad ? &layers.broad : nullptr);
         }
-        if (layers) {
+        if (withIndirect) {
             if (bsdf.has(LobeFlags::Narrow)) {
-                layers->narrow += throughput * indirectNarrow(hit, bsdf, sampler);
-                if (isBlack(layers->narrowAlbedo))
-                    layers->narrowAlbedo = throughput * bsdf.albedo(hit.wo, kNarrowLobes);
+                layers.glossy += throughput * indirectGlossy(hit, bsdf, sampler);
+                if (isBlack(layers.glossyAlbedo)) layers.glossyAlbedo = throughput * bsdf.albedo(hit.wo, kGlossyLobes);
             }
-            if (isBlack(layers->wideAlbedo) && bsdf.hasWithin(LobeFlags::Wide))
-                layers->wideAlbedo = throughput * bsdf.albedo(hit.wo, LobeFlags::Wide);
-            if (layers->pixelSize == 0 && bsdf.hasNonSpecular()) {
-                layers->albedo = throughput * bsdf.albedo(hit.wo, LobeFlags::NonSpecular);
-                layers->position = hit.p;
-                layers->normal = bsdf.frame().n;
-                layers->pixelSize = hit.footprint;
+            if (isBlack(layers.broadAlbedo) && bsdf.hasWithin(kBroadLobes))
+                layers.broadAlbedo = throughput * bsdf.albedo(hit.wo, kBroadLobes);
+            if (layers.pixelSize == 0 && bsdf.hasNonSpecular()) {
+                layers.albedo = throughput * bsdf.albedo(hit.wo, LobeFlags::NonSpecular);
+                layers.position = hit.p;
+                layers.normal = bsdf.frame().n;
+                layers.pixelSize = hit.footprint;
             }
         }
         if (!bsdf.hasSpecular()) break;
         const float uLobe = sampler.get1D();
-        const auto s = bsdf.sample(hit.wo, uLobe, sampler.get2D(), kSpecularLobes);
-        if (!s || !(s->pdf > 0)) break;
-        throughput *= s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
-        if (isBlack(throughput)) break;
-        ray = hit.spawnRay(s->wi);
+        if (!chain.follow(bsdf, uLobe, sampler.get2D())) break;
     }
-    if (layers)
-        for (Rgb* light : {&layers->lit, &layers->narrow, &layers->wide})
-            if (!isFinite(*light)) *light = Rgb(0.f);
-    return isFinite(sum) ? sum : Rgb(0.f);
+    // Each by itself: emission must not be lost, let alone turn negative, because a sample of something else failed.
+    for (Rgb* light : {&layers.emission, &layers.lit})
+        if (!isFinite(*light)) *light = Rgb(0.f);
+    const float direct = luminance(layers.direct()), clamp = settings().clamp;
+    if (direct > clamp)
+        for (Rgb* light : {&layers.emission, &layers.lit}) *light *= clamp / direct;
+    for (Rgb* light : {&layers.glossy, &layers.broad}) *light = clampedSample(*light, clamp);
+    return layers;
 }
 
 bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& result) const {
-    Ray ray = cameraRay;
-    result.throughput = Rgb(1.f);
-    result.distance = 0;
-    result.bounces = 0;
-    for (int chain = 0; chain <= kMaxSpecularChain; ++chain) {
-        if (!nextSurface(accel_, ray, result.surface)) return false;
-        result.distance += result.surface.t;
-        if (!result.surface.primitive->material) {
-            ray = result.surface.spawnRay(ray.d);
-            continue;
-        }
-        const SurfaceInteraction& at = result.surface;
+    SpecularChain chain(lighting_.accel(), cameraRay);
+    while (chain.next([](const SurfaceInteraction&) {}, [](const Vec3&) {})) {
+        const SurfaceInteraction& at = chain.surface();
         result.bsdf = at.bsdf();
         const bool specular = result.bsdf.hasSpecular(), other = result.bsdf.hasNonSpecular();
         if (!specular && !other) return false;
@@ -286,15 +103,13 @@ bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& 
         const float uLobe = sampler.get1D(), uStop = sampler.get1D();
         const Vec2 u = sampler.get2D();
         if (uStop < probability) {
-            result.throughput *= 1 / probability;
+            result.surface = at;
+            result.throughput = chain.throughput() * (1 / probability);
+            result.distance = chain.distance();
+            result.bounces = chain.bounces();
             return true;
         }
-        const auto s = result.bsdf.sample(at.wo, uLobe, u, kSpecularLobes);
-        if (!s || !(s->pdf > 0)) return false;
-        result.throughput *= s->f * (absDot(s->wi, result.bsdf.frame().n) / (s->pdf * (1 - probability)));
-        if (isBlack(result.throughput)) return false;
-        ray = at.spawnRay(s->wi);
-        ++result.bounces;
+        if (!chain.follow(result.bsdf, uLobe, u, 1 - probability)) return false;
     }
     return false;
 }
@@ -307,16 +122,16 @@ Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobe
     return s->f * incident(ray, sampler) * (absDot(s->wi, hit.bsdf.frame().n) / s->pdf);
 }
 
-Rgb PathTracer::indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const {
+Rgb PathTracer::indirectGlossy(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const {
     const float uLobe = sampler.get1D();
-    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), kNarrowLobes);
+    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), kGlossyLobes);
     if (!s) return Rgb(0.f);
     const Rgb weight = s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     // A dim reflection on a dark surface is most of what is seen of it, and nothing smooths its noise: traced several
     // times as often as the path tracer would choose these lobes among all.
-    const float narrow = luminance(bsdf.albedo(at.wo, kNarrowLobes));
+    const float glossy = luminance(bsdf.albedo(at.wo, kGlossyLobes));
     const float all = luminance(bsdf.albedo(at.wo, LobeFlags::NonSpecular));
-    const float survival = std::min(1.f, std::max(maxComponent(weight), kNarrowPaths * narrow / std::max(all, 1e-6f)));
+    const float survival = std::min(1.f, std::max(maxComponent(weight), kGlossyPaths * glossy / std::max(all, 1e-6f)));
     if (!(sampler.get1D() < survival)) return Rgb(0.f);
     const Ray ray = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
     return weight * incident(ray, sampler) * (1 / survival);

@@ -45,7 +45,8 @@ constexpr float kAlone = 0.15f, kAmongEnough = 0.4f;
 // Of a pixel: its square, and the sum of many, are still numbers.
 constexpr float kLargest = 1e15f;
 
-constexpr int kGroups = SampleGroups::kGroups;
+// Groups of samples that layers to be filtered have.
+constexpr int kGroups = LayerFilter::kGroups;
 // Where some pixels have no sample in some group, groups begin to be known after the first average. There a fourth
 // plane of each group has the share of the pixels about that do have one; with less than this share it is not known
 // there.
@@ -182,7 +183,7 @@ std::vector<float> trustIn(const SurfaceFilter& filter) {
 
 }  // namespace
 
-LayerFilter::LayerFilter(const ShownSurfaces& surfaces, Scattering lobes)
+LayerFilter::LayerFilter(const LobeGBuffer& surfaces, LobeKind lobes)
     : surfaces_(surfaces),
       lobes_(lobes),
       filter_(surfaces.filter(lobes)),
@@ -190,7 +191,7 @@ LayerFilter::LayerFilter(const ShownSurfaces& surfaces, Scattering lobes)
       amongStrays_(amongStrays()),
       trustAmongStrays_(trustIn(amongStrays_)) {}
 
-bool LayerFilter::isWhole(const SampleGroups& samples) const {
+bool LayerFilter::isWhole(const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
     std::atomic<bool> whole{true};
     forEachPixel(region.count(), [&](size_t i) {
@@ -200,7 +201,7 @@ bool LayerFilter::isWhole(const SampleGroups& samples) const {
     return whole;
 }
 
-LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Scales scales, const SampleGroups& samples,
+LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Scales scales, const FilmLayer& samples,
                                                 bool whole, const Image* base) const {
     const PixelRegion& region = surfaces_.region();
     const size_t pixels = region.count();
@@ -242,7 +243,7 @@ LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Sca
     return result;
 }
 
-Planes LayerFilter::withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales, const SampleGroups& samples,
+Planes LayerFilter::withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales, const FilmLayer& samples,
                                              bool whole) const {
     Filtered first = withoutNoise(filter, scales, samples, whole, nullptr);
     forEachPixel(surfaces_.region().count(), [&](size_t i) { first.noise.plane(0)[i] *= kNoiseBetween; });
@@ -250,7 +251,7 @@ Planes LayerFilter::withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales
     return withoutNoise(filter, scales, samples, whole, nullptr).values;
 }
 
-Image LayerFilter::smooth(const SampleGroups& samples) const {
+Image LayerFilter::smooth(const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
     Image result = samples.image();
     // Many scenes have no narrow lobes.
@@ -258,7 +259,7 @@ Image LayerFilter::smooth(const SampleGroups& samples) const {
     const bool whole = isWhole(samples);
     // What maps light changes slowly along a surface, and pixels that share maps share their noise. Other layers have
     // edges of light.
-    const Planes ofSurfaces = lobes_ == Scattering::Wide
+    const Planes ofSurfaces = lobes_ == LobeKind::Broad
                                   ? withoutNoise(filter_, kAlongSurfaces, samples, whole, nullptr).values
                                   : withoutNoiseBetweenEdges(filter_, kAlongSurfaces, samples, whole);
     // The first few samples do not tell by how much strays differ.
@@ -268,7 +269,7 @@ Image LayerFilter::smooth(const SampleGroups& samples) const {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
         const Rgb scatters = albedo(column, row);
-        if (!filter_.covers(i) || samples.count(x, y) == 0 || maxComponent(scatters) <= kBlack) return;
+        if (!filter_.covers(i) || samples.groupsWithSamples(x, y) == 0 || maxComponent(scatters) <= kBlack) return;
         Rgb value = result.rgb(column, row);
         const Rgb scale = notBlack(scatters);
         const float surface = trust_[i], edge = whole ? (1 - surface) * trustAmongStrays_[i] : 0;
@@ -288,7 +289,7 @@ SurfaceFilter LayerFilter::amongStrays() const {
     return filter;
 }
 
-void LayerFilter::correct(Image& layer, const SampleGroups& samples) const {
+void LayerFilter::correct(Image& layer, const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
     const bool whole = isWhole(samples);
     const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, whole, &layer).values;

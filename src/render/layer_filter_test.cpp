@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "render/film_testing.h"
+
 namespace drc {
 namespace {
 
@@ -17,27 +19,34 @@ struct Scene {
 };
 
 // What samples of such a scene leave behind.
-struct Film {
-    SampleGroups samples{kRegion};
-    ShownSurfaces surfaces{kRegion};
+std::vector<FilmLayerSpec> layersOfTest() {
+    std::vector<FilmLayerSpec> layers{
+        {.name = "samples", .groups = LayerFilter::kGroups, .storage = FilmLayerSpec::Storage::Single}};
+    LobeGBuffer::addSpecs(layers, 100);
+    return layers;
+}
+
+struct FilteredFilm {
+    std::unique_ptr<Film> film = std::make_unique<Film>(test::filmSettings(kRegion), layersOfTest());
+    FilmLayer& samples = film->layer(0);
 
     void add(int x, int y, int i, const Rgb& value, const Rgb& albedo, const Vec3& position, const Vec3& normal) {
         SampleLayers s;
-        s.albedo = s.wideAlbedo = albedo;
+        s.albedo = s.broadAlbedo = albedo;
         s.position = position;
         s.normal = normal;
         s.pixelSize = 1;
-        surfaces.add(x, y, s, 1, true);
+        LobeGBuffer::add(*film, 1, x, y, s, 1, true);
         samples.add(x, y, groupOf(x, y, i), value, 1);
     }
     // A sample that met no surface.
     void addNothing(int x, int y, int i) {
-        surfaces.add(x, y, {}, 1, true);
+        LobeGBuffer::add(*film, 1, x, y, {}, 1, true);
         samples.add(x, y, groupOf(x, y, i), Rgb(0.f), 1);
     }
-    static int groupOf(int x, int y, int i) { return (i ^ (x & 1) ^ (2 * (y & 1))) % SampleGroups::kGroups; }
-    void correct(Image& layer) const { LayerFilter(surfaces, Scattering::Wide).correct(layer, samples); }
-    Image smooth() const { return LayerFilter(surfaces, Scattering::All).smooth(samples); }
+    static int groupOf(int x, int y, int i) { return (i ^ (x & 1) ^ (2 * (y & 1))) % LayerFilter::kGroups; }
+    void correct(Image& layer) const { LayerFilter(LobeGBuffer(*film), LobeKind::Broad).correct(layer, samples); }
+    Image smooth() const { return LayerFilter(LobeGBuffer(*film), LobeKind::All).smooth(samples); }
 };
 
 template <typename F>
@@ -46,8 +55,8 @@ void forEachPixel(F&& f) {
         for (int x = kRegion.x0; x < kRegion.x1; ++x) f(x, y);
 }
 
-Film traced(int samples, float outlier = 0, unsigned seed = 1) {
-    Film film;
+FilteredFilm traced(int samples, float outlier = 0, unsigned seed = 1) {
+    FilteredFilm film;
     std::mt19937 rng(seed);
     std::exponential_distribution<float> noise(1);
     for (int i = 0; i < samples; ++i)
@@ -64,8 +73,8 @@ Film traced(int samples, float outlier = 0, unsigned seed = 1) {
 
 // A white floor with a sample for each of `samples` values: light(x, y, i).
 template <typename F>
-Film floorUnder(int samples, F&& light) {
-    Film film;
+FilteredFilm floorUnder(int samples, F&& light) {
+    FilteredFilm film;
     for (int i = 0; i < samples; ++i)
         forEachPixel([&](int x, int y) {
             film.add(x, y, i, Rgb(light(x, y, i)), Rgb(1.f), Vec3(float(x), float(y), 0), Vec3(0, 0, 1));
@@ -113,7 +122,7 @@ TEST(LayerFilter, CorrectionMakesNoBlotchOfOneBrightPath) {
 TEST(LayerFilter, CorrectionMakesNoDotOfTwoBrightPaths) {
     const Image truth = layer(1);
     Image image = truth;
-    Film film = traced(16);
+    FilteredFilm film = traced(16);
     for (const int group : {0, 1}) film.samples.add(20, 35, group, Rgb(50), 1);
     const double sampled = film.samples.mean(20, 35).y / truth.rgb(10, 15).y - 1;
     film.correct(image);
@@ -125,7 +134,7 @@ TEST(LayerFilter, CorrectionMakesNoDotOfTwoBrightPaths) {
 
 // Nothing is near this pixel, and of its light only one path in many is bright: those that are not prove nothing.
 TEST(LayerFilter, CorrectionLeavesAPixelAlone) {
-    Film film;
+    FilteredFilm film;
     for (int i = 0; i < 64; ++i)
         forEachPixel([&](int x, int y) {
             const bool alone = x == 35 && y == 40;
@@ -146,22 +155,22 @@ TEST(LayerFilter, CorrectionGainsFromTheFirstSamplesOn) {
         EXPECT_LT(relativeError(image), 0.15) << samples;
     }
     Image image = layer(0.7f);
-    Film film = traced(1);
-    film.samples = SampleGroups(kRegion);
+    FilteredFilm film = traced(1);
+    film.samples = FilmLayer(kRegion, film.samples.spec());
     film.correct(image);
     EXPECT_EQ(image.data(), layer(0.7f).data());
 }
 
 TEST(LayerFilter, CorrectionMakesNoBlotchOfOneBrightPathAmongFew) {
     Image image = layer(1);
-    Film film = traced(1);
+    FilteredFilm film = traced(1);
     film.samples.add(20, 35, 0, Rgb(1e5f), 1);
     film.correct(image);
     EXPECT_LT(relativeError(image), 0.1);
 }
 
 TEST(LayerFilter, SmoothsNoiseButNeitherEdgesNorTextures) {
-    const Film film = traced(64);
+    const FilteredFilm film = traced(64);
     EXPECT_GT(relativeError(film.samples.image()), 0.09);
     EXPECT_LT(relativeError(film.smooth()), 0.02);
 }
@@ -170,7 +179,7 @@ TEST(LayerFilter, SmoothsNoiseButNeitherEdgesNorTextures) {
 TEST(LayerFilter, SmoothingKeepsTheMean) {
     double before = 0, after = 0;
     for (unsigned seed = 1; seed <= 12; ++seed) {
-        const Film film = traced(16, 0, seed);
+        const FilteredFilm film = traced(16, 0, seed);
         const Image raw = film.samples.image(), smooth = film.smooth();
         for (size_t i = 0; i < raw.data().size(); ++i) before += raw.data()[i], after += smooth.data()[i];
     }
@@ -182,7 +191,7 @@ TEST(LayerFilter, SmoothingLeavesNoLightInNarrowShadows) {
     std::mt19937 rng(1);
     std::exponential_distribution<float> noise(1);
     const auto shaded = [](int x) { return x == 34 || x == 35; };
-    const Film film = floorUnder(32, [&](int x, int, int) { return (shaded(x) ? 0.02f : 1.f) * noise(rng); });
+    const FilteredFilm film = floorUnder(32, [&](int x, int, int) { return (shaded(x) ? 0.02f : 1.f) * noise(rng); });
     const Image smooth = film.smooth();
     double shadow = 0, sun = 0;
     for (int y = 0; y < smooth.height(); ++y) {
@@ -198,7 +207,7 @@ TEST(LayerFilter, SmoothingLeavesNoLightInNarrowShadows) {
 // As with corrections.
 TEST(LayerFilter, SmoothingMakesNoDotOfTwoBrightPaths) {
     const Image truth = layer(1);
-    Film film = traced(16);
+    FilteredFilm film = traced(16);
     for (const int group : {0, 1}) film.samples.add(20, 35, group, Rgb(50), 1);
     const double sampled = film.samples.mean(20, 35).y / truth.rgb(10, 15).y - 1;
     const double shown = film.smooth().rgb(10, 15).y / truth.rgb(10, 15).y - 1;
@@ -209,7 +218,7 @@ TEST(LayerFilter, SmoothingMakesNoDotOfTwoBrightPaths) {
 
 TEST(LayerFilter, SmoothingLeavesWhatHasNoNoise) {
     const Image truth = layer(1);
-    Film film;
+    FilteredFilm film;
     for (int i = 0; i < 4; ++i)
         forEachPixel([&](int x, int y) {
             film.add(x, y, i, truth.rgb(x - kRegion.x0, y - kRegion.y0), Rgb(0.5f), Vec3(float(x), float(y), 0),
@@ -252,7 +261,7 @@ TEST(LayerFilter, SmoothingKeepsDetailsThatGroupsTogetherKnow) {
 
 // A floor of which one half has none of the lobes that the layer is of: light beside it must not spread there.
 TEST(LayerFilter, SmoothingGivesNothingToWhatDoesNotScatter) {
-    Film film;
+    FilteredFilm film;
     for (int i = 0; i < 4; ++i)
         forEachPixel([&](int x, int y) {
             const bool black = x < 30;
@@ -270,13 +279,13 @@ TEST(LayerFilter, SmoothingGivesNothingToWhatDoesNotScatter) {
 // and it is averaged along that.
 TEST(LayerFilter, SmoothsPixelsThatShowTheirSurfaceInPart) {
     for (const bool sky : {false, true}) {
-        Film film;
+        FilteredFilm film;
         std::mt19937 rng(4);
         std::exponential_distribution<float> noise(1);
         for (int i = 0; i < 64; ++i)
             forEachPixel([&](int x, int y) {
                 const float light = noise(rng);
-                if (x == 35 && (i / SampleGroups::kGroups) % 2) {
+                if (x == 35 && (i / LayerFilter::kGroups) % 2) {
                     if (sky)
                         film.addNothing(x, y, i);
                     else
@@ -299,8 +308,8 @@ TEST(LayerFilter, SmoothsPixelsThatShowTheirSurfaceInPart) {
 // A floor of light 1, noisy, but for a column of pixels with nothing of their own surface near: an edge. One of them
 // has that many times the light that is given, sample by sample.
 template <typename F>
-Film edgeOnFloor(int samples, unsigned seed, F&& light) {
-    Film film;
+FilteredFilm edgeOnFloor(int samples, unsigned seed, F&& light) {
+    FilteredFilm film;
     std::mt19937 rng(seed);
     std::exponential_distribution<float> noise(1);
     for (int i = 0; i < samples; ++i)
@@ -317,7 +326,7 @@ TEST(LayerFilter, EdgesShareADotOfOneBrightPath) {
     constexpr int kFilms = 12;
     double before = 0, after = 0, sampled = 0, shown = 0;
     for (unsigned seed = 1; seed <= kFilms; ++seed) {
-        const Film film = edgeOnFloor(64, seed, [](int i) { return i == 5 ? 300.f : 1.f; });
+        const FilteredFilm film = edgeOnFloor(64, seed, [](int i) { return i == 5 ? 300.f : 1.f; });
         const Image raw = film.samples.image(), smooth = film.smooth();
         for (int y = 0; y < raw.height(); ++y) {
             before += raw.rgb(25, y).y;
@@ -334,7 +343,7 @@ TEST(LayerFilter, EdgesShareADotOfOneBrightPath) {
 }
 
 TEST(LayerFilter, EdgesAreAveragedAlongThemselves) {
-    const Film film = edgeOnFloor(64, 1, [](int) { return 1.f; });
+    const FilteredFilm film = edgeOnFloor(64, 1, [](int) { return 1.f; });
     const auto error = [](const Image& image) {
         double sum = 0;
         for (int y = 0; y < image.height(); ++y) sum += std::abs(image.rgb(25, y).y / 0.8 - 1) / image.height();
@@ -356,7 +365,7 @@ TEST(LayerFilter, EdgesKeepWhatAllOfTheirSamplesShow) {
 TEST(LayerFilter, CorrectionRemovesAnErrorAllAlongAnEdge) {
     std::mt19937 rng(5);
     std::exponential_distribution<float> noise(1);
-    Film film;
+    FilteredFilm film;
     for (int i = 0; i < 256; ++i)
         forEachPixel([&](int x, int y) {
             const Rgb albedo(x == 35 ? 0.8f : 0.4f);
@@ -380,14 +389,14 @@ TEST(LayerFilter, CorrectionRemovesAnErrorAllAlongAnEdge) {
 
 TEST(LayerFilter, SmoothsFromTheFirstSampleOn) {
     for (const int samples : {1, 2, 3}) {
-        const Film film = traced(samples);
+        const FilteredFilm film = traced(samples);
         EXPECT_GT(relativeError(film.samples.image()), 0.35) << samples;
         EXPECT_LT(relativeError(film.smooth()), 0.1) << samples;
     }
 }
 
 TEST(LayerFilter, SmoothingOfTheFirstSamplesKeepsTheMean) {
-    const Film film = floorUnder(1, [](int x, int y, int) { return (x * 7 + y * 13) % 5 == 0 ? 5.f : 0.f; });
+    const FilteredFilm film = floorUnder(1, [](int x, int y, int) { return (x * 7 + y * 13) % 5 == 0 ? 5.f : 0.f; });
     double sum = 0;
     const Image smooth = film.smooth();
     for (const float v : smooth.data()) sum += v;
@@ -396,8 +405,8 @@ TEST(LayerFilter, SmoothingOfTheFirstSamplesKeepsTheMean) {
 
 // A group of which nothing is known, here or about, is left out.
 TEST(LayerFilter, GroupsWithoutSamplesDoNotDarken) {
-    Film film = floorUnder(1, [](int, int, int) { return 2.f; });
-    film.samples = SampleGroups(kRegion);
+    FilteredFilm film = floorUnder(1, [](int, int, int) { return 2.f; });
+    film.samples = FilmLayer(kRegion, film.samples.spec());
     forEachPixel([&](int x, int y) { film.samples.add(x, y, 1 + x % 2, Rgb(2.f), 1); });
     const Image smooth = film.smooth();
     for (const float v : smooth.data()) EXPECT_NEAR(v, 2, 1e-4);

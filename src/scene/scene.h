@@ -44,6 +44,7 @@ struct PixelRegion {
     int width() const { return x1 - x0; }
     int height() const { return y1 - y0; }
     size_t count() const { return size_t(width()) * size_t(height()); }
+    bool operator==(const PixelRegion&) const = default;
     size_t index(int x, int y) const { return size_t(y - y0) * size_t(width()) + size_t(x - x0); }
 };
 

@@ -1,0 +1,86 @@
+#include "app/picture_writer.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+// Samples a pixel of a picture of ours; -1: unknown.
+int samplesOf(const std::string& path) {
+    try {
+        const ExrMetadata metadata = readExrMetadata(path);
+        const auto spp = metadata.find("drc:spp");
+        return spp == metadata.end() ? -1 : std::atoi(spp->second.c_str());
+    } catch (const Error&) {
+        return -1;
+    }
+}
+
+}  // namespace
+
+OutputKind outputKind(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = char(std::tolower(c));
+    if (extension == ".exr") return OutputKind::Exr;
+    if (extension == ".png") return OutputKind::Png;
+    throw Error("-o " + path + ": pictures are written as .exr or .png");
+}
+
+void checkOutput(const std::string& option, const std::string& path) {
+    const auto folder = std::filesystem::absolute(path).parent_path();
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+        throw Error(option + " " + path + ": there is no folder " + folder.string());
+}
+
+std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, const ExrMetadata& metadata) const {
+    const PixelRegion& region = picture.film->region();
+    const ExrWindow window{region.x0, region.y0, settings_.film.width, settings_.film.height};
+    std::vector<std::string> files;
+    for (const std::string& path : outputs_) {
+        if (outputKind(path) == OutputKind::Png) {
+            files.push_back(encodePng(picture.beauty));
+            continue;
+        }
+        std::vector<ExrLayer> layers{{"", &picture.beauty}};
+        const bool parts = !picture.layers.empty() && !picture.layers[0].part.empty();
+        const Image direct = parts ? picture.part("direct") : Image(), indirect = parts ? picture.part("indirect") : Image();
+        if (parts) layers.insert(layers.end(), {{"direct", &direct}, {"indirect", &indirect}});
+        Image variance;
+        if (aovs_) {  // by the names of Blender's Cycles
+            variance = picture.variance();
+            layers.push_back({"Denoising Albedo", &picture.gBuffer->albedo});
+            layers.push_back({"Denoising Normal", &picture.gBuffer->normal});
+            layers.push_back({"Denoising Depth", &picture.gBuffer->depth});
+            layers.push_back({"Denoising Variance", &variance});
+            layers.push_back({"Debug Sample Count", &*picture.samples});
+        }
+        files.push_back(encodeExr(layers, metadata, window));
+    }
+    return files;
+}
+
+void PictureWriter::write(const std::vector<std::string>& files) const {
+    for (size_t i = 0; i < files.size(); ++i) writeFileAtomically(outputs_[i], files[i]);
+}
+
+void PictureWriter::divertFromBetterPictures(int samples) {
+    // What an EXR says holds for the files written with it.
+    bool worse = false;
+    for (const std::string& path : outputs_)
+        if (std::filesystem::is_regular_file(path) && outputKind(path) == OutputKind::Exr) {
+            const int old = samplesOf(path);
+            worse |= old >= 0 && old < samples;
+        }
+    for (std::string& path : outputs_) {
+        if (!std::filesystem::is_regular_file(path) || worse) continue;
+        const std::filesystem::path p(path);
+        path = (p.parent_path() / (p.stem().string() + ".interrupted" + p.extension().string())).string();
+    }
+}
+
+}  // namespace drc

@@ -1,0 +1,33 @@
+// The options of `drc render`.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "render/render_params.h"
+
+namespace drc {
+
+struct RenderOptions {
+    std::string scene;
+    std::vector<std::string> outputs;
+    RenderParams params;  // options that decide the picture are bound to these
+    std::string mapDenoiser = "network";
+    std::string weights;
+    std::string precision = "auto";
+    std::string projection = "auto";
+    std::string resolution;
+    std::vector<float> crop;
+    std::optional<float> spacing;  // of the first map pass, pixels
+    int oracleSamples = 64;
+    int threads = 0;
+    std::string oidnLibrary;
+    std::string timing;
+    bool aovs = false, stats = false, quiet = false, verbose = false;
+
+    bool usesOidn() const { return params.denoise == Denoise::Oidn || params.denoise == Denoise::OidnDirect; }
+};
+
+void addRenderOptions(CLI::App& command, RenderOptions& options);
+
+}  // namespace drc

@@ -1,0 +1,37 @@
+// The one place where camera rays are made: of pictures, map sites and training examples alike.
+#pragma once
+#include "math/sampler.h"
+#include "scene/scene.h"
+
+namespace drc {
+
+// What every sample of a pixel begins with.
+struct CameraSample {
+    Sampler sampler;  // goes on with the path
+    Vec2 film;        // position, in pixels
+    float filterWeight;
+    CameraRay camera;  // of weight 0 where the lens lets nothing through
+};
+
+// Key of a pixel's own random numbers, for Sampler streams. purpose: keeps streams of different uses apart.
+inline uint64_t pixelStream(uint64_t seed, uint64_t purpose, int x, int y) {
+    return hashCombine(seed, hashCombine(purpose, (uint64_t(uint32_t(y)) << 32) | uint32_t(x)));
+}
+
+// The scene's camera ray through a position of the film. Takes three numbers from the sampler: lens (2) and time.
+inline CameraRay cameraRay(const Scene& scene, const Vec2& film, Sampler& sampler) {
+    const Vec2 uLens = sampler.get2D();
+    return scene.camera->generateRay(film, uLens, sampler.get1D());
+}
+
+// Sample `index` of pixel (x, y). The position on the film is drawn in proportion to the pixel filter.
+inline CameraSample cameraSample(const Scene& scene, int x, int y, uint64_t stream, uint32_t index) {
+    CameraSample s{Sampler(stream, index), Vec2(0.f), 0, {}};
+    const FilterSample f = scene.settings.filter->sample(s.sampler.get2D());
+    s.film = Vec2(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
+    s.filterWeight = f.weight;
+    s.camera = cameraRay(scene, s.film, s.sampler);
+    return s;
+}
+
+}  // namespace drc

@@ -1,0 +1,66 @@
+#include "integrators/direct_lighting.h"
+
+namespace drc {
+
+Rgb DirectLighting::emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const {
+    Rgb sum(0.f);
+    forLightAt(hit, [&](const AreaLight& light, const Rgb& emitted) {
+        if (pdf == kSpecular) {
+            sum = emitted;
+            return;
+        }
+        const float lightPdf = lights_.probability(from, &light) * light.pdf(from, -hit.wo, hit.emitterHit());
+        sum = emitted * powerHeuristic(pdf, lightPdf);
+    });
+    return sum;
+}
+
+Rgb DirectLighting::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, int group) const {
+    Rgb sum(0.f);
+    forLightsAtInfinity(d, [&](const Light& light, const Rgb& radiance) {
+        float weight = 1;
+        if (pdf != kSpecular) {
+            float lightPdf = lights_.probability(from, &light) * light.pdfEscaped(d);
+            if (group != kNoGroup && &light == guide_->light()) lightPdf *= guide_->density(group, light.inverse(d));
+            weight = powerHeuristic(pdf, lightPdf);
+        }
+        sum += radiance * weight;
+    });
+    return sum;
+}
+
+DirectLighting::Proposal DirectLighting::propose(const SurfaceInteraction& at, const BsdfView& bsdf, int group,
+                                                 float uLight, const Vec2& u) const {
+    const auto choice = lights_.sample(at.p, uLight);
+    if (choice.light == nullptr) return {};
+    float pdf = choice.probability;
+    Vec2 onLight = u;
+    int slot = -1;
+    if (group != kNoGroup && choice.light == guide_->light()) {
+        const EnvironmentGuide::Guided guided = guide_->sample(group, u);
+        onLight = guided.u;
+        pdf *= guided.density;
+        slot = guided.slot;
+    }
+    const auto s = choice.light->sample(at.p, onLight);
+    const bool infinite = choice.light->isInfinite();
+    if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return {};
+    const LobeValue value = bsdf.evaluate(s->wi);
+    if (isBlack(value.f)) {
+        if (slot >= 0) guide_->learn(slot, false);
+        return {};
+    }
+    pdf *= s->pdf;
+    return {choice.light, *s, value.f * (absDot(s->wi, bsdf.bsdf().frame().n) / pdf), pdf, value.pdf, slot};
+}
+
+Rgb DirectLighting::arriving(const SurfaceInteraction& at, const Proposal& proposal) const {
+    if (proposal.light == nullptr) return Rgb(0.f);
+    const LightSample& s = proposal.sample;
+    const bool blocked = shadowed(accel_, at.spawnPoint(), s.wi, s.distance, at.time);
+    if (proposal.slot >= 0) guide_->learn(proposal.slot, !blocked);
+    if (blocked) return Rgb(0.f);
+    return proposal.throughput * (proposal.light->isInfinite() ? proposal.light->escaped(s.wi) : s.radiance);
+}
+
+}  // namespace drc

@@ -1,0 +1,120 @@
+#include "integrators/path_walker.h"
+
+#include <utility>
+
+namespace drc {
+namespace {
+
+constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
+
+// Lobes only estimate their albedos.
+Rgb unitAlbedo(const Bsdf& bsdf, const Vec3& wo) {
+    Rgb albedo = bsdf.albedo(wo);
+    for (int c = 0; c < 3; ++c) albedo[c] = albedo[c] > 0 ? std::min(albedo[c], 1.f) : 0.f;
+    return albedo;
+}
+
+}  // namespace
+
+bool SpecularChain::follow(const Bsdf& bsdf, float uLobe, const Vec2& u, float probability) {
+    if (bounces_ >= kMaxSpecularChain) return false;
+    const auto s = bsdf.sample(surface_.wo, uLobe, u, kSpecularLobes);
+    if (!s || !(s->pdf > 0)) return false;
+    throughput_ *= s->f * (absDot(s->wi, bsdf.frame().n) / (s->pdf * probability));
+    if (isBlack(throughput_)) return false;
+    ray_ = surface_.spawnRay(s->wi);
+    ++bounces_;
+    return true;
+}
+
+bool PathWalker::scatter(PathState& path, const SurfaceInteraction& hit, const BsdfView& view,
+                         const VertexNumbers& u) const {
+    const auto s = view.sample(u.lobe, u.direction);
+    if (!s || !(s->pdf > 0)) return false;
+    path.throughput *= s->f * (absDot(s->wi, view.bsdf().frame().n) / s->pdf);
+    if (isBlack(path.throughput)) return false;
+    path.etaScale *= sqr(s->eta);
+    if (s->isSpecular()) {
+        path.pdf = DirectLighting::kSpecular;
+        if (++path.chain > kMaxSpecularChain) return false;
+    } else {
+        path.pdf = s->pdf;
+        ++path.depth;
+    }
+    path.from = hit.p;
+    path.ray = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
+
+    if (path.depth + path.chain >= settings_.rouletteDepth) {
+        const float survival = std::min(0.95f, maxComponent(path.throughput) * path.etaScale);
+        if (u.roulette >= survival) return false;
+        path.throughput *= 1 / survival;
+    }
+    return true;
+}
+
+Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emission, PathSinks sinks,
+                     const SurfaceInteraction* start) const {
+    Rgb sum(0.f);
+    PathState path(firstRay);
+    bool counted = emission == FirstEmission::Counted;
+    // The point that the ray leaves was the path's first vertex.
+    const int maxDepth = settings_.maxDepth - (counted ? 0 : 1);
+    // Where to record what comes next: each until it is known.
+    FirstHit *hitWanted = sinks.firstHit, *albedoWanted = nullptr, *directWanted = sinks.firstHit;
+    const Accel& accel = lighting_.accel();
+    SurfaceInteraction hit;
+    Accel::Found found;
+    bool any = start == nullptr && accel.find(path.ray, found);
+    for (;;) {
+        const auto met = [&](const SurfaceInteraction& surface) {
+            path.distance += surface.t;
+            if (hitWanted) {
+                hitWanted->distance = length(surface.p - path.from);
+                hitWanted->normal = faceForward(surface.ng, surface.wo);
+                albedoWanted = std::exchange(hitWanted, nullptr);
+            }
+            if (counted) sum += path.throughput * lighting_.emissionAtHit(surface, path.from, path.pdf);
+        };
+        if (start) {
+            hit = *std::exchange(start, nullptr);
+            met(hit);
+        } else {
+            const Arrival arrival = toSurface(accel, path.ray, found, any, hit, met);
+            if (arrival == Arrival::Escaped && counted)
+                sum += path.throughput * lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group);
+            if (arrival != Arrival::Surface) break;
+        }
+        counted = true;
+        if (path.depth >= maxDepth) break;
+
+        const Bsdf bsdf = hit.bsdf();
+        if (bsdf.size() == 0) break;
+        path.group = lighting_.groupOf(hit, bsdf);
+        if (albedoWanted) std::exchange(albedoWanted, nullptr)->albedo = unitAlbedo(bsdf, hit.wo);
+        if (sinks.gBuffer && path.depth == 0) sinks.gBuffer->record(path.throughput, hit, bsdf, path.distance);
+        const BsdfView view(bsdf, hit.wo);
+        const VertexNumbers u(sampler);
+        DirectLighting::Proposal light;
+        if (bsdf.hasNonSpecular()) light = lighting_.propose(hit, view, path.group, u.light, u.onLight);
+        const Rgb throughput = path.throughput;
+        const int depth = path.depth;
+        const bool goesOn = scatter(path, hit, view, u);
+        // The path's own ray before the shadow ray, which then hides the wait for the data of the surface met.
+        any = goesOn && accel.find(path.ray, found);
+        if (directWanted && depth > 0) std::exchange(directWanted, nullptr)->direct = sum;
+        sum += throughput * lighting_.arriving(hit, light) * light.weight();
+        if (!goesOn) break;
+    }
+    if (directWanted) directWanted->direct = sum;
+    const Rgb bounded = clampedSample(sum, settings_.clamp);
+    // The part is bounded with the whole.
+    if (sinks.firstHit && bounded != sum) {
+        if (isFinite(sum))
+            sinks.firstHit->direct *= settings_.clamp / luminance(sum);
+        else
+            sinks.firstHit->direct = Rgb(0.f);
+    }
+    return bounded;
+}
+
+}  // namespace drc

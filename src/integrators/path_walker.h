@@ -1,0 +1,134 @@
+// One walk over the vertices of a path. All light transport from the camera is made of its parts: the walk itself
+// (paths, radiance maps), the chain of mirrors and smooth glass that it may begin with (direct light, first vertices),
+// and the sinks that look on (G-buffer, first hit of a radiance map).
+//
+// Depth counts non-specular vertices. Mirrors and smooth glass count for nothing in it. Radiance is linear RGB.
+#pragma once
+#include "integrators/direct_lighting.h"
+#include "integrators/path_sinks.h"
+#include "math/sampler.h"
+
+namespace drc {
+
+struct PathSettings {
+    int maxDepth = 64;        // non-specular vertices; Russian roulette ends nearly all paths long before
+    int rouletteDepth = 3;    // vertices before roulette starts
+    float clamp = kInfinity;  // upper bound on a sample's luminance; infinity: none, the unbiased default
+};
+
+// radiance, or black if it is not finite, scaled down to the luminance that the settings allow a sample.
+inline Rgb clampedSample(const Rgb& radiance, float clamp) {
+    if (!isFinite(radiance)) return Rgb(0.f);
+    const float l = luminance(radiance);
+    return l <= clamp ? radiance : radiance * (clamp / l);
+}
+
+// A path as it goes on from its latest vertex.
+struct PathState {
+    PathState(const Ray& r, float spaceBefore = 0) : ray(r), from(r.o), distance(spaceBefore) {}
+
+    Ray ray;
+    Vec3 from;  // the vertex that the ray leaves, before it was moved off the surface
+    Rgb throughput{1.f};
+    float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
+    float etaScale = 1;                     // undoes the scaling of radiance inside glass, which is no loss, for roulette
+    float distance;                         // that the path has come, world units
+    int depth = 0, chain = 0;               // non-specular vertices; specular ones and surfaces passed through
+    int group = DirectLighting::kNoGroup;   // of the guide, for the vertex that the ray leaves
+};
+
+// The random numbers of one vertex.
+struct VertexNumbers {
+    explicit VertexNumbers(Sampler& sampler) : VertexNumbers(sampler.getFour2D()) {}
+    explicit VertexNumbers(const std::array<Vec2, 4>& u)
+        : onLight(u[0]), direction(u[1]), light(u[2].x), lobe(u[2].y), roulette(u[3].x) {}
+    Vec2 onLight, direction;
+    float light, lobe, roulette;
+};
+
+// Goes along the ray to the next surface with a material, through emitters without one; met(hit) is called for every
+// surface on the way and for that one. Escaped: there was none, and the ray is the last part of its way. Lost: there
+// were too many; no light may be taken from there. found: what accel.find said of the ray.
+enum class Arrival { Surface, Escaped, Lost };
+template <class Met>
+inline Arrival toSurface(const Accel& accel, Ray& ray, Accel::Found& found, bool any, SurfaceInteraction& hit,
+                         Met&& met) {
+    for (int passed = 0; passed <= kMaxPassThrough; ++passed) {
+        if (!any || !nextSurface(accel, ray, found, hit)) return Arrival::Escaped;
+        met(hit);
+        if (hit.primitive->material) return Arrival::Surface;
+        ray = hit.spawnRay(ray.d);
+        any = accel.find(ray, found);
+    }
+    return Arrival::Lost;
+}
+template <class Met>
+inline Arrival toSurface(const Accel& accel, Ray& ray, SurfaceInteraction& hit, Met&& met) {
+    Accel::Found found;
+    const bool any = accel.find(ray, found);
+    return toSurface(accel, ray, found, any, hit, met);
+}
+
+// The mirrors and smooth glass between a camera and the surfaces that it sees in them.
+class SpecularChain {
+  public:
+    SpecularChain(const Accel& accel, const Ray& cameraRay) : accel_(accel), ray_(cameraRay) {}
+
+    // On to the next surface with a material: surface(). met(hit) as for toSurface. Where the path ends, atInfinity(d)
+    // is called if it escaped.
+    template <class Met, class AtInfinity>
+    bool next(Met&& met, AtInfinity&& atInfinity) {
+        const Arrival arrival = toSurface(accel_, ray_, surface_, [&](const SurfaceInteraction& hit) {
+            distance_ += hit.t;
+            met(hit);
+        });
+        if (arrival == Arrival::Escaped) atInfinity(ray_.d);
+        return arrival == Arrival::Surface;
+    }
+    // Goes on from surface() by one of its specular lobes. probability: of having decided so. False: the path ends.
+    bool follow(const Bsdf& bsdf, float uLobe, const Vec2& u, float probability = 1);
+
+    const SurfaceInteraction& surface() const { return surface_; }
+    const Rgb& throughput() const { return throughput_; }  // of the chain up to surface()
+    float distance() const { return distance_; }           // of surface() along the chain, world units
+    int bounces() const { return bounces_; }
+
+  private:
+    const Accel& accel_;
+    Ray ray_;
+    SurfaceInteraction surface_;
+    Rgb throughput_{1.f};
+    float distance_ = 0;
+    int bounces_ = 0;
+};
+
+class PathWalker {
+  public:
+    // lighting must outlive the walker.
+    PathWalker(const DirectLighting& lighting, const PathSettings& settings)
+        : lighting_(lighting), settings_(settings) {}
+
+    // Whether Le met before the first vertex counts: not where it is somebody else's (the R of the split).
+    enum class FirstEmission { Counted, Skipped };
+    // All light that arrives along the ray. start: the surface that the ray meets first, if that is known already. If
+    // first emission is skipped, the point that the ray leaves is a vertex of the path, and counts in its depth.
+    Rgb walk(const Ray& ray, Sampler& sampler, FirstEmission first, PathSinks sinks = {},
+             const SurfaceInteraction* start = nullptr) const;
+
+    // A light sample at a vertex, weighted against BSDF sampling.
+    Rgb sampleLight(const SurfaceInteraction& at, const BsdfView& view, int group, const VertexNumbers& u) const {
+        const auto proposal = lighting_.propose(at, view, group, u.light, u.onLight);
+        return lighting_.arriving(at, proposal) * proposal.weight();
+    }
+    const DirectLighting& lighting() const { return lighting_; }
+    const PathSettings& settings() const { return settings_; }
+
+  private:
+    // Samples the next direction at a vertex. False: the path ends.
+    bool scatter(PathState& path, const SurfaceInteraction& hit, const BsdfView& view, const VertexNumbers& u) const;
+
+    const DirectLighting& lighting_;
+    PathSettings settings_;
+};
+
+}  // namespace drc

@@ -1,0 +1,68 @@
+// Bidirectional path tracing: one path from the camera and one from a light for each sample.
+#include "integrators/bdpt.h"
+
+#include "render/sampled_integrator.h"
+#include "render/splat_filter.h"
+
+namespace drc {
+namespace {
+
+class BdptIntegrator final : public SampledIntegrator {
+  public:
+    explicit BdptIntegrator(const RenderContext& context)
+        : SampledIntegrator(context),
+          tracer_(context.scene, context.accel, context.lights, context.tracer.settings(),
+                  double(context.scene.settings.region().count())),
+          splatFilter_(*context.scene.settings.filter) {}
+
+    std::vector<FilmLayerSpec> layers() const override {
+        std::vector<FilmLayerSpec> layers = SampledIntegrator::layers();
+        // Finer steps than other layers: a splat is the share of one path among as many as the film has pixels.
+        layers.push_back({.name = kSplats, .weighted = false, .quantum = layers[0].quantum / 256});
+        return layers;
+    }
+
+    LayeredPicture picture(std::shared_ptr<const Film> film) const override {
+        LayeredPicture picture = SampledIntegrator::picture(std::move(film));
+        const FilmLayer &camera = picture.film->layer(kBeauty), &splats = picture.film->layer(kSplats);
+        const PixelRegion& region = picture.film->region();
+        // Splats are meant for one light path for each pixel of the whole region.
+        double paths = 0;
+        for (int y = region.y0; y < region.y1; ++y)
+            for (int x = region.x0; x < region.x1; ++x) paths += camera.expected(x, y);
+        if (paths == 0) return picture;
+        const double scale = double(region.count()) / paths * double(picture.scale);
+        PictureLayer layer{kSplats, "", Image(region.width(), region.height()), std::nullopt};
+        for (int y = region.y0; y < region.y1; ++y)
+            for (int x = region.x0; x < region.x1; ++x) {
+                const auto channel = [&](int c) { return float(splats.sum(x, y, c) * scale); };
+                layer.mean.setRgb(x - region.x0, y - region.y0, Rgb(channel(0), channel(1), channel(2)));
+            }
+        picture.layers.push_back(std::move(layer));
+        picture.compose();
+        return picture;
+    }
+
+  private:
+    static constexpr const char* kSplats = "splats";
+
+    Rgb radiance(const Ray& ray, Sampler& sampler, Film& film, GBufferSample* gBuffer) const override {
+        thread_local std::vector<Splat> splats;
+        splats.clear();
+        const Rgb radiance = tracer_.radiance(ray, sampler, splats, gBuffer);
+        FilmLayer& layer = film.layer(film.layerCount() - 1);
+        for (const Splat& splat : splats) splatFilter_.add(splat, layer);
+        return radiance;
+    }
+
+    BidirectionalTracer tracer_;
+    SplatFilter splatFilter_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> makeBdptIntegrator(const RenderContext& context) {
+    return std::make_unique<BdptIntegrator>(context);
+}
+
+}  // namespace drc

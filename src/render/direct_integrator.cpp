@@ -1,0 +1,23 @@
+// Direct light alone: emission that the camera sees, and one bounce.
+#include "render/sampled_integrator.h"
+
+namespace drc {
+namespace {
+
+class DirectIntegrator final : public SampledIntegrator {
+  public:
+    using SampledIntegrator::SampledIntegrator;
+
+  private:
+    Rgb radiance(const Ray& ray, Sampler& sampler, Film&, GBufferSample* gBuffer) const override {
+        return context_.tracer.direct(ray, sampler, gBuffer);
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> makeDirectIntegrator(const RenderContext& context) {
+    return std::make_unique<DirectIntegrator>(context);
+}
+
+}  // namespace drc

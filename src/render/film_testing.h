@@ -1,0 +1,14 @@
+// Films for tests: settings of a film that is rendered in part.
+#pragma once
+#include "render/film.h"
+
+namespace drc::test {
+
+inline RenderSettings filmSettings(const PixelRegion& region) {
+    RenderSettings settings;
+    settings.film = {256, 256};
+    settings.pixelBounds = region;
+    return settings;
+}
+
+}  // namespace drc::test

@@ -1,0 +1,104 @@
+#include "render/layered_picture.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "base/parallel.h"
+#include "render/sample_pass.h"
+
+namespace drc {
+namespace {
+
+// f(row) for all rows, in parallel.
+template <class F>
+void forEachRow(int height, const F& f) {
+    parallelFor(0, height, 8, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) f(row);
+    });
+}
+
+}  // namespace
+
+PictureLayer& LayeredPicture::layer(const std::string& name) {
+    const auto found = std::find_if(layers.begin(), layers.end(), [&](const PictureLayer& l) { return l.name == name; });
+    assert(found != layers.end());
+    return *found;
+}
+
+Image LayeredPicture::part(const std::string& name) const {
+    Image sum(film->region().width(), film->region().height());
+    for (const PictureLayer& layer : layers)
+        if (name.empty() || layer.part == name)
+            for (size_t i = 0; i < sum.data().size(); ++i) sum.data()[i] += layer.mean.data()[i];
+    return sum;
+}
+
+Image LayeredPicture::variance() const {
+    Image sum(film->region().width(), film->region().height());
+    for (const PictureLayer& layer : layers)
+        if (layer.variance)
+            for (size_t i = 0; i < sum.data().size(); ++i) sum.data()[i] += layer.variance->data()[i];
+    return sum;
+}
+
+void LayeredPicture::compose() {
+    beauty = part("");
+    // Filters with negative lobes undershoot beside what is bright. As in pbrt a picture has no light below zero; its
+    // layers may.
+    for (float& v : beauty.data()) v = std::max(v, 0.f);
+}
+
+PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale) {
+    const FilmLayer& samples = film.layer(name);
+    const PixelRegion& region = film.region();
+    PictureLayer layer{name, part, Image(region.width(), region.height()), std::nullopt};
+    if (samples.spec().groups > 1) layer.variance.emplace(region.width(), region.height());
+    forEachRow(region.height(), [&](int row) {
+        for (int column = 0; column < region.width(); ++column) {
+            const int x = region.x0 + column, y = region.y0 + row;
+            layer.mean.setRgb(column, row, samples.mean(x, y) * scale);
+            if (layer.variance) layer.variance->setRgb(column, row, samples.varianceOfMean(x, y) * (scale * scale));
+        }
+    });
+    return layer;
+}
+
+void addGBufferSpec(std::vector<FilmLayerSpec>& layers) { layers.push_back({.name = kGBufferLayer, .channels = 7}); }
+
+void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, float filterWeight) {
+    const float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x, s.normal.y, s.normal.z, s.depth};
+    layer.add(x, y, 0, values, filterWeight);
+}
+
+Image sampleCounts(const FilmLayer& layer) {
+    const PixelRegion& region = layer.region();
+    Image counts(region.width(), region.height(), {"X"});
+    for (int y = region.y0; y < region.y1; ++y)
+        for (int x = region.x0; x < region.x1; ++x)
+            counts.at(x - region.x0, y - region.y0, 0) = float(layer.expected(x, y));
+    return counts;
+}
+
+void addGBuffer(LayeredPicture& picture) {
+    const Film& film = *picture.film;
+    const PixelRegion& region = film.region();
+    const int width = region.width(), height = region.height();
+    const FilmLayer& samples = film.layer(kGBufferLayer);
+    GBuffer g{Image(width, height), Image(width, height, {"X", "Y", "Z"}), Image(width, height, {"Z"})};
+    forEachRow(height, [&](int row) {
+        for (int column = 0; column < width; ++column) {
+            const int x = region.x0 + column, y = region.y0 + row;
+            const double expected = samples.expected(x, y);
+            if (expected == 0) continue;
+            const double divisor = filterDivisor(samples.sum(x, y, 7), expected);
+            const auto mean = [&](int c) { return float(samples.sum(x, y, c) / divisor); };
+            for (int c = 0; c < 3; ++c) g.albedo.at(column, row, c) = std::clamp(mean(c), 0.f, 1.f);
+            for (int c = 0; c < 3; ++c) g.normal.at(column, row, c) = mean(3 + c);
+            g.depth.at(column, row, 0) = mean(6);
+        }
+    });
+    for (Image* image : {&g.albedo, &g.normal, &g.depth}) fillUnsampled(*image, samples);
+    picture.gBuffer = std::move(g);
+}
+
+}  // namespace drc

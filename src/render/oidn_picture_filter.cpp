@@ -1,0 +1,22 @@
+#include "render/oidn_picture_filter.h"
+
+#include <algorithm>
+
+namespace drc {
+
+void OidnPictureFilter::apply(LayeredPicture& picture) const {
+    const GBuffer& g = picture.gBuffer.value();
+    if (!directAlone_) {
+        picture.beauty = library_.denoised(picture.beauty, g.albedo, g.normal);
+        return;
+    }
+    Image direct = picture.part("direct");
+    for (float& v : direct.data()) v = std::max(v, 0.f);
+    // One layer takes the place of those of direct light.
+    PictureLayer denoised{"direct", "direct", library_.denoised(direct, g.albedo, g.normal), std::nullopt};
+    std::erase_if(picture.layers, [](const PictureLayer& layer) { return layer.part == "direct"; });
+    picture.layers.insert(picture.layers.begin(), std::move(denoised));
+    picture.compose();
+}
+
+}  // namespace drc

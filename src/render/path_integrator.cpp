@@ -1,0 +1,23 @@
+// Path tracing.
+#include "render/sampled_integrator.h"
+
+namespace drc {
+namespace {
+
+class PathIntegrator final : public SampledIntegrator {
+  public:
+    using SampledIntegrator::SampledIntegrator;
+
+  private:
+    Rgb radiance(const Ray& ray, Sampler& sampler, Film&, GBufferSample* gBuffer) const override {
+        return context_.tracer.radiance(ray, sampler, gBuffer);
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> makePathIntegrator(const RenderContext& context) {
+    return std::make_unique<PathIntegrator>(context);
+}
+
+}  // namespace drc

@@ -1,0 +1,61 @@
+#include "render/render_params.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "cache/map_grid.h"
+#include "render/integrator.h"
+
+namespace drc {
+namespace {
+
+// Camera samples a pixel with and without radiance maps, passes of these, and directions gathered from them.
+struct Effort {
+    int mapSpp, mapPasses, gatherSamples, spp;
+};
+Effort effortOf(Quality quality) {
+    switch (quality) {
+        case Quality::Draft: return {16, 7, 4, 16};
+        case Quality::Standard: return {64, 10, 4, 128};
+        case Quality::High: return {256, 16, 8, 1024};
+    }
+    return {};
+}
+
+// What a scene's file asks for, as far as it is built.
+std::string integratorOfFile(const std::string& name) {
+    if (name == "iispt") return "drc";
+    if (name == "directlighting") return "direct";
+    if (name == "bdpt") return "bdpt";
+    // Of "volpath" no more is left: media have warnings of their own.
+    if (name != "path" && name != "volpath")
+        logWarning("the scene's integrator '" + name + "' is rendered as 'path'");
+    return "path";
+}
+
+}  // namespace
+
+RenderParams resolved(RenderParams p, const Scene& scene) {
+    const bool byFile = p.integrator == "scene";
+    if (byFile) p.integrator = integratorOfFile(scene.settings.integrator);
+    const bool maps = usesMaps(p.integrator);
+    const Effort effort = effortOf(p.quality);
+    if (!p.spp) p.spp = byFile ? scene.settings.samplesPerPixel : maps ? effort.mapSpp : effort.spp;
+    if (!p.mapPasses)
+        p.mapPasses = p.mapTasks ? passesForTasks(*p.mapTasks, scene.settings.film.width, scene.settings.film.height)
+                                 : effort.mapPasses;
+    if (!p.gatherSamples) p.gatherSamples = p.seconds > 0 ? p.indirect.gatherSamples : effort.gatherSamples;
+    p.indirect.gatherSamples = *p.gatherSamples;
+    if (!p.maxDepth) p.maxDepth = byFile ? scene.settings.maxDepth : PathSettings().maxDepth;
+    p.clamp = std::min(scene.settings.maxSampleLuminance, p.clamp > 0 ? p.clamp : kInfinity);
+    if (p.firstSpacing == 0) p.firstSpacing = kFirstSpacing;
+    if (p.denoise == Denoise::Automatic) p.denoise = maps ? Denoise::Surface : Denoise::Off;
+    if (!maps && (p.denoise == Denoise::Surface || p.denoise == Denoise::OidnDirect))
+        throw Error("--denoise " + std::string(p.denoise == Denoise::Surface ? "surface" : "oidn-direct") +
+                    ": it filters the layers of --integrator drc, which others do not have");
+    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect) p.gBuffer = true;
+    return p;
+}
+
+}  // namespace drc

@@ -1,0 +1,45 @@
+#include "render/sampled_integrator.h"
+
+#include "render/sample_pass.h"
+
+namespace drc {
+
+int halfOf(uint64_t seed, uint32_t index) {
+    constexpr uint64_t kHalfStream = 0x2006;
+    return int((index ^ (hashCombine(seed, hashCombine(kHalfStream, index / 2)) >> 32)) & 1);
+}
+
+std::vector<FilmLayerSpec> SampledIntegrator::layers() const {
+    std::vector<FilmLayerSpec> layers{{.name = kBeauty,
+                                       .groups = context_.params.variance ? 2 : 1,
+                                       .quantum = radianceQuantum(context_.scene.settings.filmScale)}};
+    if (context_.params.gBuffer) addGBufferSpec(layers);
+    return layers;
+}
+
+void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) const {
+    const RenderParams& params = context_.params;
+    const CameraRay& camera = sample.camera;
+    GBufferSample gBuffer;
+    const Rgb value =
+        camera.weight > 0
+            ? radiance(camera.ray, sample.sampler, film, params.gBuffer ? &gBuffer : nullptr) * camera.weight
+            : Rgb(0.f);
+    film.layer(0).add(x, y, params.variance ? halfOf(params.seed, index) : 0, value, sample.filterWeight);
+    if (params.gBuffer) addGBufferSample(film.layer(1), x, y, gBuffer, sample.filterWeight);
+}
+
+LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) const {
+    LayeredPicture picture;
+    picture.scale = context_.scene.settings.filmScale;
+    picture.film = std::move(film);
+    const FilmLayer& samples = picture.film->layer(kBeauty);
+    picture.layers.push_back(pictureLayer(*picture.film, kBeauty, "", picture.scale));
+    fillUnsampled(picture.layers[0].mean, samples);
+    if (context_.params.variance) picture.samples = sampleCounts(samples);
+    if (context_.params.gBuffer) addGBuffer(picture);
+    picture.compose();
+    return picture;
+}
+
+}  // namespace drc

@@ -1,0 +1,119 @@
+#include "render/schedule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cache/map_grid.h"
+#include "render/integrator.h"
+#include "render/sample_pass.h"
+
+namespace drc {
+namespace {
+
+// Of the time that passes get, the share of camera samples where there are map passes too.
+constexpr double kSampleShare = 0.7;
+// Pixels. Below it more map passes serve better than more maps in one.
+constexpr float kFinestInTime = 3;
+// A first map pass that would take more than this share of the time lights only a lattice of pixels.
+constexpr double kFirstMapShare = 0.15;
+// Of a map pass, what a pixel costs in units of a camera sample of direct light: roughly, where it has been measured.
+constexpr double kGatherInSamples = 3;
+// Share of the remaining time after which the time to finish is measured once more.
+constexpr double kMeasureAgainAt = 0.6;
+
+double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+}  // namespace
+
+Schedule::Schedule(const RenderParams& params, Clock::time_point start, int filmHeight, size_t pixels)
+    : params_(params),
+      maps_(usesMaps(params.integrator)),
+      start_(start),
+      filmHeight_(filmHeight),
+      pixels_(double(pixels)) {
+    if (params.seconds > 0)
+        end_ = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(params.seconds));
+}
+
+std::optional<Schedule::Clock::time_point> Schedule::deadline() const {
+    if (!end_) return std::nullopt;
+    return *end_ - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(reserved_));
+}
+
+double Schedule::budget() const { return end_ ? params_.seconds : kInfinity; }
+double Schedule::secondsLeft() const { return end_ ? seconds(*end_ - Clock::now()) : kInfinity; }
+
+bool Schedule::wantsReserve(int samplePasses, int mapPasses) const {
+    if (!end_ || !hasPicture(samplePasses, mapPasses)) return false;
+    if (measured_ == 0) return true;
+    return measured_ == 1 && seconds(Clock::now() - start_) > kMeasureAgainAt * (params_.seconds - reserved_);
+}
+
+std::optional<Schedule::Work> Schedule::next(int samplePasses, int mapPasses) const {
+    const Work samples{Work::Kind::Samples, samplePasses};
+    Work maps{Work::Kind::Maps, mapPasses, passSpacing(mapPasses, filmHeight_, params_.firstSpacing)};
+    const int wanted = *params_.spp, wantedMaps = maps_ ? *params_.mapPasses : 0;
+    if (!end_) {
+        const int taken = SamplePass::wholeSamples(samplePasses);
+        // In turns, so that an interrupted render has both in proportion.
+        if (mapPasses < wantedMaps && (taken >= wanted || double(mapPasses) / wantedMaps <= double(taken) / wanted))
+            return maps;
+        if (taken < wanted) return samples;
+        return std::nullopt;
+    }
+    if (hasPicture(samplePasses, mapPasses) && Clock::now() >= *deadline()) return std::nullopt;
+    if (!maps_ || samplePasses == 0) return samples;
+    if (mapPasses == 0) {
+        const double gather = pixels_ * kGatherInSamples * secondsPerSample_;
+        while (maps.stride < 4 && gather / sqr(double(maps.stride)) > kFirstMapShare * params_.seconds) maps.stride *= 2;
+        return maps;
+    }
+    if (SamplePass::wholeSamples(samplePasses) == 0) return samples;
+    maps.spacing = spacingInTime(mapPasses);
+    const double total = sampleSeconds_ + mapSeconds_;
+    return maps.spacing > 0 && sampleSeconds_ > kSampleShare * total ? maps : samples;
+}
+
+float Schedule::spacingInTime(int mapPasses) const {
+    const double left = seconds(*deadline() - Clock::now());
+    // The first pass is cheap and makes the picture whole. The next goes as fine as lets four passes, each with the
+    // usual 1.26 times the maps of the one before, fill what is left of their share.
+    constexpr double kPassesInTime = 4;
+    const double growth = 1 / sqr(double(kSpacingFactor));
+    double cost = lastMapSeconds_ * growth;
+    if (mapPasses == 1) {
+        const double sum = (std::pow(growth, kPassesInTime) - 1) / (growth - 1);
+        cost = std::max(cost, (1 - kSampleShare) * left / sum);
+    }
+    // It must end in time: with fewer maps if need be, not at all if it would be much coarser.
+    if (cost > 0.9 * left) {
+        if (0.5 * lastMapSeconds_ > left) return 0;
+        cost = 0.9 * left;
+    }
+    return std::max(kFinestInTime, float(lastSpacing_ * std::sqrt(lastMapSeconds_ / cost)));
+}
+
+void Schedule::finished(const Work& work, Clock::duration duration, bool whole) {
+    const double took = seconds(duration);
+    if (work.kind == Work::Kind::Samples) {
+        sampleSeconds_ += took;
+        if (work.index == 0 && whole) secondsPerSample_ = took / std::max(1.0, pixels_ / 16);
+        return;
+    }
+    mapSeconds_ += took;
+    // What it would have taken to light all pixels.
+    lastMapSeconds_ = took * sqr(double(work.stride));
+    lastSpacing_ = work.spacing;
+}
+
+double Schedule::progress(int samplePasses, int mapPasses) const {
+    if (end_) return std::clamp(seconds(Clock::now() - start_) / std::max(1e-9, params_.seconds - reserved_), 0.0, 1.0);
+    const double samples = std::min(1.0, double(SamplePass::wholeSamples(samplePasses)) / std::max(1, *params_.spp));
+    if (!maps_) return samples;
+    // Passes cost more and more: by the maps they have.
+    const auto mapsOf = [](int n) { return std::pow(double(kSpacingFactor), -2.0 * n) - 1; };
+    const double passes = *params_.mapPasses > 0 ? mapsOf(mapPasses) / mapsOf(*params_.mapPasses) : 1;
+    return kSampleShare * samples + (1 - kSampleShare) * std::min(1.0, passes);
+}
+
+}  // namespace drc

@@ -1,0 +1,105 @@
+#include "render/schedule.h"
+
+#include <gtest/gtest.h>
+
+#include "render/sample_pass.h"
+
+namespace drc {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Kind = Schedule::Work::Kind;
+using Clock = Schedule::Clock;
+
+RenderParams params(const std::string& integrator, int spp, int mapPasses, double budget = 0) {
+    RenderParams p;
+    p.integrator = integrator;
+    p.spp = spp;
+    p.mapPasses = mapPasses;
+    p.seconds = budget;
+    p.firstSpacing = 0.1f;
+    return p;
+}
+
+// What it has done when it stops by itself: sample passes and map passes.
+std::pair<int, int> runOut(const Schedule& schedule) {
+    int samples = 0, maps = 0;
+    while (const auto work = schedule.next(samples, maps)) {
+        EXPECT_EQ(work->index, work->kind == Kind::Maps ? maps : samples);
+        EXPECT_LT(samples + maps, 1000);
+        ++(work->kind == Kind::Maps ? maps : samples);
+    }
+    return {samples, maps};
+}
+
+TEST(Schedule, WithoutABudgetTakesWhatWasAskedFor) {
+    EXPECT_EQ(runOut(Schedule(params("path", 5, 0), Clock::now(), 100, 10000)),
+              std::pair(SamplePass::passesFor(5), 0));
+    EXPECT_EQ(runOut(Schedule(params("drc", 5, 3), Clock::now(), 100, 10000)),
+              std::pair(SamplePass::passesFor(5), 3));
+}
+
+TEST(Schedule, PassesAndSamplesGrowInProportion) {
+    const Schedule schedule(params("drc", 40, 4), Clock::now(), 100, 10000);
+    int samples = 0, maps = 0;
+    while (const auto work = schedule.next(samples, maps)) {
+        ++(work->kind == Kind::Maps ? maps : samples);
+        EXPECT_NEAR(double(maps) / 4, double(SamplePass::wholeSamples(samples)) / 40, 0.3);
+    }
+}
+
+TEST(Schedule, WithABudgetThereIsAPictureFirst) {
+    // All of the time is over already.
+    const Schedule late(params("drc", 5, 3, 1), Clock::now() - seconds(2), 100, 10000);
+    EXPECT_EQ(runOut(late), std::pair(1, 1));
+    const Schedule path(params("path", 5, 0, 1), Clock::now() - seconds(2), 100, 10000);
+    EXPECT_EQ(runOut(path), std::pair(1, 0));
+}
+
+TEST(Schedule, TimeIsSetAsideToFinish) {
+    Schedule schedule(params("path", 5, 0, 100), Clock::now(), 100, 10000);
+    EXPECT_FALSE(schedule.wantsReserve(0, 0));
+    EXPECT_TRUE(schedule.wantsReserve(1, 0));
+    const auto before = *schedule.deadline();
+    schedule.reserve(10);
+    schedule.reserveMeasured();
+    EXPECT_EQ(before - *schedule.deadline(), seconds(10));
+    EXPECT_FALSE(schedule.wantsReserve(5, 0));
+    EXPECT_TRUE(schedule.next(5, 0));
+    schedule.reserve(101);
+    EXPECT_FALSE(schedule.next(5, 0));
+    // Machines get busy: once more when most of the time has gone.
+    Schedule old(params("path", 5, 0, 100), Clock::now() - seconds(80), 100, 10000);
+    old.reserveMeasured();
+    EXPECT_TRUE(old.wantsReserve(5, 0));
+    old.reserveMeasured();
+    EXPECT_FALSE(old.wantsReserve(5, 0));
+}
+
+// A first pass of maps that would take long lights a lattice of pixels, and its cost is scaled for the next ones.
+TEST(Schedule, TheFirstMapPassFitsIntoTheTime) {
+    Schedule schedule(params("drc", 5, 3, 10), Clock::now(), 2160, 8000000);
+    schedule.finished({Kind::Samples, 0}, milliseconds(500), true);
+    const auto work = schedule.next(1, 0);
+    ASSERT_TRUE(work && work->kind == Kind::Maps);
+    EXPECT_EQ(work->stride, 4);
+    Schedule quick(params("drc", 5, 3, 10), Clock::now(), 180, 57600);
+    quick.finished({Kind::Samples, 0}, milliseconds(4), true);
+    EXPECT_EQ(quick.next(1, 0)->stride, 1);
+}
+
+TEST(Schedule, ProgressGrowsFromNothingToAll) {
+    const Schedule schedule(params("drc", 5, 3), Clock::now(), 100, 10000);
+    double last = -1;
+    int samples = 0, maps = 0;
+    while (const auto work = schedule.next(samples, maps)) {
+        EXPECT_GE(schedule.progress(samples, maps), last);
+        last = schedule.progress(samples, maps);
+        ++(work->kind == Kind::Maps ? maps : samples);
+    }
+    EXPECT_DOUBLE_EQ(schedule.progress(samples, maps), 1);
+}
+
+}  // namespace
+}  // namespace drc

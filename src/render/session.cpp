@@ -1,0 +1,145 @@
+#include "render/session.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "render/deadline.h"
+#include "render/sample_pass.h"
+
+namespace drc {
+namespace {
+
+constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003;
+// Of the guide: voxels between the camera and what it sees.
+constexpr float kVoxelsInDistance = 8;
+
+PathSettings pathSettings(const RenderParams& params) {
+    PathSettings settings;
+    settings.maxDepth = *params.maxDepth;
+    settings.clamp = params.clamp;
+    return settings;
+}
+
+}  // namespace
+
+Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer, Stats* stats,
+                 Schedule::Clock::time_point start)
+    : scene_(scene),
+      params_(resolved(params, scene)),
+      accel_(scene),
+      lights_(scene),
+      tracer_(scene, accel_, lights_, pathSettings(params_)),
+      enhancer_(std::move(enhancer)),
+      stats_(stats),
+      schedule_(params_, start, scene.settings.film.height, scene.settings.region().count()) {
+    begin();
+}
+
+Session::~Session() = default;
+
+void Session::begin() {
+    integrator_ = makeIntegrator(params_.integrator,
+                                 {scene_, accel_, lights_, tracer_, params_, enhancer_.get(), stats_});
+    film_ = std::make_unique<Film>(scene_.settings, integrator_->layers());
+    guide_.reset();
+    tracer_.setGuide(nullptr);
+    if (params_.guide && params_.integrator != "bdpt") startGuide();
+}
+
+void Session::setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film) {
+    scene_.camera = std::move(camera);
+    scene_.settings.film = film;
+    begin();
+    schedule_ = Schedule(params_, Schedule::Clock::now(), film.height, scene_.settings.region().count());
+}
+
+void Session::startGuide() {
+    const Light* brightest = nullptr;
+    float most = 0;
+    for (const Light* light : lights_.infiniteLights()) {
+        const float power = luminance(light->power(1));
+        if (light->isDelta() || !(power > most)) continue;
+        brightest = light;
+        most = power;
+    }
+    if (brightest == nullptr) return;
+    // Voxels in proportion to the distances that the picture shows.
+    constexpr int kProbes = 16;
+    std::vector<float> distances;
+    const PixelRegion& region = film_->region();
+    for (uint32_t i = 0; i < kProbes * kProbes; ++i) {
+        Sampler sampler(hashCombine(params_.seed, kProbeStream), i);
+        const Vec2 u = sampler.get2D();
+        const Vec2 film(float(region.x0) + u.x * float(region.width()),
+                        float(region.y0) + u.y * float(region.height()));
+        PrimaryHit hit;
+        const CameraRay camera = cameraRay(scene_, film, sampler);
+        if (camera.weight > 0 && tracer_.primaryHit(camera.ray, sampler, hit)) distances.push_back(hit.distance);
+    }
+    if (distances.empty()) return;
+    const auto median = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), median, distances.end());
+    guide_.emplace(*brightest, *median / kVoxelsInDistance);
+    tracer_.setGuide(&*guide_);
+}
+
+bool Session::step(const CancelToken* cancel) {
+    if (cancel && cancel->cancelled()) return false;
+    const std::optional<Schedule::Work> work = schedule_.next(film_->passes(), film_->mapPasses);
+    if (!work) return false;
+    std::optional<DeadlineToken> inTime;
+    if (const auto deadline = schedule_.deadline(); deadline && hasPicture())
+        cancel = &inTime.emplace(*deadline, cancel).token();
+    const auto start = Schedule::Clock::now();
+    bool whole = false;
+    if (work->kind == Schedule::Work::Kind::Maps) {
+        whole = integrator_->mapPass(work->index, work->spacing, work->stride, *film_, cancel);
+        film_->mapPasses += whole;
+    } else {
+        whole = samplePass(work->index, cancel);
+    }
+    const auto took = Schedule::Clock::now() - start;
+    schedule_.finished(*work, took, whole);
+    if (stats_) stats_->timer(work->kind == Schedule::Work::Kind::Maps ? "map passes" : "sample passes").add(took);
+    if (guide_ && whole && (work->kind == Schedule::Work::Kind::Maps || SamplePass{work->index}.endsSample()))
+        guide_->update();
+    return whole;
+}
+
+bool Session::samplePass(int index, const CancelToken* cancel) {
+    const SamplePass pass{index};
+    const uint32_t number = uint32_t(params_.firstSample) + pass.sample();
+    const PixelRegion& region = film_->region();
+    parallelFor(
+        region.y0, region.y1, 1,
+        [&](int y, int) {
+            const auto lock = film_->lockRow(y);
+            // A pass that was cut short goes on with the rows that it did not reach.
+            if (film_->rowPasses(y) > index) return;
+            pass.forEachColumn(y - region.y0, region.width(), [&](int column) {
+                const int x = region.x0 + column;
+                CameraSample sample = cameraSample(scene_, x, y, pixelStream(params_.seed, kSampleStream, x, y), number);
+                integrator_->sample(x, y, number, sample, *film_);
+            });
+            film_->setRowPasses(y, index + 1);
+        },
+        cancel);
+    return film_->passes() > index;
+}
+
+LayeredPicture Session::picture() const {
+    return integrator_->picture(std::shared_ptr<const Film>(std::shared_ptr<const Film>(), film_.get()));
+}
+
+int Session::samplesDone() const { return SamplePass::wholeSamples(film_->passes()); }
+
+std::string Session::status() const {
+    const std::string samples = samplesDone() > 0 || film_->passes() == 0
+                                    ? fmt::format("{} spp", samplesDone())
+                                    : fmt::format("1 of {} pixels sampled", film_->passes() == 1 ? 16 : 4);
+    if (!integrator_->hasMapPasses()) return samples;
+    return fmt::format("direct {}, indirect pass {}", samples, film_->mapPasses);
+}
+
+}  // namespace drc

@@ -1,0 +1,19 @@
+// The filter of the pictures of radiance maps: takes the noise out of each layer along surfaces, and corrects the maps'
+// errors by path-traced samples of the same light (LayerFilter).
+#pragma once
+#include "render/picture_filter.h"
+
+namespace drc {
+
+class SurfacePictureFilter final : public PictureFilter {
+  public:
+    SurfacePictureFilter(bool smooth, bool correct) : smooth_(smooth), correct_(correct) {}
+    // picture: by an integrator with radiance maps.
+    void apply(LayeredPicture& picture) const override;
+    std::string name() const override { return "surface"; }
+
+  private:
+    bool smooth_, correct_;
+};
+
+}  // namespace drc
