@@ -46,6 +46,7 @@ class Session {
     // "direct 12 spp, indirect pass 5".
     std::string status() const;
     const PathTracer& tracer() const { return tracer_; }
+    const Accel& accel() const { return accel_; }
 
   private:
     bool samplePass(int index, const CancelToken* cancel);

@@ -1,0 +1,365 @@
+#include "render/session.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <thread>
+
+#include "base/folder_testing.h"
+#include "cache/enhancer.h"
+#include "pbrt/scene_file.h"
+#include "render/sample_pass.h"
+#include "render/surface_picture_filter.h"
+
+namespace drc {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* kIntegrators[] = {"path", "bdpt", "direct", "drc"};
+
+constexpr const char* kLitRoom = R"(
+        Film "image" "integer xresolution" 24 "integer yresolution" 16
+        LookAt 0 0 -3  0 0 0  0 1 0
+        Camera "perspective" "float fov" 70
+        WorldBegin
+        AttributeBegin
+        AreaLightSource "diffuse" "rgb L" [8 8 8]
+        Translate 0 1.6 0 Shape "sphere" "float radius" .4
+        AttributeEnd
+        Material "plastic" "rgb Kd" [.6 .4 .3] "float roughness" .05
+        Shape "sphere" "float radius" 1
+        ReverseOrientation
+        Material "matte"
+        Shape "sphere" "float radius" 4
+        WorldEnd)";
+
+std::unique_ptr<Scene> litRoom() { return pbrt::loadPbrtString(kLitRoom, ".", {}, "s.pbrt"); }
+
+RenderParams paramsOf(const std::string& integrator, int spp, int mapPasses = 1) {
+    RenderParams params;
+    params.integrator = integrator;
+    params.spp = spp;
+    params.mapPasses = mapPasses;
+    return params;
+}
+
+struct Rendered {
+    explicit Rendered(const RenderParams& params, std::unique_ptr<Scene> s = litRoom())
+        : scene(std::move(s)), session(*scene, params, makeIdentityEnhancer(), nullptr) {}
+    Rendered& finish() {
+        while (session.step()) {
+        }
+        return *this;
+    }
+    std::unique_ptr<Scene> scene;
+    Session session;
+};
+
+double meanOf(const Image& image) {
+    double sum = 0;
+    for (const float v : image.data()) sum += v;
+    return sum / double(image.data().size());
+}
+
+bool sameBits(const Film& a, const Film& b) {
+    for (size_t i = 0; i < a.layerCount(); ++i)
+        for (int y = a.region().y0; y < a.region().y1; ++y)
+            if (!std::ranges::equal(a.layer(i).row(y), b.layer(i).row(y))) return false;
+    return true;
+}
+
+// A bright strip across a dim sky, through a filter that undershoots beside it.
+TEST(Session, PicturesHaveNoLightBelowZero) {
+    Rendered r(paramsOf("path", 16), pbrt::loadPbrtString(R"(
+        Film "image" "integer xresolution" 24 "integer yresolution" 24
+        PixelFilter "sinc"
+        Camera "perspective" "float fov" 90
+        WorldBegin
+        LightSource "infinite" "rgb L" [.01 .01 .01]
+        AreaLightSource "diffuse" "rgb L" [50 50 50] "bool twosided" "true"
+        Translate 0 0 1
+        Shape "trianglemesh" "point P" [-2 -.2 0 2 -.2 0 2 .2 0 -2 .2 0] "integer indices" [0 1 2 0 2 3]
+        WorldEnd)"));
+    const Image picture = r.finish().session.picture().beauty;
+    int black = 0, dim = 0, bright = 0;
+    for (const float v : picture.data()) {
+        EXPECT_GE(v, 0);
+        black += v == 0;
+        dim += v > 0.009f && v < 0.011f;
+        bright += v > 40;
+    }
+    EXPECT_GT(black, 50);  // where the sky alone would be grey
+    EXPECT_GT(dim, 50);
+    EXPECT_GT(bright, 50);
+}
+
+// Whatever indirect light the samples bring along: they are the same, and so well distributed.
+TEST(Session, TheDirectLayerIsWhatTheDirectIntegratorGives) {
+    const Image direct = Rendered(paramsOf("direct", 12)).finish().session.picture().beauty;
+    Rendered maps(paramsOf("drc", 12));
+    LayeredPicture picture = maps.finish().session.picture();
+    const Image layer = picture.part("direct");
+    for (size_t i = 0; i < direct.data().size(); ++i)
+        EXPECT_NEAR(layer.data()[i], direct.data()[i], 1e-5f * (1 + direct.data()[i]));
+    SurfacePictureFilter(true, true).apply(picture);
+    EXPECT_NE(picture.part("direct").data(), layer.data());
+}
+
+TEST(Session, LayersSumToThePicture) {
+    Rendered r(paramsOf("drc", 4));
+    const LayeredPicture picture = r.finish().session.picture();
+    const Image direct = picture.part("direct"), indirect = picture.part("indirect");
+    for (size_t i = 0; i < direct.data().size(); ++i)
+        EXPECT_NEAR(direct.data()[i] + indirect.data()[i], picture.beauty.data()[i], 1e-5f);
+}
+
+// However late it is, every part of a picture has direct and indirect light.
+TEST(Session, ABudgetThatIsOverLeavesAPicture) {
+    for (const std::string integrator : {"drc", "path", "bdpt"}) {
+        RenderParams params = paramsOf(integrator, 5);
+        params.seconds = 1e-9;
+        Rendered r(params);
+        EXPECT_FALSE(r.session.hasPicture());
+        r.finish();
+        EXPECT_TRUE(r.session.hasPicture());
+        EXPECT_EQ(r.session.samplesDone(), 0);
+        const LayeredPicture picture = r.session.picture();
+        const Image light = integrator == "drc" ? picture.part("indirect") : picture.beauty;
+        int lit = 0;
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 24; ++x) lit += luminance(light.rgb(x, y)) > 0;
+        EXPECT_GT(lit, integrator == "drc" ? 24 * 16 - 1 : 24 * 16 / 2) << integrator;
+    }
+}
+
+// A pass that was cancelled is no whole one, though what it sampled counts.
+TEST(Session, ACancelledPassIsNotCounted) {
+    Rendered r(paramsOf("path", 8));
+    while (r.session.samplesDone() < 2) ASSERT_TRUE(r.session.step());
+    CancelToken cancel;
+    cancel.cancel();
+    EXPECT_FALSE(r.session.step(&cancel));
+    EXPECT_EQ(r.session.samplesDone(), 2);
+    EXPECT_EQ(r.session.status(), "2 spp");
+    // Some rows have had their third sample.
+    r.session.film().setRowPasses(3, SamplePass::passesFor(3));
+    EXPECT_EQ(r.session.samplesDone(), 2);
+}
+
+// Stopped anywhere and continued, by way of a film that was saved: the same bits.
+TEST(Session, GoesOnWhereItWas) {
+    const TemporaryFolder folder;
+    for (const std::string integrator : kIntegrators) {
+        const RenderParams params = paramsOf(integrator, 4, 2);
+        Rendered whole(params), first(params), second(params);
+        whole.finish();
+        for (int i = 0; i < 4; ++i) first.session.step();
+        first.session.film().save(folder.path("film"), "room");
+        second.session.film().load(folder.path("film"), "room");
+        second.finish();
+        EXPECT_TRUE(sameBits(whole.session.film(), second.session.film())) << integrator;
+        EXPECT_EQ(second.session.samplesDone(), 4);
+    }
+}
+
+// Samples 0 to 1 and 2 to 5 rendered apart are samples 0 to 5, to the bit.
+TEST(Session, ShardsAddUpToTheWhole) {
+    for (const std::string integrator : {"path", "bdpt", "direct"}) {
+        Rendered whole(paramsOf(integrator, 6)), a(paramsOf(integrator, 2));
+        RenderParams rest = paramsOf(integrator, 4);
+        rest.firstSample = 2;
+        Rendered b(rest);
+        b.finish().session.film().add(a.finish().session.film());
+        EXPECT_TRUE(sameBits(whole.finish().session.film(), b.session.film())) << integrator;
+        EXPECT_EQ(b.session.samplesDone(), 6);
+        EXPECT_EQ(whole.session.picture().beauty.data(), b.session.picture().beauty.data());
+    }
+}
+
+TEST(Session, ACameraChangeIsAsIfItHadBeenTheFirst) {
+    const auto elsewhere = [] {
+        std::string text = kLitRoom;
+        text.replace(text.find("LookAt 0 0 -3"), 13, "LookAt 1 0 -2");
+        return pbrt::loadPbrtString(text, ".", {}, "s.pbrt");
+    };
+    for (const std::string integrator : kIntegrators) {
+        Rendered there(paramsOf(integrator, 3), elsewhere()), moved(paramsOf(integrator, 3));
+        moved.finish();
+        const Accel* accel = &moved.session.accel();
+        const PathTracer* tracer = &moved.session.tracer();
+        std::unique_ptr<Scene> other = elsewhere();
+        const FilmGeometry film = other->settings.film;
+        moved.session.setCamera(std::move(other->camera), film);
+        EXPECT_EQ(moved.session.samplesDone(), 0);
+        EXPECT_EQ(accel, &moved.session.accel());
+        EXPECT_EQ(tracer, &moved.session.tracer());
+        EXPECT_TRUE(sameBits(there.finish().session.film(), moved.finish().session.film())) << integrator;
+    }
+}
+
+TEST(Session, ACameraChangeMayChangeTheSize) {
+    Rendered r(paramsOf("path", 2));
+    r.finish();
+    const FilmGeometry film{10, 6};
+    r.session.setCamera(r.scene->camera->withFilm(film), film);
+    EXPECT_EQ(r.finish().session.picture().beauty.width(), 10);
+}
+
+TEST(Session, PicturesCanBeTakenBesideSteps) {
+    for (const std::string integrator : kIntegrators) {
+        Rendered r(paramsOf(integrator, 40, 2));
+        std::atomic<bool> done{false};
+        std::jthread steps([&] {
+            r.finish();
+            done = true;
+        });
+        int taken = 0;
+        while (!done || taken == 0) {
+            const LayeredPicture picture = r.session.snapshot();
+            for (const float v : picture.beauty.data()) ASSERT_TRUE(std::isfinite(v));
+            ++taken;
+        }
+    }
+}
+
+TEST(Session, KnowsHowNoisyItIs) {
+    const auto noisy = [](const std::string& integrator, int spp, uint64_t seed) {
+        RenderParams params = paramsOf(integrator, spp);
+        params.seed = seed;
+        params.variance = true;
+        Rendered r(params);
+        LayeredPicture picture = r.finish().session.picture();
+        picture.film = nullptr;
+        return picture;
+    };
+    const auto variance = [&](const LayeredPicture& p) {
+        double sum = 0;
+        for (const PictureLayer& layer : p.layers)
+            if (layer.variance) sum += meanOf(*layer.variance);
+        return sum;
+    };
+    for (const std::string integrator : {"path", "bdpt", "direct"}) {
+        const LayeredPicture few = noisy(integrator, 16, 1), other = noisy(integrator, 16, 2),
+                             many = noisy(integrator, 64, 3);
+        for (const float n : few.samples->data()) EXPECT_EQ(n, 16);
+        EXPECT_NEAR(variance(many) / variance(few), 0.25, 0.12) << integrator;
+        if (integrator == "bdpt") continue;  // its splats are not counted
+        double squares = 0;
+        for (size_t i = 0; i < few.beauty.data().size(); ++i)
+            squares +=
+                double(few.beauty.data()[i] - other.beauty.data()[i]) * (few.beauty.data()[i] - other.beauty.data()[i]);
+        const double measured = squares / double(few.beauty.data().size()) / 2;
+        // Sobol points do better than independent ones.
+        EXPECT_LT(measured, 1.5 * variance(few));
+        EXPECT_GT(measured, 0.1 * variance(few));
+    }
+    EXPECT_GT(variance(noisy("drc", 16, 1)), 0);
+}
+
+// The G-buffer comes from the samples themselves: they are the same with and without.
+TEST(Session, TheGBufferChangesNothing) {
+    for (const std::string integrator : kIntegrators) {
+        RenderParams params = paramsOf(integrator, 8);
+        const Image plain = Rendered(params).finish().session.picture().beauty;
+        params.gBuffer = true;
+        Rendered r(params);
+        const LayeredPicture picture = r.finish().session.picture();
+        EXPECT_EQ(picture.beauty.data(), plain.data()) << integrator;
+        ASSERT_TRUE(picture.gBuffer) << integrator;
+        // The ball ahead, two units away; of its glossy lobe there is a little on top of the diffuse one.
+        EXPECT_NEAR(picture.gBuffer->depth.at(12, 8, 0), 2, 0.02) << integrator;
+        EXPECT_NEAR(picture.gBuffer->normal.at(12, 8, 2), -1, 0.02) << integrator;
+        EXPECT_GT(picture.gBuffer->albedo.at(12, 8, 0), 0.55f) << integrator;
+        EXPECT_LT(picture.gBuffer->albedo.at(12, 8, 2), 0.5f) << integrator;
+    }
+}
+
+// A sample of emission that is no number is left out; it must not turn the emission layer negative. Two lamps without a
+// surface, one behind the other before a wall: each of their radiances is a number, their sum is none.
+TEST(Session, EmissionThatOverflowsTakesNothingFromOtherLight) {
+    const auto scene = [] {
+        const std::string lamp =
+            "Shape \"trianglemesh\" \"point P\" [-.01 -.01 0 .01 -.01 0 .01 .01 0 -.01 .01 0] "
+            "\"integer indices\" [0 1 2 0 2 3]\n";
+        return pbrt::loadPbrtString(
+            "Film \"image\" \"integer xresolution\" 8 \"integer yresolution\" 8\n"
+            "Camera \"perspective\" \"float fov\" 1\nWorldBegin\n"
+            "AttributeBegin\nMaterial \"none\"\n"
+            "AreaLightSource \"diffuse\" \"rgb L\" [3e38 3e38 3e38] \"bool twosided\" \"true\"\n"
+            "Translate 0 0 .5\n" +
+            lamp + "Translate 0 0 .1\n" + lamp +
+            "AttributeEnd\nMaterial \"matte\"\nTranslate 0 0 2\nScale 100 100 100\n" + lamp + "WorldEnd\n");
+    };
+    Rendered r(paramsOf("drc", 4), scene());
+    const LayeredPicture picture = r.finish().session.picture();
+    EXPECT_EQ(meanOf(r.session.picture().layers[0].mean), 0);  // emission
+    for (const float v : picture.part("direct").data()) EXPECT_GE(v, 0);
+    EXPECT_GT(meanOf(picture.part("direct")), 1e20);
+}
+
+// --clamp, and the film's maxsampleluminance, hold for every integrator.
+TEST(Session, NoSampleIsBrighterThanTheClamp) {
+    constexpr float kClamp = 0.5f;
+    for (const std::string integrator : kIntegrators)
+        for (const bool byFile : {false, true}) {
+            RenderParams params = paramsOf(integrator, 1);
+            if (!byFile) params.clamp = kClamp;
+            std::unique_ptr<Scene> scene = litRoom();
+            if (byFile) scene->settings.maxSampleLuminance = kClamp;
+            Rendered r(params, std::move(scene));
+            const LayeredPicture picture = r.finish().session.picture();
+            float most = 0;
+            const auto look = [&](const Image& image) {
+                for (int y = 0; y < 16; ++y)
+                    for (int x = 0; x < 24; ++x) most = std::max(most, luminance(image.rgb(x, y)));
+            };
+            if (integrator == "drc")
+                look(picture.part("direct"));
+            else if (integrator == "bdpt")
+                look(picture.layers[0].mean);  // without splats, of which each has its own bound
+            else
+                look(picture.beauty);
+            EXPECT_LE(most, kClamp * 1.0001f) << integrator << byFile;  // the lamp has 8
+            EXPECT_GT(most, 0.9f * kClamp) << integrator << byFile;
+        }
+}
+
+// At most 64 bytes a pixel for paths, without what denoisers want.
+TEST(Session, FilmsAreSmall) {
+    EXPECT_LE(Rendered(paramsOf("path", 1)).session.film().bytesPerPixel(), 64u);
+    EXPECT_LE(Rendered(paramsOf("direct", 1)).session.film().bytesPerPixel(), 64u);
+    EXPECT_LE(Rendered(paramsOf("bdpt", 1)).session.film().bytesPerPixel(), 64u);
+    EXPECT_LE(Rendered(paramsOf("drc", 1)).session.film().bytesPerPixel(), 624u);
+}
+
+// The film of the largest size that a file may ask for: no machine has terabytes for all of it, and any has for a part.
+TEST(Session, PicturesBeyondTheMemoryAreRefused) {
+    const std::string text =
+        "Film \"image\" \"integer xresolution\" 65536 \"integer yresolution\" 65536\n"
+        "WorldBegin\nShape \"sphere\"\nWorldEnd\n";
+    const auto errorFor = [](Scene& scene) {
+        return drc::errorOf([&] { const Session session(scene, paramsOf("path", 1), nullptr, nullptr); });
+    };
+    const auto scene = pbrt::loadPbrtString(text, ".", {}, "s.pbrt");
+    EXPECT_THAT(
+        errorFor(*scene),
+        AllOf(StartsWith("s.pbrt:1:6: a picture of 65536 x 65536 pixels needs about 1120.0 GiB of memory, and "),
+              HasSubstr("choose a smaller --resolution, or a part of it by --crop")));
+    const float part[4] = {0.5f, 0.501f, 0.5f, 0.501f};
+    std::copy(part, part + 4, scene->settings.cropWindow);
+    EXPECT_EQ(errorFor(*scene), "");
+    // What the command line asks for is no fault of the file.
+    const auto other = pbrt::loadPbrtString(text, ".", {FilmGeometry{60000, 60000}}, "s.pbrt");
+    EXPECT_THAT(errorFor(*other), StartsWith("a picture of 60000 x 60000 pixels needs"));
+}
+
+TEST(Session, UnknownIntegratorsAreNamed) {
+    EXPECT_THAT(drc::errorOf([&] { Rendered r(paramsOf("photon", 1)); }),
+                AllOf(HasSubstr("no integrator 'photon'"), HasSubstr("drc, path, bdpt, direct")));
+}
+
+}  // namespace
+}  // namespace drc
