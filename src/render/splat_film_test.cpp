@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "base/parallel.h"
+
 namespace drc {
 namespace {
 
@@ -24,9 +28,9 @@ TEST(SplatFilm, CountsPathsThatBroughtNothing) {
     SplatFilm film(kRegion, *filter);
     const SplatFilm::Catch catches[] = {{1, {{Vec2(12.3f, 22.9f), Rgb(3, 2, 1)}}}, {1, {}}};
     film.add(catches);
-    // Half a sweep's paths are twice as few as the value is meant for.
-    const float sweeps = 2.f / float(kRegion.count());
-    EXPECT_NEAR(film.value(12, 22).x, 3 / sweeps, 1e-3);
+    // The value is meant for a sample pass, of as many paths as there are pixels.
+    const float passes = 2.f / float(kRegion.count());
+    EXPECT_NEAR(film.value(12, 22).x, 3 / passes, 1e-3);
     EXPECT_TRUE(isBlack(film.value(13, 22)) && isBlack(film.value(12, 23)));
 }
 
@@ -53,6 +57,58 @@ TEST(SplatFilm, BordersGetOnlyTheirPart) {
     film.add({&caught, 1});
     // 2 of 3 columns of the first, 1 of the second.
     EXPECT_NEAR(total(film) / double(kRegion.count()), 1, 1e-3);
+}
+
+std::vector<SplatFilm::Catch> randomCatches(const PixelRegion& region, size_t splats) {
+    std::mt19937 rng(7);
+    std::uniform_real_distribution<float> u(-0.1f, 1.1f);
+    std::vector<SplatFilm::Catch> catches(11);
+    for (size_t i = 0; i < splats; ++i)
+        catches[i % catches.size()].splats.push_back({Vec2(float(region.x0) + u(rng) * float(region.width()),
+                                                           float(region.y0) + u(rng) * float(region.height())),
+                                                      Rgb(u(rng), u(rng), u(rng))});
+    for (SplatFilm::Catch& c : catches) c.paths = 100;
+    return catches;
+}
+
+TEST(SplatFilm, WorkGrowsWithTheSplatsAndNotWithTheFilm) {
+    const auto filter = makeBoxFilter(Vec2(0.5f, 0.5f));
+    constexpr size_t kSplats = 5000;
+    for (const int height : {16, 160, 1600, 16000}) {
+        const PixelRegion region{0, 3, 8, 3 + height};
+        SplatFilm film(region, *filter);
+        film.add(randomCatches(region, kSplats));
+        // A filter of one row reaches one band. Some splats lie outside.
+        EXPECT_LE(film.visits(), kSplats) << height;
+        EXPECT_GE(film.visits(), kSplats / 2) << height;
+    }
+}
+
+TEST(SplatFilm, SumsAreTheSameBitsForAnyNumberOfThreads) {
+    constexpr PixelRegion kTall{5, -7, 25, 150};
+    const auto catches = randomCatches(kTall, 4000);
+    // Narrower than a band of rows, and wider than several.
+    for (const float radius : {2.f, 40.f}) {
+        const auto filter = makeGaussianFilter(Vec2(2, radius), 0.5f);
+        // One splat after the other: what the sums of all of them at once have to be.
+        SplatFilm one(kTall, *filter);
+        for (const SplatFilm::Catch& c : catches) {
+            const SplatFilm::Catch none{c.paths, {}};
+            one.add({&none, 1});
+            for (const Splat& splat : c.splats) {
+                const SplatFilm::Catch single{0, {splat}};
+                one.add({&single, 1});
+            }
+        }
+        for (const int threads : {1, 2, 5}) {
+            setThreadCount(threads);
+            SplatFilm film(kTall, *filter);
+            film.add(catches);
+            for (int y = kTall.y0; y < kTall.y1; ++y)
+                for (int x = kTall.x0; x < kTall.x1; ++x) ASSERT_EQ(film.value(x, y), one.value(x, y)) << x << ' ' << y;
+        }
+        setThreadCount(0);
+    }
 }
 
 }  // namespace
