@@ -11,7 +11,6 @@ constexpr float kSpecular = 0;
 // error; eight times, no more.
 constexpr float kNarrowPaths = 4;
 
-constexpr LobeFlags kNarrowLobes = LobeFlags::Narrow | LobeFlags::Reflection | LobeFlags::Transmission;
 constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
 
 float powerHeuristic(float a, float b) {
@@ -201,7 +200,7 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
         next = hit.spawnRay(s->wi);
     }
     if (layers && layers->traceWide) {
-        const Rgb wide = bsdf.has(LobeFlags::Narrow) ? bsdf.f(at.wo, s->wi, LobeFlags::Wide) : s->f;
+        const Rgb wide = bsdf.hasWithin(glossy()) ? bsdf.f(at.wo, s->wi, broad()) : s->f;
         if (!isBlack(wide))
             layers->wide += scale * wide * trace(next, sampler, Emission::SkippedAtFirst, nullptr, &hit);
     }
@@ -233,13 +232,12 @@ Rgb PathTracer::direct(const Ray& cameraRay, Sampler& sampler, SampleLayers* lay
             if (layers) layers->lit += lit;
         }
         if (layers) {
-            if (bsdf.has(LobeFlags::Narrow)) {
+            if (bsdf.hasWithin(glossy())) {
                 layers->narrow += throughput * indirectNarrow(hit, bsdf, sampler);
-                if (isBlack(layers->narrowAlbedo))
-                    layers->narrowAlbedo = throughput * bsdf.albedo(hit.wo, kNarrowLobes);
+                if (isBlack(layers->narrowAlbedo)) layers->narrowAlbedo = throughput * bsdf.albedo(hit.wo, glossy());
             }
-            if (isBlack(layers->wideAlbedo) && bsdf.hasWithin(LobeFlags::Wide))
-                layers->wideAlbedo = throughput * bsdf.albedo(hit.wo, LobeFlags::Wide);
+            if (isBlack(layers->wideAlbedo) && bsdf.hasWithin(broad()))
+                layers->wideAlbedo = throughput * bsdf.albedo(hit.wo, broad());
             if (layers->pixelSize == 0 && bsdf.hasNonSpecular()) {
                 layers->albedo = throughput * bsdf.albedo(hit.wo, LobeFlags::NonSpecular);
                 layers->position = hit.p;
@@ -299,7 +297,7 @@ bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& 
     return false;
 }
 
-Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobes) const {
+Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, const LobeMask& lobes) const {
     const float uLobe = sampler.get1D();
     const auto s = hit.bsdf.sample(hit.surface.wo, uLobe, sampler.get2D(), lobes);
     if (!s || !(s->pdf > 0) || isBlack(s->f)) return Rgb(0.f);
@@ -309,12 +307,12 @@ Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobe
 
 Rgb PathTracer::indirectNarrow(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const {
     const float uLobe = sampler.get1D();
-    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), kNarrowLobes);
+    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), glossy());
     if (!s) return Rgb(0.f);
     const Rgb weight = s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     // A dim reflection on a dark surface is most of what is seen of it, and nothing smooths its noise: traced several
     // times as often as the path tracer would choose these lobes among all.
-    const float narrow = luminance(bsdf.albedo(at.wo, kNarrowLobes));
+    const float narrow = luminance(bsdf.albedo(at.wo, glossy()));
     const float all = luminance(bsdf.albedo(at.wo, LobeFlags::NonSpecular));
     const float survival = std::min(1.f, std::max(maxComponent(weight), kNarrowPaths * narrow / std::max(all, 1e-6f)));
     if (!(sampler.get1D() < survival)) return Rgb(0.f);

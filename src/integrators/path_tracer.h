@@ -18,6 +18,9 @@ struct PathSettings {
     int maxDepth = 64;        // non-specular vertices; Russian roulette ends nearly all paths long before
     int rouletteDepth = 3;    // vertices before roulette starts
     float clamp = kInfinity;  // upper bound on a sample's luminance; infinity: none, the unbiased default
+    // Lobes that are rougher are broad (LobeMask), and of those radiance maps bring the indirect light: this default is
+    // what maps of 32x32 texels resolve (broadAlpha() of cache/projection.h).
+    float broadAlpha = 0.2f;
 };
 
 // Where a path first met a surface, as a radiance map records it.
@@ -87,12 +90,14 @@ class PathTracer {
     bool primaryHit(const Ray& ray, Sampler& sampler, PrimaryHit& hit) const;
 
     // One sample of the non-specular lobes' share of indirect light at a primary point: f R cos / pdf.
-    Rgb indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobes = LobeFlags::NonSpecular) const;
+    Rgb indirect(const PrimaryHit& hit, Sampler& sampler, const LobeMask& lobes = LobeFlags::NonSpecular) const;
 
     const Scene& scene() const { return scene_; }
     // Whether a path's time makes a difference.
     bool anythingMoves() const { return accel_.anythingMoves(); }
     const PathSettings& settings() const { return settings_; }
+    LobeMask broad() const { return broadLobes(settings_.broadAlpha); }
+    LobeMask glossy() const { return glossyLobes(settings_.broadAlpha); }
 
   private:
     enum class Emission { Counted, SkippedAtFirst };
