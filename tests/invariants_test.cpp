@@ -1,4 +1,4 @@
-// The five invariants of the design, through the whole pipeline.
+// The five invariants of docs/README.md, through the whole pipeline.
 #include <gtest/gtest.h>
 #include <malloc.h>
 

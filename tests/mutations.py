@@ -2,9 +2,13 @@
 """Breaks the renderer on purpose, one fault at a time, and says which of the tests of its invariants notice.
 
     tests/mutations.py [--build build/release] [NAME ...]
+    tests/mutations.py --check [--build build/release] [NAME ...]
 
 Each fault changes one place of a source file, which must be as it was committed; the file is put back whatever
 happens. Exits with 1 if a fault stays unnoticed. Takes about a minute for each.
+
+With --check nothing is built or changed: exits with 1, a line for each fault, if its place is not there exactly once, or
+if the tests that should notice it do not exist. So says ctest of a change that moves such a place.
 """
 import argparse
 import os
@@ -30,14 +34,14 @@ FAULTS = [
     Fault("the first surface's emission counts twice", "src/integrators/path_tracer.cpp",
           "return trace(ray, sampler, Emission::SkippedAtFirst, first);",
           "return trace(ray, sampler, Emission::Counted, first);", "*DirectPlusTracedIndirect*"),
-    Fault("narrow light along with the direct has the wide lobes' in it", "src/integrators/path_tracer.cpp",
-          "along->narrow += scale * clampNonNegative(s->f - wide) * incident;",
-          "along->narrow += scale * s->f * incident;", "*IndirectLightAlong*"),
+    Fault("broad light along with the direct has the glossy lobes' in it", "src/integrators/path_tracer.cpp",
+          "const Rgb wide = bsdf.hasWithin(glossy()) ? bsdf.f(at.wo, s->wi, broad()) : s->f;",
+          "const Rgb wide = s->f;", "*IndirectLightAlong*"),
     Fault("the gather forgets the BSDF's density", "src/cache/gather.cpp",
           "mapPdf + (both ? bsdf.pdf : 0)", "mapPdf", "*Oracle*"),
     Fault("directions below the horizon of a map that is turned away are left out", "src/cache/gather.cpp",
           "glossy || dot(normal, site.n) < kParallel;", "glossy;", "*Invariant1*"),
-    Fault("paths of narrow lobes that survive are not weighted up", "src/integrators/path_tracer.cpp",
+    Fault("paths of glossy lobes that survive are not weighted up", "src/integrators/path_tracer.cpp",
           "return weight * incident(ray, sampler) * (1 / survival);", "return weight * incident(ray, sampler);",
           "*Oracle*"),
     Fault("a sampler depends on its thread", "src/cache/indirect_pass.cpp",
@@ -45,11 +49,43 @@ FAULTS = [
           "    static thread_local uint32_t calls = 0;\n"
           "    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(index) + ++calls);", "*Invariant4*"),
     Fault("the maps of former passes are kept", "src/cache/indirect_pass.cpp",
-          "    captureSites(maps.grid(), uint64_t(pass), 0, cancel);",
-          "    captureSites(maps.grid(), uint64_t(pass), 0, cancel);\n"
+          "    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);",
+          "    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);\n"
           "    static std::vector<std::vector<MapSite>> kept;\n"
-          "    kept.emplace_back(maps.grid().begin(), maps.grid().end());", "*Invariant5*"),
+          "    kept.emplace_back(sites.begin(), sites.end());", "*Invariant5*"),
 ]
+
+
+def program(build):
+    return os.path.join(build, "tests/pipeline_tests")
+
+
+def complaint(fault, build):
+    """What keeps a fault from being tried; None: nothing."""
+    path = os.path.join(ROOT, fault.file)
+    found = open(path).read().count(fault.before) if os.path.exists(path) else 0
+    if found != 1:
+        return f"{fault.file} has {'no more' if found == 0 else f'{found} times'}: {fault.before.strip()}"
+    if fault.before == fault.after:
+        return "it changes nothing"
+    listed = subprocess.run([program(build), "--gtest_list_tests", f"--gtest_filter={fault.tests}"],
+                            capture_output=True, text=True)
+    if listed.returncode:
+        return f"{program(build)} does not run: {listed.stderr.strip()}"
+    if not any(line.startswith("  ") for line in listed.stdout.splitlines()):
+        return f"there are no tests {fault.tests}"
+    return None
+
+
+def check(faults, build):
+    """The exit status of --check."""
+    if not os.path.exists(program(build)):
+        sys.exit(f"{program(build)} is not there: build it first, or give --build")
+    complaints = [(f.name, complaint(f, build)) for f in faults]
+    for name, text in complaints:
+        if text:
+            print(f"{name}: {text}")
+    return 1 if any(text for _, text in complaints) else 0
 
 
 def failures(build, tests):
@@ -57,8 +93,7 @@ def failures(build, tests):
     done = subprocess.run(["cmake", "--build", build, "--target", "pipeline_tests"], capture_output=True, text=True)
     if done.returncode:
         sys.exit(done.stdout + done.stderr)
-    out = subprocess.run([os.path.join(build, "tests/pipeline_tests"), f"--gtest_filter={tests}"],
-                         capture_output=True, text=True)
+    out = subprocess.run([program(build), f"--gtest_filter={tests}"], capture_output=True, text=True)
     if "[ RUN" not in out.stdout:
         sys.exit(f"there are no tests {tests}")
     failed = [line.split("]")[1].split(",")[0].strip() for line in out.stdout.splitlines() if line.startswith("[  FAILED")]
@@ -69,17 +104,21 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", help="of faults: those with any of these words; default: all")
     parser.add_argument("--build", default=os.path.join(ROOT, "build/release"), help="the build folder")
+    parser.add_argument("--check", action="store_true", help="only look whether each fault can be tried")
     args = parser.parse_args()
     faults = [f for f in FAULTS if not args.names or any(name in f.name for name in args.names)]
+    if not faults:
+        sys.exit(f"no fault has any of these words: {' '.join(args.names)}")
+    if args.check:
+        return check(faults, args.build)
     for f in faults:
-        path = os.path.join(ROOT, f.file)
         if subprocess.run(["git", "-C", ROOT, "diff", "--quiet", "HEAD", "--", f.file]).returncode:
             sys.exit(f"{f.file} has changes that are not committed")
-        if open(path).read().count(f.before) != 1:
-            sys.exit(f"{f.file} no longer has, or has more than once: {f.before.strip()}")
     whole = failures(args.build, ":".join(sorted({f.tests for f in faults})))
     if whole:
         sys.exit(f"these tests fail on the whole code: {', '.join(whole)}")
+    if check(faults, args.build):
+        return 1
     unnoticed = 0
     for f in faults:
         path = os.path.join(ROOT, f.file)

@@ -107,7 +107,9 @@ class ReferenceRun {
         const auto scene = pbrt::loadPbrtFile(path);
         const Accel accel(*scene);
         const LightSampler lights(*scene);
-        const PathTracer tracer(*scene, accel, lights);
+        PathSettings paths;
+        paths.broadAlpha = broadAlpha(settings.layout);
+        const PathTracer tracer(*scene, accel, lights, paths);
         const auto done = [&](bool example) {
             tally_.add(example);
             progress_.setNote(name + ": " + tally_.str());

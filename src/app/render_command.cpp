@@ -15,6 +15,8 @@
 #include "pbrt/scene_file.h"
 #include "render/oidn_picture_filter.h"
 #include "render/surface_picture_filter.h"
+#include "scene/crop_window.h"
+#include "scene/film_output.h"
 
 namespace drc {
 namespace {
@@ -69,12 +71,16 @@ std::vector<PictureFilters> filtersFor(const RenderParams& params, const std::op
 std::unique_ptr<Scene> loadScene(RenderOptions& o) {
     pbrt::LoadOptions load;
     if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
-    auto scene = pbrt::loadPbrtFile(o.scene, load);
-    if (!o.crop.empty()) std::copy(o.crop.begin(), o.crop.end(), scene->settings.cropWindow);
-    if (o.outputs.empty()) {
-        const std::string stem = std::filesystem::path(scene->settings.outputFile).stem().string();
-        o.outputs = {stem + ".exr", stem + ".png"};
+    load.overrides = o.overrides;
+    std::optional<CropWindow> crop;
+    try {
+        if (!o.crop.empty()) crop = cropWindowOf(o.crop);
+    } catch (const Error& error) {
+        throw Error(std::string("--crop: ") + error.what());
     }
+    auto scene = pbrt::loadPbrtFile(o.scene, load);
+    if (crop) std::copy(crop->begin(), crop->end(), scene->settings.cropWindow);
+    if (o.outputs.empty()) o.outputs = filmOutputs(scene->settings);
     return scene;
 }
 

@@ -56,6 +56,11 @@ void addFilm(CLI::App& command, RenderOptions& o) {
     command.add_option("--resolution", o.resolution, "WIDTHxHEIGHT in pixels, instead of the file's");
     command.add_option("--crop,--cropwindow", o.crop, "x0 x1 y0 y1 in [0,1]: the part of the film to render")
         ->expected(4);
+    command.add_option("-D", o.overrides,
+                       "NAME=VALUE: a parameter of the file's film, sampler or integrator, as film.xresolution=640; may "
+                       "be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_flag("--aovs", o.aovs,
                      "Write what denoisers want to EXR files: albedo, normal and depth of what each pixel shows, "
                      "variance and number of its samples");

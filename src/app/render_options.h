@@ -17,7 +17,8 @@ struct RenderOptions {
     std::string precision = "auto";
     std::string projection = "auto";
     std::string resolution;
-    std::vector<float> crop;
+    std::vector<double> crop;
+    std::vector<std::string> overrides;  // of parameters of the scene's file
     std::optional<float> spacing;  // of the first map pass, pixels
     int oracleSamples = 64;
     int threads = 0;

@@ -11,61 +11,106 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/stream_file.h"
 
 namespace drc {
 namespace fs = std::filesystem;
+namespace {
+
+// The new file gets the old one's permissions, and its owner and group if the system lets us give them away.
+void keepAccess(int fd, const struct stat& old) {
+    struct stat now = {};
+    if (fstat(fd, &now) != 0) return;
+    mode_t mode = old.st_mode & 0777;
+    const bool sameGroup = now.st_gid == old.st_gid;
+    const bool sameOwner = now.st_uid == old.st_uid;
+    if ((!sameOwner || !sameGroup) && fchown(fd, old.st_uid, old.st_gid) != 0 && !sameGroup &&
+        fchown(fd, uid_t(-1), old.st_gid) != 0)
+        mode = (mode & ~070u) | (mode & 07u) << 3;  // what one group might do is no right of another group
+    [[maybe_unused]] const int ignored = fchmod(fd, mode);
+}
+
+}  // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
-    std::error_code ec;
-    if (fs::is_symlink(path, ec)) {
-        const fs::path real = fs::weakly_canonical(path, ec);
-        if (!ec) target_ = real.string();
-    }
-    const auto status = fs::status(target_, ec);
-    if (fs::is_directory(status)) fail(EISDIR);
-    const bool replaces = fs::is_regular_file(status);
-    if (fs::exists(status) && !replaces) {
-        direct_ = true;
-        temp_ = target_;
-        fd_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-        if (fd_ < 0) fail(errno);
+    if (path.empty()) fail(ENOENT);
+    findTarget();
+    struct stat old = {};
+    const bool exists = ownDescriptor(target_) >= 0 || stat(target_.c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode)) fail(EISDIR);
+    if (exists && !S_ISREG(old.st_mode)) {
+        try {
+            fd_ = openStream(target_);
+        } catch (const Error& error) {
+            fail(error.what());
+        }
         return;
     }
-    if (path.empty()) fail(ENOENT);
     // A file that its owner made read-only is not to be replaced, although the folder's permissions allow it.
-    if (replaces && access(target_.c_str(), W_OK) != 0) fail(errno);
-    static std::atomic<int> serial{0};
-    const fs::path t(target_);
-    // Hidden, and without the target's extension, so that no "*.exr" picks up a half-written file.
-    const std::string name = fmt::format(".{}.{}.{}.tmp", t.filename().string(), getpid(), serial++);
-    temp_ = (t.parent_path() / name).string();
-    fd_ = ::open(temp_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd_ < 0) {
-        const int reason = errno;
-        temp_.clear();
-        fail(reason);
-    }
-    struct stat old;
-    if (replaces && stat(target_.c_str(), &old) == 0) {
-        [[maybe_unused]] const int ignored = fchmod(fd_, old.st_mode & 07777);  // the new file keeps the old one's mode
-    }
+    if (exists && faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
+    openTemporary(exists);
+    if (exists) keepAccess(fd_, old);
 }
 
 AtomicFile::~AtomicFile() { closeAndRemove(); }
 
+// By hand: std::filesystem::weakly_canonical stops before a link that leads to nothing yet.
+void AtomicFile::findTarget() {
+    constexpr int kMostLinks = 40;  // as the system has it
+    for (int links = 0; ownDescriptor(target_) < 0; ++links) {
+        struct stat status = {};
+        if (lstat(target_.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return;
+        // Links to pipes in /proc have no path to follow.
+        if (stat(target_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) return;
+        if (links == kMostLinks) fail(ELOOP);
+        std::error_code ec;
+        const fs::path link(target_), next = fs::read_symlink(link, ec);
+        if (ec) fail(ec.value());
+        target_ = (link.parent_path() / next).string();  // an absolute one stands alone
+    }
+}
+
+void AtomicFile::openTemporary(bool replaces) {
+    static std::atomic<int> serial{0};
+    const fs::path t(target_);
+    constexpr size_t kLongestName = 200;  // leaves room for the rest, where names have at most 255 bytes
+    do {
+        // Hidden, and without the target's extension, so that no "*.exr" picks up a half-written file.
+        const std::string name =
+            fmt::format(".{}.{}.{}.tmp", t.filename().string().substr(0, kLongestName), getpid(), serial++);
+        temp_ = (t.parent_path() / name).string();
+        // A file of that name is that of another machine on the same disk, or was left by a crash: neither is ours.
+        fd_ = ::open(temp_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? 0600 : 0666);
+    } while (fd_ < 0 && errno == EEXIST);
+    if (fd_ >= 0) return;
+    const int reason = errno;
+    temp_.clear();
+    fail(reason);
+}
+
 void AtomicFile::closeAndRemove() {
     if (fd_ >= 0) ::close(fd_);
     fd_ = -1;
-    if (!direct_ && !temp_.empty()) ::unlink(temp_.c_str());
+    if (!temp_.empty()) ::unlink(temp_.c_str());
     temp_.clear();
 }
 
-void AtomicFile::fail(int errorNumber) {
+void AtomicFile::fail(int errorNumber) { fail(std::strerror(errorNumber)); }
+
+void AtomicFile::fail(const std::string& reason) {
     closeAndRemove();
-    throw Error(fmt::format("cannot write {}: {}", path_.empty() ? "\"\"" : path_, std::strerror(errorNumber)));
+    const std::string link = target_ == path_ ? "" : fmt::format(" (a link to {})", target_);
+    throw Error(fmt::format("cannot write {}{}: {}", path_.empty() ? "\"\"" : path_, link, reason));
 }
 
 void AtomicFile::write(std::string_view data) {
+    if (temp_.empty()) {
+        try {
+            return writeStream(fd_, data);
+        } catch (const Error& error) {
+            fail(error.what());
+        }
+    }
     while (!data.empty()) {
         const ssize_t n = ::write(fd_, data.data(), data.size());
         if (n < 0 && errno == EINTR) continue;
@@ -81,7 +126,7 @@ void AtomicFile::commit() {
     const int closed = ::close(fd_);
     fd_ = -1;
     if (closed != 0 && errno != EINTR) fail(errno);
-    if (!direct_ && ::rename(temp_.c_str(), target_.c_str()) != 0) fail(errno);
+    if (!temp_.empty() && ::rename(temp_.c_str(), target_.c_str()) != 0) fail(errno);
     temp_.clear();
 }
 

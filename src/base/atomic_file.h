@@ -6,11 +6,14 @@
 
 namespace drc {
 
-// Reserves a temporary file beside the target; commit() puts it in the target's place. Without a commit the
-// destructor removes it. A target that is no regular file (/dev/stdout, a pipe) cannot be replaced: it is written
-// directly. A symbolic link stays, and what it points to is replaced.
+// Reserves a temporary file beside the target; commit() puts it in the target's place, with the old file's
+// permissions, and its owner and group as far as the system allows. Without a commit the destructor removes it.
+//
+// A symbolic link stays, and the file that it leads to, there or not yet there, is replaced. What is no regular file
+// (a pipe, a terminal, /dev/null) cannot be replaced, nor can a descriptor that the program was given (/dev/stdout,
+// /dev/fd/3): they are written directly, see stream_file.h. A named pipe's reader is waited for.
 //     AtomicFile file("out.exr");
-//     ... write to file.tempPath() ...
+//     file.write(bytes);
 //     file.commit();
 class AtomicFile {
   public:
@@ -21,7 +24,6 @@ class AtomicFile {
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    const std::string& tempPath() const { return temp_; }
     // Appends to the temporary file. Throws Error as the constructor does, with the temporary file removed.
     void write(std::string_view data);
     // Flushes to the disk and renames. Throws Error as the constructor does, with the temporary file removed.
@@ -29,13 +31,15 @@ class AtomicFile {
 
   private:
     [[noreturn]] void fail(int errorNumber);
+    [[noreturn]] void fail(const std::string& reason);
+    void findTarget();
+    void openTemporary(bool replaces);
     void closeAndRemove();
 
     std::string path_;    // as the user named it, for messages
-    std::string target_;  // what is replaced
-    std::string temp_;
+    std::string target_;  // the end of its links: what is replaced, or written directly
+    std::string temp_;    // empty where the target is written directly
     int fd_ = -1;
-    bool direct_ = false;  // temp_ is the target itself
 };
 
 void writeFileAtomically(const std::string& path, std::string_view data);

@@ -4,20 +4,31 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string_view>
 
 namespace drc {
 namespace {
 
-// Not a local static: its initialisation guard must not run inside the handler.
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+// Not local statics: their initialisation guards must not run inside the handler.
 CancelToken token;
+std::atomic<int> firstSignal{0};
+static_assert(std::atomic<int>::is_always_lock_free, "the signal handler writes it");
 
 // Only calls that are safe in a signal handler.
 void handle(int signal) {
-    if (token.cancelled()) _exit(128 + signal);
+    if (token.cancelled()) {
+        if (signal == SIGINT) _exit(128 + SIGINT);
+        return;
+    }
+    firstSignal = signal;  // before the token: whoever sees the token raised knows by what
     token.cancel();
     const int savedErrno = errno;
-    static constexpr char kMessage[] = "\ndrc: interrupted, finishing; interrupt again to stop at once\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1);
+    const std::string_view message = signal == SIGINT
+                                         ? "\ndrc: interrupted, finishing; interrupt again to stop at once\n"
+                                         : "\ndrc: asked to end, finishing\n";
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
     errno = savedErrno;
 }
 
@@ -25,16 +36,20 @@ void handle(int signal) {
 
 CancelToken& interruptToken() { return token; }
 
+int interruptSignal() { return firstSignal; }
+
 void installInterruptHandler() {
     struct sigaction action = {};
     action.sa_handler = handle;
     action.sa_flags = SA_RESTART;
     sigemptyset(&action.sa_mask);
-    // One signal at a time, so that the message and the flag cannot interleave with the other signal's.
-    sigaddset(&action.sa_mask, SIGINT);
-    sigaddset(&action.sa_mask, SIGTERM);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    // One signal at a time, so that the message and the flag cannot interleave with another signal's.
+    for (const int signal : kSignals) sigaddset(&action.sa_mask, signal);
+    for (const int signal : kSignals) {
+        struct sigaction before = {};
+        if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
+        sigaction(signal, &action, nullptr);
+    }
 }
 
 }  // namespace drc

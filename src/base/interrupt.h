@@ -1,14 +1,22 @@
-// Ctrl-C: the first asks the program to finish what it has and save it, the second ends it at once.
+// Ctrl-C: the first asks the program to finish what it has and save it, the second ends it at once. So do the signals
+// that batch systems and a closed terminal send.
 #pragma once
 #include "base/parallel.h"
 
 namespace drc {
 
-// Raised by the first SIGINT (or SIGTERM, which batch systems send) after installInterruptHandler().
+// Raised by the first SIGINT (Ctrl-C), SIGTERM (batch systems, `kill`) or SIGHUP (a closed terminal) after
+// installInterruptHandler().
 CancelToken& interruptToken();
 
-// From now on, the first SIGINT or SIGTERM raises interruptToken() and says so on standard error; a second one ends the
-// process with the shell's exit code for it, 128 + signal: 130 for Ctrl-C.
+// The signal that raised interruptToken(); 0 before. A program that ends because of it exits with the shell's code,
+// 128 + interruptSignal().
+int interruptSignal();
+
+// From now on, the first of the signals above raises interruptToken() and says so on standard error. SIGINT after that
+// ends the process with 130. Another SIGTERM or SIGHUP does nothing, because both may come twice for one request:
+// `timeout` signals its child and then the whole group, and a closed terminal is told by the shell and by the system. A
+// signal that was ignored when the program started (nohup, background jobs of scripts) stays ignored.
 void installInterruptHandler();
 
 }  // namespace drc

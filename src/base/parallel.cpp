@@ -30,6 +30,23 @@ std::unique_ptr<Threads>& threads() {
     return instance;
 }
 
+// While it lives, the calling thread works on a piece of a loop, in the arena.
+class InArena {
+  public:
+    InArena() { inside() = true; }
+    ~InArena() { inside() = before_; }
+    InArena(const InArena&) = delete;
+    InArena& operator=(const InArena&) = delete;
+    static bool here() { return inside(); }
+
+  private:
+    static bool& inside() {
+        thread_local bool value = false;
+        return value;
+    }
+    const bool before_ = inside();
+};
+
 }  // namespace
 
 void setThreadCount(int count) {
@@ -52,14 +69,19 @@ void parallelFor(int begin, int end, int grain, const std::function<void(int, in
         body(static_cast<int>(b), static_cast<int>(std::min<int64_t>(b + step, end)));
     };
     if (pieces == 1) return piece(0);
-    threads()->arena.execute([&] {
+    const auto loop = [&] {
         tbb::parallel_for(
             tbb::blocked_range<int64_t>(0, pieces, 1),
             [&](const tbb::blocked_range<int64_t>& r) {
+                const InArena here;
                 for (int64_t k = r.begin(); k != r.end(); ++k) piece(k);
             },
             tbb::simple_partitioner());
-    });
+    };
+    // To enter the arena again would end an isolation.
+    InArena::here() ? loop() : threads()->arena.execute(loop);
 }
+
+void isolated(const std::function<void()>& body) { tbb::this_task_arena::isolate(body); }
 
 }  // namespace drc

@@ -29,4 +29,8 @@ int threadCount();
 void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body,
                  const CancelToken* cancel = nullptr);
 
+// Calls the body. A thread that waits in it, for a loop of the body's own or of a library on oneTBB, meanwhile works
+// for that loop alone and takes up no piece of a loop around it.
+void isolated(const std::function<void()>& body);
+
 }  // namespace drc

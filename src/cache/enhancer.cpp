@@ -60,24 +60,27 @@ std::unique_ptr<Enhancer> makeGaussianEnhancer(float sigma) { return std::make_u
 void matchEnergy(std::span<const float> captured, const MapLayout& layout, std::span<float> radiance) {
     const int n = layout.size();
     const auto texels = size_t(layout.texels());
-    for (size_t c = 0; c < 3; ++c) {
-        double want = 0, have = 0;
+    const auto mean = [&](std::span<const float> channel) {
+        double sum = 0, all = 0;
         for (int row = 0; row < n; ++row) {
             const double w = layout.solidAngle(row);
-            for (int column = 0; column < n; ++column) {
-                const size_t i = c * texels + size_t(row * n + column);
-                want += w * captured[i];
-                have += w * radiance[i];
-            }
+            for (int column = 0; column < n; ++column) sum += w * channel[size_t(row * n + column)];
+            all += w * n;
         }
-        if (have > 1e-20 * texels) {
+        return sum / all;
+    };
+    for (size_t c = 0; c < 3; ++c) {
+        const std::span<float> channel = radiance.subspan(c * texels, texels);
+        const double want = mean(captured.subspan(c * texels, texels)), have = mean(channel);
+        // Written so that what is not a number counts as nothing.
+        const bool usable = have > 0 && std::isfinite(have);
+        if (usable && want <= kMostGain * have) {
             const auto scale = float(want / have);
-            for (size_t i = c * texels; i < (c + 1) * texels; ++i) radiance[i] *= scale;
+            for (float& r : channel) r *= scale;
         } else {
-            // Nothing to scale: the energy is spread evenly rather than lost.
-            double total = 0;
-            for (int row = 0; row < n; ++row) total += layout.solidAngle(row) * n;
-            for (size_t i = c * texels; i < (c + 1) * texels; ++i) radiance[i] = float(want / total);
+            const float gain = usable ? kMostGain : 0.f;
+            const auto rest = float(want - (usable ? double(gain) * have : 0.));
+            for (float& r : channel) r = (usable ? gain * r : 0.f) + rest;
         }
     }
 }

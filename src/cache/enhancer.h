@@ -24,7 +24,14 @@ std::unique_ptr<Enhancer> makeIdentityEnhancer();
 // "gaussian": a blur of the radiance by sigma texels, as in the paper (sigma 1).
 std::unique_ptr<Enhancer> makeGaussianEnhancer(float sigma);
 
-// Scales each channel of `radiance` to the solid-angle-weighted mean of `captured` (planar [3][N*N] both).
+// How much brighter matchEnergy makes a channel at most. Beyond what the networks that come with the program ask for
+// but where one bright texel is all of a map (docs/decisions.md, "Energy").
+constexpr float kMostGain = 32;
+
+// Gives each channel of `radiance` the solid-angle-weighted mean of `captured` (planar [3][N*N] both, none negative),
+// to within rounding, in every case. It is scaled to it; but a channel that has less than 1 / kMostGain of what was
+// captured tells little of where its light is, and no texel is brightened by more: what is missing then is spread
+// evenly over the map. A channel without light, or whose sum is not finite, becomes the captured mean everywhere.
 void matchEnergy(std::span<const float> captured, const MapLayout& layout, std::span<float> radiance);
 
 }  // namespace drc

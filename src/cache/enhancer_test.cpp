@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace drc {
@@ -57,6 +58,57 @@ TEST(Enhancer, NoneChangesNothing) {
     const std::vector<float> before = map.radiance;
     makeIdentityEnhancer()->enhance({&map, 1}, layout);
     EXPECT_EQ(map.radiance, before);
+}
+
+// One texel of a channel is all that a network left, from everything down to less than any float can hold.
+TEST(Enhancer, EnergyIsKeptAndNoTexelGetsAllOfItHoweverLittleIsLeft) {
+    for (const float unit : {1e-12f, 1.f, 1e12f})  // scenes may have any unit of light
+        for (const Projection p : {Projection::EqualArea, Projection::LatLong}) {
+            const MapLayout layout(p, 8);
+            const std::vector<float> captured(3 * 64, unit);
+            for (float left = 64; left > 0; left /= 8) {
+                SCOPED_TRACE(testing::Message() << projectionName(p) << " unit " << unit << " left " << left);
+                std::vector<float> radiance(3 * 64, 0.f);
+                for (size_t c = 0; c < 3; ++c) radiance[c * 64 + 28] = left * unit;
+                matchEnergy(captured, layout, radiance);
+                for (size_t c = 0; c < 3; ++c)
+                    ASSERT_NEAR(energy(radiance, layout, c) / energy(captured, layout, c), 1, 1e-5);
+                ASSERT_LE(radiance[28], 1.001f * unit * (kMostGain * left + 1));
+                ASSERT_GE(*std::min_element(radiance.begin(), radiance.end()), 0.f);
+            }
+        }
+}
+
+TEST(Enhancer, TheGainsBoundIsNoStep) {
+    const MapLayout layout(Projection::EqualArea, 8);
+    const std::vector<float> captured(3 * 64, 1.f);
+    std::vector<float> below(3 * 64, 0.f), above(3 * 64, 0.f);
+    for (size_t c = 0; c < 3; ++c) {
+        below[c * 64 + 9] = 64 / kMostGain * 1.0001f;
+        above[c * 64 + 9] = 64 / kMostGain * 0.9999f;
+    }
+    matchEnergy(captured, layout, below);
+    matchEnergy(captured, layout, above);
+    for (size_t i = 0; i < above.size(); ++i) EXPECT_NEAR(above[i], below[i], 0.02f);
+}
+
+TEST(Enhancer, ChannelsAreMatchedByThemselves) {
+    const MapLayout layout(Projection::EqualArea, 8);
+    CapturedMap map = noisyMap(layout, 3);
+    std::vector<float> captured = map.radiance;
+    for (size_t i = 128; i < 192; ++i) captured[i] *= 1e-8f;  // a red and green scene
+    matchEnergy(captured, layout, map.radiance);
+    for (size_t i = 0; i < captured.size(); ++i) EXPECT_NEAR(map.radiance[i], captured[i], 1e-5f * captured[i]);
+}
+
+TEST(Enhancer, WhatIsNoNumberBecomesTheMean) {
+    const MapLayout layout(Projection::EqualArea, 8);
+    const std::vector<float> captured(3 * 64, 2.f);
+    std::vector<float> radiance(3 * 64, 1.f);
+    radiance[3] = std::numeric_limits<float>::quiet_NaN();
+    radiance[70] = std::numeric_limits<float>::infinity();
+    matchEnergy(captured, layout, radiance);
+    for (const float r : radiance) EXPECT_NEAR(r, 2, 1e-5f);
 }
 
 TEST(Enhancer, EnergyThatANetworkBlackenedIsSpreadEvenly) {

@@ -17,11 +17,11 @@ struct Sides {
 
 }  // namespace
 
-Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int samples, uint64_t stream,
-           uint32_t firstIndex) {
+Rgb gather(const PrimaryHit& hit, const LobeMask& lobes, std::span<const WeightedSite> sites, int samples,
+           uint64_t stream, uint32_t firstIndex) {
     const SurfaceInteraction& at = hit.surface;
     const Vec3 normal = faceForward(at.ng, at.wo);
-    const bool transmits = hit.bsdf.hasWideTransmission();
+    const bool transmits = hit.bsdf.has(LobeFlags::Transmission, lobes);
     const Vec3& shading = hit.bsdf.frame().n;
     float total = 0;
     for (const WeightedSite& s : sites) total += s.weight;
@@ -29,8 +29,8 @@ Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int sampl
     // The maps' density follows what a diffuse surface integrates: there the BSDF's own samples would add but noise.
     // They are needed for glossy lobes, and for directions below the horizon of a map that is turned away, which the
     // map's samples never take. What light comes from there, the map's horizon tells best.
-    const bool glossy = hit.bsdf.has(LobeFlags::Glossy);
-    const BsdfView view(hit.bsdf, at.wo, LobeFlags::Wide);
+    const bool glossy = hit.bsdf.has(LobeFlags::Glossy, lobes);
+    const BsdfView view(hit.bsdf, at.wo, lobes);
     const auto contribution = [&](const Sides& sides, const Vec3& d, float pdf, const LobeValue& bsdf) {
         const RadianceMap* map = dot(d, normal) >= 0 ? sides.front : sides.back;
         if (map == nullptr) return Rgb(0.f);

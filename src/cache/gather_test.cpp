@@ -59,7 +59,7 @@ Mean gatherMean(const Case& s, int samples) {
     double sum = 0, squares = 0;
     const int runs = 2000;
     for (int i = 0; i < runs; ++i) {
-        const double g = gather(s.hit, {&one, 1}, samples, 99, uint32_t(i * samples)).y;
+        const double g = gather(s.hit, broadLobes(0.2f), {&one, 1}, samples, 99, uint32_t(i * samples)).y;
         sum += g;
         squares += g * g;
     }
@@ -136,7 +136,7 @@ TEST(Gather, MapsAreMixedByWeight) {
         makeMatte({}), [](Vec3) { return Rgb(5.f); }, b);
     const WeightedSite sites[] = {{&a.site, 0.3f}, {&b.site, 0.1f}};
     double sum = 0;
-    for (int i = 0; i < 4000; ++i) sum += gather(a.hit, sites, 4, 5, uint32_t(4 * i)).y / 4000;
+    for (int i = 0; i < 4000; ++i) sum += gather(a.hit, broadLobes(0.2f), sites, 4, 5, uint32_t(4 * i)).y / 4000;
     const double albedo = gatherMean(a, 8).value;
     EXPECT_NEAR(sum / albedo, 0.75 * 1 + 0.25 * 5, 0.03);
 }

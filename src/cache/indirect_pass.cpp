@@ -37,13 +37,13 @@ uint64_t IndirectPass::stream(int x, int y, uint64_t purpose) const {
     return pixelStream(settings_.seed, purpose, x, y);
 }
 
-bool IndirectPass::wideHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const {
+bool IndirectPass::broadHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const {
     CameraSample sample = cameraSample(tracer_.scene(), x, y, stream(x, y, kPrimary), uint32_t(index));
     film = sample.film;
     weight = sample.filterWeight;
     if (!(sample.camera.weight > 0) || !tracer_.primaryHit(sample.camera.ray, sample.sampler, hit)) return false;
     hit.throughput *= sample.camera.weight;
-    return hit.bsdf.hasWithin(LobeFlags::Wide);
+    return hit.bsdf.hasWithin(tracer_.broad());
 }
 
 void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t level, const State& state) {
@@ -67,7 +67,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
             PrimaryHit hit;
             const CameraRay camera = cameraRay(scene, site.film, sampler);
             if (!(camera.weight > 0) || !tracer_.primaryHit(camera.ray, sampler, hit) ||
-                !hit.bsdf.hasWithin(LobeFlags::Wide))
+                !hit.bsdf.hasWithin(tracer_.broad()))
                 continue;
             site.p = hit.surface.p;
             site.n = faceForward(hit.surface.ng, hit.surface.wo);
@@ -164,7 +164,7 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
                 Vec2 position;
                 float weight;
                 PrimaryHit hit;
-                if (!wideHit(x, y, state.pass * settings_.primarySamples, position, weight, hit)) continue;
+                if (!broadHit(x, y, state.pass * settings_.primarySamples, position, weight, hit)) continue;
                 pixel.site = pixelSite(hit, position);
                 pixel.coverage = maps.coverage(band, pixel.site, 0);
             }
@@ -213,7 +213,7 @@ void IndirectPass::gatherPixels(const PassMaps& maps, int band, const State& sta
                     Vec2 position;
                     float weight;
                     PrimaryHit hit;
-                    if (!wideHit(x, y, index, position, weight, hit)) {
+                    if (!broadHit(x, y, index, position, weight, hit)) {
                         add(x, y, sample, Rgb(0.f), weight);
                         continue;
                     }
@@ -232,10 +232,10 @@ void IndirectPass::gatherPixels(const PassMaps& maps, int band, const State& sta
 Rgb IndirectPass::shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const {
     if (!sites.empty()) {
         const auto n = uint32_t(settings_.gatherSamples);
-        return gather(hit, sites, settings_.gatherSamples, stream(x, y, kGather), uint32_t(index) * n);
+        return gather(hit, tracer_.broad(), sites, settings_.gatherSamples, stream(x, y, kGather), uint32_t(index) * n);
     }
     Sampler sampler(stream(x, y, kFallback), uint32_t(index));
-    return tracer_.indirect(hit, sampler, LobeFlags::Wide);
+    return tracer_.indirect(hit, sampler, tracer_.broad());
 }
 
 bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* cancel) {
@@ -255,7 +255,7 @@ bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* canc
                         Vec2 position;
                         float weight;
                         PrimaryHit hit;
-                        if (!wideHit(x, y, index, position, weight, hit)) {
+                        if (!broadHit(x, y, index, position, weight, hit)) {
                             add(x, y, sample, Rgb(0.f), weight);
                             continue;
                         }

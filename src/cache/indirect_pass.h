@@ -62,11 +62,11 @@ class IndirectPass {
     // pass had before these.
     void captureSites(std::span<MapSite> sites, size_t first, size_t level, const State& state);
     bool runPerPixel(int pass, const Add& add, const CancelToken* cancel);
-    // Indirect radiance of the wide lobes: from the maps, or traced where there is none. index: of the camera sample.
+    // Indirect radiance of the broad lobes: from the maps, or traced where there is none. index: of the camera sample.
     Rgb shade(const PrimaryHit& hit, std::span<const WeightedSite> sites, int x, int y, int index) const;
     // The primary point of a pixel's camera sample `index`: the same each time it is asked for. False: there is none,
-    // or none with wide lobes; film and weight are set all the same.
-    bool wideHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const;
+    // or none with broad lobes; film and weight are set all the same.
+    bool broadHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const;
     uint64_t stream(int x, int y, uint64_t purpose) const;
 
     const PathTracer& tracer_;

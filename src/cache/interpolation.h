@@ -1,5 +1,5 @@
-// How much a radiance map counts for a pixel (design, section 4; the paper's weight, with its sign mended, and what the
-// paper lacks).
+// How much a radiance map counts for a pixel: the paper's weight (Jiang and Kainz), with its sign mended, and what the
+// paper lacks (docs/decisions.md, "Weights of maps").
 #pragma once
 #include "cache/radiance_map.h"
 

@@ -1,5 +1,5 @@
 // Tracing of a radiance map: the indirect light that arrives at a point from each direction of a hemisphere, with the
-// distance to and the normal of what is seen there (design, section 4; Jiang and Kainz, section 3).
+// distance to and the normal of what is seen there (Jiang and Kainz, section 3).
 #pragma once
 #include <optional>
 #include <vector>

@@ -1,9 +1,9 @@
 #include "cache/network_enhancer.h"
 
 #include <fmt/core.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include "base/error.h"
+#include "base/per_thread.h"
 #include "neural/transforms.h"
 
 namespace drc {
@@ -20,9 +20,10 @@ class NetworkEnhancer final : public Enhancer {
           workers_([weights, texels, precision] { return Worker(weights, texels, precision); }) {}
 
     void enhance(std::span<CapturedMap> maps, const MapLayout& layout) const override {
-        Worker& worker = workers_.local();
-        for (size_t begin = 0; begin < maps.size(); begin += kBatch)
-            enhanceBatch(maps.subspan(begin, std::min<size_t>(kBatch, maps.size() - begin)), layout, worker);
+        workers_.use([&](Worker& worker) {
+            for (size_t begin = 0; begin < maps.size(); begin += kBatch)
+                enhanceBatch(maps.subspan(begin, std::min<size_t>(kBatch, maps.size() - begin)), layout, worker);
+        });
     }
     std::string name() const override { return "network"; }
     int batchSize() const override { return kBatch; }
@@ -68,7 +69,7 @@ class NetworkEnhancer final : public Enhancer {
 
     size_t texels_, planes_;
     Ablation ablation_;
-    mutable tbb::enumerable_thread_specific<Worker> workers_;
+    mutable PerThread<Worker> workers_;
 };
 
 }  // namespace

@@ -50,4 +50,9 @@ float MapLayout::solidAngle(int row) const {
     return kPi / n * (std::cos(kPi * float(row) / n) - std::cos(kPi * float(row + 1) / n));
 }
 
+float broadAlpha(const MapLayout& layout) {
+    constexpr float kAlpha = 0.2f, kSolidAngle = 2 * kPi / (32 * 32);  // of the maps that it was chosen for
+    return kAlpha * std::sqrt(layout.meanSolidAngle() / kSolidAngle);
+}
+
 }  // namespace drc

@@ -39,10 +39,18 @@ class MapLayout {
     }
     // Steradians.
     float solidAngle(int row) const;
+    // Of a texel, on average.
+    float meanSolidAngle() const { return 2 * kPi / float(texels()); }
 
   private:
     Projection projection_;
     int size_;
 };
+
+// The least alpha of a lobe whose reflections such a map resolves: those of smoother ones are finer than its texels,
+// and than what a network's blur leaves. 0.2 for 32x32 texels over a hemisphere, 4.5 degrees each, of which the lobe
+// then covers 6.5 at half its maximum (2 atan(alpha sqrt(sqrt(2) - 1)) to either side); in proportion to a texel's
+// width.
+float broadAlpha(const MapLayout& layout);
 
 }  // namespace drc

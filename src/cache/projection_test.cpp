@@ -5,6 +5,7 @@
 #include <random>
 
 #include "base/error.h"
+#include "integrators/path_tracer.h"
 
 namespace drc {
 namespace {
@@ -83,6 +84,21 @@ TEST_P(EveryProjection, BelowTheHorizonIsTheHorizon) {
         // Within two texels of each other.
         EXPECT_GT(dot(centre(above), centre(below)), std::cos(0.2f)) << phi;
     }
+}
+
+TEST(Projection, CoarserMapsResolveRougherLobes) {
+    for (const Projection p : {Projection::EqualArea, Projection::LatLong}) {
+        EXPECT_EQ(broadAlpha(MapLayout(p, 32)), PathSettings().broadAlpha);
+        EXPECT_FLOAT_EQ(broadAlpha(MapLayout(p, 16)), 0.4f);
+        EXPECT_FLOAT_EQ(broadAlpha(MapLayout(p, 64)), 0.1f);
+    }
+}
+
+TEST_P(EveryProjection, TexelsHaveTheirMeanSolidAngle) {
+    const MapLayout layout(GetParam(), 16);
+    double sum = 0;
+    for (int row = 0; row < 16; ++row) sum += 16 * double(layout.solidAngle(row));
+    EXPECT_NEAR(layout.meanSolidAngle(), sum / 256, 1e-6);
 }
 
 TEST(Projection, NamesRoundTrip) {

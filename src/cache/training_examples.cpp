@@ -65,7 +65,7 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     example.time = captureTime(hit.surface);
     Vec3 n = faceForward(hit.surface.ng, hit.surface.wo);
     // What is seen through the surface is as good an example as what is seen in front of it.
-    if (hit.bsdf.hasWideTransmission() && sampler.get1D() < 0.5f) n = -n;
+    if (hit.bsdf.has(LobeFlags::Transmission, tracer.broad()) && sampler.get1D() < 0.5f) n = -n;
     const Frame frame = mapFrame(n, scene.camera->up());
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
         const CaptureSettings how{settings.layout, samples, samples > 1};

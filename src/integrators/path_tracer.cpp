@@ -7,14 +7,12 @@ namespace {
 // error; eight times, no more.
 constexpr float kGlossyPaths = 4;
 
-constexpr LobeFlags kGlossyLobes = LobeFlags::Narrow | LobeFlags::Reflection | LobeFlags::Transmission;
-constexpr LobeFlags kBroadLobes = LobeFlags::Wide;
 constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
 
 }  // namespace
 
 Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, int group, const Rgb& throughput,
-                           const VertexNumbers& u, Sampler& sampler, Rgb* broad) const {
+                           const VertexNumbers& u, Sampler& sampler, Rgb* broadLight) const {
     Rgb sum(0.f);
     const Bsdf& bsdf = view.bsdf();
     const auto s = view.sample(u.lobe, u.direction);
@@ -27,10 +25,10 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
     });
     if (arrival == Arrival::Escaped)
         return sum + scale * s->f * lighting_.emissionAtInfinity(s->wi, at.p, s->pdf, group);
-    if (arrival == Arrival::Surface && broad) {
-        const Rgb f = bsdf.has(LobeFlags::Narrow) ? bsdf.f(at.wo, s->wi, kBroadLobes) : s->f;
+    if (arrival == Arrival::Surface && broadLight) {
+        const Rgb f = bsdf.hasWithin(glossy()) ? bsdf.f(at.wo, s->wi, broad()) : s->f;
         if (!isBlack(f))
-            *broad +=
+            *broadLight +=
                 scale * f * walker_.walk(next, sampler, PathWalker::FirstEmission::Skipped, {}, &hit);
     }
     return sum;
@@ -60,12 +58,12 @@ SampleLayers PathTracer::directLayers(const Ray& cameraRay, Sampler& sampler, bo
             layers.lit += bsdfSample(hit, view, group, throughput, u, sampler, traceBroad ? &layers.broad : nullptr);
         }
         if (withIndirect) {
-            if (bsdf.has(LobeFlags::Narrow)) {
+            if (bsdf.hasWithin(glossy())) {
                 layers.glossy += throughput * indirectGlossy(hit, bsdf, sampler);
-                if (isBlack(layers.glossyAlbedo)) layers.glossyAlbedo = throughput * bsdf.albedo(hit.wo, kGlossyLobes);
+                if (isBlack(layers.glossyAlbedo)) layers.glossyAlbedo = throughput * bsdf.albedo(hit.wo, glossy());
             }
-            if (isBlack(layers.broadAlbedo) && bsdf.hasWithin(kBroadLobes))
-                layers.broadAlbedo = throughput * bsdf.albedo(hit.wo, kBroadLobes);
+            if (isBlack(layers.broadAlbedo) && bsdf.hasWithin(broad()))
+                layers.broadAlbedo = throughput * bsdf.albedo(hit.wo, broad());
             if (layers.pixelSize == 0 && bsdf.hasNonSpecular()) {
                 layers.albedo = throughput * bsdf.albedo(hit.wo, LobeFlags::NonSpecular);
                 layers.position = hit.p;
@@ -114,7 +112,7 @@ bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& 
     return false;
 }
 
-Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobes) const {
+Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, const LobeMask& lobes) const {
     const float uLobe = sampler.get1D();
     const auto s = hit.bsdf.sample(hit.surface.wo, uLobe, sampler.get2D(), lobes);
     if (!s || !(s->pdf > 0) || isBlack(s->f)) return Rgb(0.f);
@@ -124,14 +122,14 @@ Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobe
 
 Rgb PathTracer::indirectGlossy(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const {
     const float uLobe = sampler.get1D();
-    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), kGlossyLobes);
+    const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), glossy());
     if (!s) return Rgb(0.f);
     const Rgb weight = s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     // A dim reflection on a dark surface is most of what is seen of it, and nothing smooths its noise: traced several
     // times as often as the path tracer would choose these lobes among all.
-    const float glossy = luminance(bsdf.albedo(at.wo, kGlossyLobes));
+    const float own = luminance(bsdf.albedo(at.wo, glossy()));
     const float all = luminance(bsdf.albedo(at.wo, LobeFlags::NonSpecular));
-    const float survival = std::min(1.f, std::max(maxComponent(weight), kGlossyPaths * glossy / std::max(all, 1e-6f)));
+    const float survival = std::min(1.f, std::max(maxComponent(weight), kGlossyPaths * own / std::max(all, 1e-6f)));
     if (!(sampler.get1D() < survival)) return Rgb(0.f);
     const Ray ray = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
     return weight * incident(ray, sampler) * (1 / survival);

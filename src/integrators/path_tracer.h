@@ -79,12 +79,15 @@ class PathTracer {
     bool primaryHit(const Ray& ray, Sampler& sampler, PrimaryHit& hit) const;
 
     // One sample of the non-specular lobes' share of indirect light at a primary point: f R cos / pdf.
-    Rgb indirect(const PrimaryHit& hit, Sampler& sampler, LobeFlags lobes = LobeFlags::NonSpecular) const;
+    Rgb indirect(const PrimaryHit& hit, Sampler& sampler, const LobeMask& lobes = LobeFlags::NonSpecular) const;
 
     const Scene& scene() const { return scene_; }
     // Whether a path's time makes a difference.
     bool anythingMoves() const { return lighting_.accel().anythingMoves(); }
     const PathSettings& settings() const { return walker_.settings(); }
+    // The lobes whose indirect light radiance maps bring, and the other non-specular ones, by the settings' threshold.
+    LobeMask broad() const { return broadLobes(settings().broadAlpha); }
+    LobeMask glossy() const { return glossyLobes(settings().broadAlpha); }
 
   private:
     // withIndirect: whether more than emission and lit is wanted.
@@ -94,7 +97,7 @@ class PathTracer {
     Rgb indirectGlossy(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
     // The BSDF's sample of direct light at a primary point, and if broad indirect light is wanted the path beyond it.
     Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, int group, const Rgb& throughput,
-                   const VertexNumbers& u, Sampler& sampler, Rgb* broad) const;
+                   const VertexNumbers& u, Sampler& sampler, Rgb* broadLight) const;
 
     const Scene& scene_;
     DirectLighting lighting_;

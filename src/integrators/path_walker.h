@@ -14,6 +14,9 @@ struct PathSettings {
     int maxDepth = 64;        // non-specular vertices; Russian roulette ends nearly all paths long before
     int rouletteDepth = 3;    // vertices before roulette starts
     float clamp = kInfinity;  // upper bound on a sample's luminance; infinity: none, the unbiased default
+    // Lobes that are rougher are broad (LobeMask), and of those radiance maps bring the indirect light: this default is
+    // what maps of 32x32 texels resolve (broadAlpha() of cache/projection.h).
+    float broadAlpha = 0.2f;
 };
 
 // radiance, or black if it is not finite, scaled down to the luminance that the settings allow a sample.

@@ -5,21 +5,45 @@
 namespace drc {
 namespace {
 
-// Looked up at run time: which OpenMP library there is, if any, is the choice of whoever built oneDNN, and a second
-// one linked here would have its own idea of the number of threads.
-template <typename Function>
-Function* find(const char* name) {
-    return reinterpret_cast<Function*>(::dlsym(RTLD_DEFAULT, name));
+// Which OpenMP library there is, if any, is the choice of whoever built oneDNN, and a second one linked here would have
+// its own idea of the number of threads: its two functions are looked up at run time.
+struct OpenMp {
+    int (*maxThreads)() = nullptr;
+    void (*setThreads)(int) = nullptr;
+};
+
+OpenMp openMpOf(void* library) {
+    OpenMp found;
+    found.maxThreads = reinterpret_cast<int (*)()>(::dlsym(library, "omp_get_max_threads"));
+    found.setThreads = reinterpret_cast<void (*)(int)>(::dlsym(library, "omp_set_num_threads"));
+    return found.maxThreads && found.setThreads ? found : OpenMp{};
 }
 
-int maxThreads() {
-    static auto* const get = find<int()>("omp_get_max_threads");
-    return get ? get() : 0;
+// The shared library that oneDNN is in: null where it is part of the program, or of what calls this.
+void* oneDnnLibrary() {
+    Dl_info info = {};
+    // By its data: the address of a function may be that of the caller's jump to it.
+    if (::dladdr(::dnnl_version(), &info) == 0 || !info.dli_fname) return nullptr;
+    return ::dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
 }
 
-void setThreads(int count) {
-    static auto* const set = find<void(int)>("omp_set_num_threads");
-    if (set && count > 0) set(count);
+// A process may have several, each with its own number of threads: a Python program that loads PyTorch has. oneDNN uses
+// the one that it was linked to, unless another was there for all to see when it was loaded.
+OpenMp linkedOpenMp() {
+    void* const library = oneDnnLibrary();
+    return library ? openMpOf(library) : OpenMp{};
+}
+
+// That other one, or one that came later and is not oneDNN's.
+OpenMp visibleOpenMp() {
+    const OpenMp visible = openMpOf(RTLD_DEFAULT);
+    return visible.setThreads == linkedOpenMp().setThreads ? OpenMp{} : visible;
+}
+
+// oneDNN's is one of them, and to the other one thread for a while does no harm.
+const std::array<OpenMp, 2>& openMps() {
+    static const std::array<OpenMp, 2> all{linkedOpenMp(), visibleOpenMp()};
+    return all;
 }
 
 }  // namespace
@@ -29,12 +53,17 @@ const dnnl::engine& cpuEngine() {
     return engine;
 }
 
-SingleThreadScope::SingleThreadScope() : previous_(maxThreads()) {
-    if (previous_ > 1) setThreads(1);
+SingleThreadScope::SingleThreadScope() {
+    for (size_t i = 0; i < previous_.size(); ++i) {
+        const OpenMp& openMp = openMps()[i];
+        previous_[i] = openMp.maxThreads ? openMp.maxThreads() : 0;
+        if (previous_[i] > 1) openMp.setThreads(1);
+    }
 }
 
 SingleThreadScope::~SingleThreadScope() {
-    if (previous_ > 1) setThreads(previous_);
+    for (size_t i = 0; i < previous_.size(); ++i)
+        if (previous_[i] > 1) openMps()[i].setThreads(previous_[i]);
 }
 
 }  // namespace drc

@@ -1,5 +1,6 @@
 // What every use of oneDNN here needs: the engine, and the promise that a call stays on the calling thread.
 #pragma once
+#include <array>
 #include <dnnl.hpp>
 
 namespace drc {
@@ -18,7 +19,7 @@ class SingleThreadScope {
     SingleThreadScope& operator=(const SingleThreadScope&) = delete;
 
   private:
-    int previous_ = 0;
+    std::array<int, 2> previous_{};  // of each OpenMP library that may be oneDNN's; 0: none
 };
 
 }  // namespace drc

@@ -84,6 +84,17 @@ void ParamSet::add(Param param) {
     params_.push_back(std::move(param));
 }
 
+void ParamSet::replace(Param param) {
+    std::erase_if(params_, [&](const Param& old) { return old.name == param.name; });
+    add(std::move(param));
+}
+
+void ParamSet::note(std::string_view name, std::optional<ParamType> type) const {
+    if (known_ == nullptr) return;
+    auto& known = known_->types[std::string(name)];
+    if (!known) known = type;
+}
+
 void ParamSet::inherit(const ParamSet& defaults) {
     const size_t own = params_.size();
     for (const Param& param : defaults.params_) {
@@ -101,10 +112,12 @@ void ParamSet::failAt(const Param& param, const std::string& complaint) const {
 }
 
 bool ParamSet::has(std::string_view name) const {
+    note(name, std::nullopt);
     return std::any_of(params_.begin(), params_.end(), [&](const Param& p) { return p.name == name; });
 }
 
 const Param* ParamSet::findIfTyped(std::string_view name, std::initializer_list<ParamType> types) const {
+    note(name, *types.begin());
     for (const Param& param : params_)
         if (param.name == name && isIn(param.type, types)) {
             param.used = true;
@@ -179,11 +192,13 @@ Rgb ParamSet::getColor(std::string_view name, const Rgb& fallback) const {
 }
 
 void ParamSet::ignore(std::initializer_list<std::string_view> names) const {
+    for (const std::string_view name : names) note(name, std::nullopt);
     for (const Param& param : params_)
         if (std::find(names.begin(), names.end(), param.name) != names.end()) param.used = true;
 }
 
 void ParamSet::notBuilt(std::initializer_list<std::string_view> names) const {
+    for (const std::string_view name : names) note(name, std::nullopt);
     for (const Param& param : params_) {
         if (param.used || std::find(names.begin(), names.end(), param.name) == names.end()) continue;
         param.used = true;
@@ -192,6 +207,7 @@ void ParamSet::notBuilt(std::initializer_list<std::string_view> names) const {
 }
 
 void ParamSet::ignoreAll() const {
+    if (known_ != nullptr) known_->anything = true;
     for (const Param& param : params_) param.used = true;
 }
 

@@ -1,6 +1,7 @@
 // The typed parameters of one directive, with the places where they were written.
 #pragma once
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,6 +43,8 @@ class ParamSet {
 
     // One of the same name and type is replaced, as in pbrt.
     void add(Param param);
+    // In place of all of that name, whatever their type.
+    void replace(Param param);
     // What the set does not name itself. Nobody need look these up.
     void inherit(const ParamSet& defaults);
 
@@ -61,6 +64,14 @@ class ParamSet {
     const Param* findIfTyped(std::string_view name, std::initializer_list<ParamType> types) const;
     bool has(std::string_view name) const;
 
+    // Which parameters were asked for, there or not: what whoever uses the set knows.
+    struct Known {
+        std::map<std::string, std::optional<ParamType>, std::less<>> types;  // none: accepted without effect
+        bool anything = false;                                               // ignoreAll() was called
+    };
+    // From now on, look-ups are noted there.
+    void noteLookups(Known& known) { known_ = &known; }
+
     // Accepts without effect.
     void ignore(std::initializer_list<std::string_view> names) const;
     // Accepts with the warning that it is not supported yet.
@@ -79,10 +90,12 @@ class ParamSet {
 
   private:
     const Param* findOne(std::string_view name, ParamType type) const;
+    void note(std::string_view name, std::optional<ParamType> type) const;
 
     std::string owner_;
     SourcePos pos_;
     std::vector<Param> params_;
+    Known* known_ = nullptr;
 };
 
 // "float", "rgb", "point3", ...; none: no such type.

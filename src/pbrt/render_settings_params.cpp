@@ -7,6 +7,7 @@
 #include "base/limits.h"
 #include "base/log.h"
 #include "pbrt/suggest.h"
+#include "scene/crop_window.h"
 
 namespace drc::pbrt {
 int positiveOf(const ParamSet& params, std::string_view name, int fallback, int most) {
@@ -28,17 +29,17 @@ void applyFrame(const ParamSet& params, RenderSettings& settings) {
     settings.film.height = positiveOf(params, "yresolution", settings.film.height, limits::kFilmSide);
     settings.filmAt = params.pos().location();
     settings.outputFile = params.getString("filename", settings.outputFile);
-    if (settings.outputFile.empty()) params.failAt(*params.find("filename", {ParamType::String}), "is empty");
+    if (const Param* file = params.find("filename", {ParamType::String})) {
+        settings.outputFileAt = file->pos.location();
+        if (settings.outputFile.empty()) params.failAt(*file, "is empty");
+    }
     settings.film.diagonal = params.getPositiveFloat("diagonal", settings.film.diagonal);
     if (const Param* window = params.find("cropwindow", {ParamType::Float})) {
-        if (window->numbers.size() != 4) params.failAt(*window, "must have four values of type 'float'");
-        float crop[4];
-        for (size_t i = 0; i < 4; ++i) crop[i] = std::clamp(float(window->numbers[i]), 0.f, 1.f);
-        // As pbrt does, either order of the two edges.
-        for (int axis = 0; axis < 2; ++axis) {
-            settings.cropWindow[2 * axis] = std::min(crop[2 * axis], crop[2 * axis + 1]);
-            settings.cropWindow[2 * axis + 1] = std::max(crop[2 * axis], crop[2 * axis + 1]);
-            if (settings.cropWindow[2 * axis] == settings.cropWindow[2 * axis + 1]) params.failAt(*window, "is empty");
+        try {
+            const CropWindow crop = cropWindowOf(window->numbers);
+            std::copy(crop.begin(), crop.end(), settings.cropWindow);
+        } catch (const Error& error) {
+            params.failAt(*window, error.what());
         }
     }
 }

@@ -64,6 +64,29 @@ TEST(RenderSettings, Film) {
     EXPECT_EQ(scene->settings.film.width, 40);
 }
 
+TEST(RenderSettings, CropWindowsArePbrts) {
+    const auto window = [](const std::string& values) {
+        return settingsOf("Film \"image\" \"float cropwindow\" [" + values + "]");
+    };
+    EXPECT_THAT(window("1 0 0 1").cropWindow, testing::ElementsAre(0, 1, 0, 1));
+    EXPECT_THAT(window("-3 .5 .5 2").cropWindow, testing::ElementsAre(0, .5f, .5f, 1));
+    const auto error = [](const std::string& values) {
+        return errorOfOptions("Film \"image\" \"float cropwindow\" [" + values + "]");
+    };
+    EXPECT_THAT(error(".5 .5 0 1"),
+                HasSubstr("s.pbrt:1:14: parameter 'cropwindow' of film 'image' is empty from x0 = 0.5 "
+                          "to x1 = 0.5"));
+    EXPECT_THAT(error("2 3 0 1"), HasSubstr("is empty from x0 = 2"));
+    EXPECT_THAT(error("0 1 0"), HasSubstr("must be four numbers, x0 x1 y0 y1, not 3"));
+}
+
+TEST(RenderSettings, TheFilmsFileNameKeepsItsPlace) {
+    const RenderSettings s = settingsOf("Film \"image\"\n  \"string filename\" [\"dir/\"]");
+    EXPECT_EQ(s.outputFile, "dir/");
+    EXPECT_EQ(s.outputFileAt.str(), "s.pbrt:2:3");
+    EXPECT_TRUE(settingsOf("Film \"image\"").outputFileAt.empty());
+}
+
 TEST(RenderSettings, PixelBoundsNarrowTheCropWindow) {
     const std::string film =
         "Film \"image\" \"integer xresolution\" 100 \"integer yresolution\" 50 "

@@ -9,6 +9,7 @@
 
 #include "base/limits.h"
 #include "base/parallel.h"
+#include "pbrt/overrides.h"
 #include "pbrt/scene_limits.h"
 #include "pbrt/suggest.h"
 
@@ -359,6 +360,10 @@ void SceneBuilder::loadMeshes(const LoadOptions& options) {
 std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     RenderSettings& settings = scene_->settings;
     settings.filter = make_.filter(filter_.type, filter_.params);
+    const Overrides overrides(options.overrides,
+                              {{"film", film_.type, film_.params, make_.film},
+                               {"sampler", sampler_.type, sampler_.params, make_.sampler},
+                               {"integrator", integrator_.type, integrator_.params, make_.integrator}});
     make_.film(film_.type, film_.params, settings);
     make_.sampler(sampler_.type, sampler_.params, settings);
     make_.integrator(integrator_.type, integrator_.params, settings);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/limits.h"
 #include "scene/scene.h"
@@ -11,6 +12,8 @@ namespace drc::pbrt {
 
 struct LoadOptions {
     std::optional<FilmGeometry> resolution{};  // instead of the file's
+    // Parameters of film, sampler and integrator instead of the file's, each as in overrides.h.
+    std::vector<std::string> overrides{};
     // That all subdivision surfaces together may come to.
     double subdividedTriangles = limits::kSubdividedTriangles;
     // That all curves together may be cut into.

@@ -18,6 +18,7 @@ PathSettings pathSettings(const RenderParams& params) {
     PathSettings settings;
     settings.maxDepth = *params.maxDepth;
     settings.clamp = params.clamp;
+    settings.broadAlpha = broadAlpha(params.indirect.capture.layout);
     return settings;
 }
 

@@ -11,6 +11,7 @@ Bsdf::Lobes& Bsdf::Lobes::operator=(const Lobes& other) {
     for (int i = 0; i < count; ++i) {
         new (storage + i * sizeof(Lobe)) Lobe(reinterpret_cast<const Lobe*>(other.storage)[i]);
         flags[size_t(i)] = other.flags[size_t(i)];
+        alphas[size_t(i)] = other.alphas[size_t(i)];
         weights[size_t(i)] = other.weights[size_t(i)];
     }
     return *this;
@@ -26,42 +27,30 @@ Bsdf& Bsdf::operator=(const Bsdf& other) {
     return *this;
 }
 
-bool Bsdf::has(LobeFlags wanted) const {
+bool Bsdf::has(LobeFlags wanted, const LobeMask& mask) const {
     for (int i = 0; i < size(); ++i)
-        if ((flags(i) & wanted) == wanted) return true;
+        if ((flags(i) & wanted) == wanted && isWithin(i, mask)) return true;
     return false;
 }
 
-bool Bsdf::hasWithin(LobeFlags mask) const {
-    for (int i = 0; i < size(); ++i)
-        if (matches(flags(i), mask)) return true;
-    return false;
-}
-
-bool Bsdf::hasWideTransmission() const {
-    for (int i = 0; i < size(); ++i)
-        if (matches(flags(i), LobeFlags::Wide) && any(flags(i) & LobeFlags::Transmission)) return true;
-    return false;
-}
-
-Rgb Bsdf::f(const Vec3& wo, const Vec3& wi, LobeFlags mask, TransportMode mode) const {
+Rgb Bsdf::f(const Vec3& wo, const Vec3& wi, const LobeMask& mask, TransportMode mode) const {
     return BsdfView(*this, wo, mask, mode).f(wi);
 }
 
-float Bsdf::pdf(const Vec3& wo, const Vec3& wi, LobeFlags mask) const {
+float Bsdf::pdf(const Vec3& wo, const Vec3& wi, const LobeMask& mask) const {
     return BsdfView(*this, wo, mask).evaluate(wi).pdf;
 }
 
-std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, float uLobe, const Vec2& u, LobeFlags mask,
+std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, float uLobe, const Vec2& u, const LobeMask& mask,
                                        TransportMode mode) const {
     return BsdfView(*this, wo, mask, mode).sample(uLobe, u);
 }
 
-Rgb Bsdf::albedo(const Vec3& woWorld, LobeFlags mask) const {
+Rgb Bsdf::albedo(const Vec3& woWorld, const LobeMask& mask) const {
     const Vec3 wo = frame_.toLocal(woWorld);
     Rgb sum(0.f);
     for (int i = 0; i < size(); ++i)
-        if (matches(flags(i), mask)) sum += weight(i) * visitLobe([&](const auto& l) { return l.albedo(wo); }, lobe(i));
+        if (isWithin(i, mask)) sum += weight(i) * visitLobe([&](const auto& l) { return l.albedo(wo); }, lobe(i));
     return sum;
 }
 

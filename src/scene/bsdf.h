@@ -42,6 +42,7 @@ class Bsdf {
         if (own_.count == kMaxLobes || isBlack(weight)) return;
         new (own_.storage + own_.count * sizeof(Lobe)) Lobe(lobe);
         own_.flags[own_.count] = lobe.flags();
+        own_.alphas[own_.count] = lobe.alpha();
         own_.weights[own_.count] = weight;
         ++own_.count;
     }
@@ -49,21 +50,19 @@ class Bsdf {
     // The lobes of another in place of its own, which must outlive this one and its copies and not change.
     void borrowLobes(const Bsdf& other) { lobes_ = other.lobes_; }
 
-    // True if any lobe has all of these flags.
-    bool has(LobeFlags flags) const;
+    // True if any lobe of the mask has all of these flags.
+    bool has(LobeFlags flags, const LobeMask& mask = LobeFlags::All) const;
     // True if any lobe lies within the mask.
-    bool hasWithin(LobeFlags mask) const;
+    bool hasWithin(const LobeMask& mask) const { return has(LobeFlags::None, mask); }
     bool hasNonSpecular() const { return hasWithin(LobeFlags::NonSpecular); }
-    // Light that arrives from behind is seen as more than what a specular path brings.
-    bool hasWideTransmission() const;
     bool hasSpecular() const { return has(LobeFlags::Specular); }
     int size() const { return lobes_->count; }
 
     // What a BsdfView of wo through mask says of one direction; a view is the cheaper way to ask more than once.
-    Rgb f(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All,
+    Rgb f(const Vec3& wo, const Vec3& wi, const LobeMask& mask = LobeFlags::All,
           TransportMode mode = TransportMode::Radiance) const;
-    float pdf(const Vec3& wo, const Vec3& wi, LobeFlags mask = LobeFlags::All) const;
-    std::optional<BsdfSample> sample(const Vec3& wo, float uLobe, const Vec2& u, LobeFlags mask = LobeFlags::All,
+    float pdf(const Vec3& wo, const Vec3& wi, const LobeMask& mask = LobeFlags::All) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, float uLobe, const Vec2& u, const LobeMask& mask = LobeFlags::All,
                                      TransportMode mode = TransportMode::Radiance) const;
 
     // The shading frame.
@@ -72,11 +71,13 @@ class Bsdf {
     const Vec3& ng() const { return ng_; }
 
     // Albedo towards wo, an estimate for AOVs and for choosing lobes.
-    Rgb albedo(const Vec3& wo, LobeFlags mask = LobeFlags::All) const;
+    Rgb albedo(const Vec3& wo, const LobeMask& mask = LobeFlags::All) const;
 
     // i in [0, size()).
     const Lobe& lobe(int i) const { return reinterpret_cast<const Lobe*>(lobes_->storage)[i]; }
     LobeFlags flags(int i) const { return lobes_->flags[size_t(i)]; }
+    float alpha(int i) const { return lobes_->alphas[size_t(i)]; }
+    bool isWithin(int i, const LobeMask& mask) const { return mask.has(flags(i), alpha(i)); }
     const Rgb& weight(int i) const { return lobes_->weights[size_t(i)]; }
 
   private:
@@ -87,6 +88,7 @@ class Bsdf {
 
         int count = 0;
         std::array<LobeFlags, kMaxLobes> flags;
+        std::array<float, kMaxLobes> alphas;
         std::array<Rgb, kMaxLobes> weights;
         // Raw, because a Bsdf is made at every hit and to construct twelve lobes for the two in use would be a waste.
         alignas(Lobe) std::byte storage[kMaxLobes * sizeof(Lobe)];

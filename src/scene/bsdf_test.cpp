@@ -26,15 +26,55 @@ TEST(Bsdf, Flags) {
     EXPECT_EQ(bsdf.size(), 6);
     EXPECT_TRUE(bsdf.hasNonSpecular());
     EXPECT_TRUE(bsdf.hasSpecular());
-    EXPECT_TRUE(bsdf.hasWideTransmission());
+    EXPECT_TRUE(bsdf.has(LobeFlags::Transmission, broadLobes(0.2f)));
     EXPECT_TRUE(bsdf.has(LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Specular));
     EXPECT_FALSE(bsdf.has(LobeFlags::Diffuse | LobeFlags::Glossy));
 
     Bsdf mirror(kFrame, kFrame.n);
     mirror.add(SpecularTransmission(Rgb(1.f), 1, 1));
     EXPECT_FALSE(mirror.hasNonSpecular());
-    EXPECT_FALSE(mirror.hasWideTransmission());
+    EXPECT_FALSE(mirror.has(LobeFlags::Transmission, broadLobes(0.2f)));
     EXPECT_TRUE(mirror.hasSpecular());
+}
+
+TEST(Bsdf, MasksTakeLobesByTheirRoughness) {
+    Bsdf bsdf(kFrame, kFrame.n);
+    bsdf.add(LambertReflection(Rgb(0.1f)));
+    bsdf.add(MicrofacetReflection(Rgb(1.f), TrowbridgeReitz(0.1f, 0.3f), Fresnel::none()), Rgb(0.2f));
+    bsdf.add(MicrofacetTransmission(Rgb(1.f), TrowbridgeReitz(0.05f, 0.1f), 1, 1.5f), Rgb(0.3f));
+    bsdf.add(SpecularReflection(Rgb(0.1f), Fresnel::none()));
+    EXPECT_EQ(bsdf.alpha(1), 0.3f);
+    EXPECT_EQ(bsdf.alpha(2), 0.1f);
+    EXPECT_EQ(bsdf.alpha(3), 0);
+    const auto counted = [&](const LobeMask& mask) {
+        std::vector<int> lobes;
+        for (int i = 0; i < bsdf.size(); ++i)
+            if (bsdf.isWithin(i, mask)) lobes.push_back(i);
+        return lobes;
+    };
+    using Lobes = std::vector<int>;
+    EXPECT_EQ(counted(LobeFlags::All), (Lobes{0, 1, 2, 3}));
+    EXPECT_EQ(counted(LobeFlags::NonSpecular), (Lobes{0, 1, 2}));
+    EXPECT_EQ(counted(broadLobes(0.05f)), (Lobes{0, 1, 2}));
+    EXPECT_EQ(counted(broadLobes(0.2f)), (Lobes{0, 1}));
+    EXPECT_EQ(counted(broadLobes(0.3f)), (Lobes{0, 1}));  // the bound is broad
+    EXPECT_EQ(counted(broadLobes(10)), (Lobes{0}));
+    EXPECT_EQ(counted(glossyLobes(0.05f)), Lobes{});
+    EXPECT_EQ(counted(glossyLobes(0.2f)), Lobes{2});
+    EXPECT_EQ(counted(glossyLobes(0.3f)), Lobes{2});
+    EXPECT_EQ(counted(glossyLobes(10)), (Lobes{1, 2}));
+    EXPECT_TRUE(bsdf.has(LobeFlags::Glossy, broadLobes(0.2f)));
+    EXPECT_FALSE(bsdf.has(LobeFlags::Transmission, broadLobes(0.2f)));
+    EXPECT_TRUE(bsdf.has(LobeFlags::Transmission, broadLobes(0.1f)));
+
+    // The parts are exact complements, and a copy's are the same.
+    const Bsdf copy = bsdf;
+    const Vec3 wo = normalize(Vec3(0.3f, 0.1f, 1)), wi = normalize(Vec3(-0.2f, 0, 1));
+    const Rgb all = bsdf.f(wo, wi, LobeFlags::NonSpecular);
+    for (const float threshold : {0.05f, 0.2f, 10.f}) {
+        const Rgb parts = copy.f(wo, wi, broadLobes(threshold)) + copy.f(wo, wi, glossyLobes(threshold));
+        EXPECT_NEAR(parts.x, all.x, 1e-6f * all.x);
+    }
 }
 
 TEST(Bsdf, AddKeepsToItsLimits) {

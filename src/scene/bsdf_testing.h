@@ -6,9 +6,9 @@
 namespace drc::test {
 
 // sample() against pdf() and f() for a mask. Specular samples count as none: they have no density.
-inline void checkBsdf(const Bsdf& bsdf, LobeFlags mask, std::vector<float> cosines = {0.9f, 0.25f, -0.7f}) {
+inline void checkBsdf(const Bsdf& bsdf, const LobeMask& mask, std::vector<float> cosines = {0.9f, 0.25f, -0.7f}) {
     for (const float c : cosines) {
-        SCOPED_TRACE("cos theta_o = " + std::to_string(c) + ", mask " + std::to_string(int(mask)));
+        SCOPED_TRACE("cos theta_o = " + std::to_string(c) + ", mask " + std::to_string(int(mask.flags)));
         const Vec3 wo = bsdf.frame().toWorld(direction(c));
         const auto draw = [&](std::mt19937& rng) {
             const float uLobe = uniform(rng);
@@ -46,7 +46,7 @@ struct Mean {
     Rgb value{0.f};
     float error = 0;
 };
-inline Mean meanWeight(const Bsdf& bsdf, const Vec3& wo, LobeFlags mask = LobeFlags::All, int samples = 20000,
+inline Mean meanWeight(const Bsdf& bsdf, const Vec3& wo, const LobeMask& mask = LobeFlags::All, int samples = 20000,
                        TransportMode mode = TransportMode::Importance) {
     std::mt19937 rng(13);
     double sum[3] = {}, squares = 0;
@@ -73,7 +73,7 @@ inline void checkBsdfEnergy(const Bsdf& bsdf) {
 }
 
 // The mean weight over the non-specular lobes is the integral of f cos.
-inline void checkUnbiased(const Bsdf& bsdf, LobeFlags mask = LobeFlags::NonSpecular) {
+inline void checkUnbiased(const Bsdf& bsdf, const LobeMask& mask = LobeFlags::NonSpecular) {
     for (const float c : {0.8f, -0.4f}) {
         const Vec3 wo = bsdf.frame().toWorld(direction(c));
         const Mean m = meanWeight(bsdf, wo, mask, 100000, TransportMode::Radiance);

@@ -26,11 +26,11 @@ LobeValue evaluateLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi, Transpo
 
 }  // namespace
 
-BsdfView::BsdfView(const Bsdf& bsdf, const Vec3& wo, LobeFlags mask, TransportMode mode)
+BsdfView::BsdfView(const Bsdf& bsdf, const Vec3& wo, const LobeMask& mask, TransportMode mode)
     : bsdf_(bsdf), woWorld_(wo), wo_(bsdf.frame().toLocal(wo)), woSide_(dot(wo, bsdf.ng())), mode_(mode) {
     if (wo_.z == 0) return;
     for (int i = 0; i < bsdf.size(); ++i)
-        if (matches(bsdf.flags(i), mask)) {
+        if (bsdf.isWithin(i, mask)) {
             choices_[count_++] = {i, bsdf.flags(i), 1};
             sides_ = sides_ | bsdf.flags(i);
         }

@@ -8,7 +8,7 @@ namespace drc {
 class BsdfView {
   public:
     // wo: unit, world space, away from the surface. The Bsdf must outlive the view.
-    BsdfView(const Bsdf& bsdf, const Vec3& wo, LobeFlags mask = LobeFlags::All,
+    BsdfView(const Bsdf& bsdf, const Vec3& wo, const LobeMask& mask = LobeFlags::All,
              TransportMode mode = TransportMode::Radiance);
 
     const Bsdf& bsdf() const { return bsdf_; }

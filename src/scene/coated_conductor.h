@@ -14,7 +14,8 @@ class CoatedConductor {
     CoatedConductor(const DielectricCoat& coat, float coatAlpha, const TrowbridgeReitz& distribution,
                     const Fresnel& base);
 
-    LobeFlags flags() const { return LobeFlags::Reflection | glossiness(distribution_); }
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Glossy; }
+    float alpha() const { return distribution_.largestAlpha(); }
     LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;
     Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }

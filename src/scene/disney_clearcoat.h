@@ -11,7 +11,8 @@ class DisneyClearcoat {
     // alpha: width of the highlight, in (0, 1).
     DisneyClearcoat(float weight, float alpha) : weight_(weight), alpha2_(alpha * alpha) {}
 
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Narrow; }
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Glossy; }
+    float alpha() const { return std::sqrt(alpha2_); }
     LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;
     Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }

@@ -23,7 +23,8 @@ class FresnelBlendCoat {
     FresnelBlendCoat(const Rgb& specular, const TrowbridgeReitz& distribution)
         : specular_(specular), distribution_(distribution) {}
 
-    LobeFlags flags() const { return LobeFlags::Reflection | glossiness(distribution_); }
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Glossy; }
+    float alpha() const { return distribution_.largestAlpha(); }
     LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;
     Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }

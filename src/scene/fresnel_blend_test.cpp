@@ -43,9 +43,10 @@ TEST(FresnelBlend, HandComputed) {
     EXPECT_NEAR(FresnelBlendCoat(Rgb(0.5f), TrowbridgeReitz(0.5f, 0.5f)).f(n, n).x, 0.5f / kPi, 1e-5f);
 }
 
-TEST(FresnelBlend, OnlyASharpCoatIsNarrow) {
-    EXPECT_TRUE(any(FresnelBlendCoat(Rgb(0.5f), TrowbridgeReitz(0.1f, 0.1f)).flags() & LobeFlags::Narrow));
-    EXPECT_FALSE(any(FresnelBlendCoat(Rgb(0.5f), TrowbridgeReitz(0.3f, 0.1f)).flags() & LobeFlags::Narrow));
+TEST(FresnelBlend, TheCoatTellsTheRougherOfItsAxes) {
+    EXPECT_EQ(FresnelBlendCoat(Rgb(0.5f), TrowbridgeReitz(0.3f, 0.1f)).alpha(), 0.3f);
+    EXPECT_EQ(FresnelBlendCoat(Rgb(0.5f), TrowbridgeReitz(0.1f, 0.2f)).alpha(), 0.2f);
+    EXPECT_EQ(FresnelBlendBase(Rgb(0.5f), Rgb(0.5f)).alpha(), kDiffuseAlpha);
 }
 
 }  // namespace

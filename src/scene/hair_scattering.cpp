@@ -163,7 +163,7 @@ LobeSample HairScattering::sample(const Vec3& wo, float uLobe, const Vec2& u, Tr
     const LobeValue value = evaluate(wo, s.wi);
     s.f = value.f;
     s.pdf = value.pdf;
-    s.flags = (sameHemisphere(wo, s.wi) ? LobeFlags::Reflection : LobeFlags::Transmission) | LobeFlags::Narrow;
+    s.flags = (sameHemisphere(wo, s.wi) ? LobeFlags::Reflection : LobeFlags::Transmission) | LobeFlags::Glossy;
     return s;
 }
 

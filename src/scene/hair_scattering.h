@@ -27,9 +27,8 @@ class HairScattering {
     // h: where the fibre is met, across its width, in [-1, 1]. absorption: sigma_a inside, per radius of the fibre.
     HairScattering(float h, const Rgb& absorption, const Shape& shape);
 
-    // A fibre is thinner than what a pixel sees, and its normal turns all the way around across it: no radiance map of
-    // a neighbour stands for it, whatever the roughness. So its light is traced.
-    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Narrow; }
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Glossy; }
+    static constexpr float alpha() { return 0; }  // never broad, see LobeMask
     LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;
     Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }

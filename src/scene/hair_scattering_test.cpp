@@ -92,6 +92,14 @@ TEST(HairScattering, NothingIsScatteredByWhatTakesEverything) {
     EXPECT_EQ(lobe.sample(wo, 0.5f, Vec2(0.5f, 0.5f), TransportMode::Radiance).pdf, 0);
 }
 
+TEST(HairScattering, IsNeverBroad) {
+    for (const float beta : {0.f, 0.3f, 1.f}) {
+        const HairScattering lobe = hair(0.2f, 0.5f, beta, beta);
+        EXPECT_FALSE(broadLobes(1e-3f).has(lobe.flags(), lobe.alpha()));
+        EXPECT_TRUE(glossyLobes(1e-3f).has(lobe.flags(), lobe.alpha()));
+    }
+}
+
 TEST(HairScattering, ExtremesStayFinite) {
     for (const float h : {-1.f, 0.f, 1.f})
         for (const float beta : {0.f, 1.f})

@@ -11,6 +11,7 @@ class LambertTransmission {
     explicit LambertTransmission(const Rgb& transmittance) : transmittance_(transmittance) {}
 
     static constexpr LobeFlags flags() { return LobeFlags::Transmission | LobeFlags::Diffuse; }
+    static constexpr float alpha() { return kDiffuseAlpha; }
     Rgb f(const Vec3&, const Vec3&) const { return transmittance_ * kInvPi; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return sameHemisphere(wo, wi) ? 0 : absCosTheta(wi) * kInvPi; }
     LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {

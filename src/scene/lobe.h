@@ -4,6 +4,7 @@
 // A lobe works in the shading frame: unit vectors, z is the shading normal, both wo and wi point away from the
 // surface and may be on either side. It offers
 //     LobeFlags flags() const;                       // what it is
+//     float alpha() const;                           // its roughness, see LobeMask
 //     Rgb f(wo, wi) const;                           // BSDF, without cosine; 0 for a specular lobe
 //     float pdf(wo, wi) const;                       // of sample(), per solid angle; 0 for a specular lobe
 //     LobeSample sample(wo, uLobe, u, mode) const;   // pdf 0: no sample
@@ -12,6 +13,7 @@
 //     Rgb albedo(wo) const;                          // estimate of the directional albedo, for choosing lobes
 #pragma once
 #include <cstdint>
+#include <limits>
 
 #include "math/vec.h"
 
@@ -28,17 +30,38 @@ enum class LobeFlags : uint8_t {
     Diffuse = 4,
     Glossy = 8,
     Specular = 16,
-    // In place of Glossy: a glossy lobe narrower than the texels of a radiance map resolve.
-    Narrow = 32,
-    Wide = Reflection | Transmission | Diffuse | Glossy,
-    NonSpecular = Wide | Narrow,
+    NonSpecular = Reflection | Transmission | Diffuse | Glossy,
     All = NonSpecular | Specular,
 };
 constexpr LobeFlags operator|(LobeFlags a, LobeFlags b) { return LobeFlags(uint8_t(a) | uint8_t(b)); }
 constexpr LobeFlags operator&(LobeFlags a, LobeFlags b) { return LobeFlags(uint8_t(a) & uint8_t(b)); }
 constexpr bool any(LobeFlags f) { return f != LobeFlags::None; }
-// A lobe takes part if all its flags are in the mask.
-constexpr bool matches(LobeFlags lobe, LobeFlags mask) { return (lobe & mask) == lobe; }
+
+// Which lobes take part: those that have no other flags than these, and a roughness within [from, to).
+//
+// The roughness is alpha of the Trowbridge-Reitz distribution of microfacets, the larger of both axes. Specular lobes
+// have 0 and diffuse ones kDiffuseAlpha. Hair has 0 whatever its roughness: a fibre is thinner than a pixel and its
+// normal turns all the way around across it, so that nothing which is known of a neighbour stands for it.
+struct LobeMask {
+    constexpr LobeMask(LobeFlags lobes) : flags(lobes) {}  // NOLINT: flags alone are a mask
+    constexpr LobeMask(LobeFlags lobes, float fromAlpha, float toAlpha) : flags(lobes), from(fromAlpha), to(toAlpha) {}
+    constexpr bool has(LobeFlags lobe, float alpha) const {
+        return (lobe & flags) == lobe && alpha >= from && alpha < to;
+    }
+
+    LobeFlags flags;
+    float from = 0, to = std::numeric_limits<float>::infinity();
+};
+
+inline constexpr float kDiffuseAlpha = std::numeric_limits<float>::max();
+
+// Broad lobes: diffuse ones, and those that are at least so rough. A map of incident radiance as coarse as that
+// threshold resolves their light (broadAlpha() of cache/projection.h).
+constexpr LobeMask broadLobes(float threshold) {
+    return {LobeFlags::NonSpecular, threshold, std::numeric_limits<float>::infinity()};
+}
+// Glossy lobes: the rest, but for specular ones.
+constexpr LobeMask glossyLobes(float threshold) { return {LobeFlags::NonSpecular, 0, threshold}; }
 
 struct LobeValue {
     Rgb f{0.f};
@@ -58,6 +81,7 @@ class SpecularLobe {
   public:
     Rgb f(const Vec3&, const Vec3&) const { return Rgb(0.f); }
     float pdf(const Vec3&, const Vec3&) const { return 0; }
+    static constexpr float alpha() { return 0; }
 };
 
 }  // namespace drc

@@ -13,6 +13,7 @@ template <class Self>
 class DiffuseReflectionLobe {
   public:
     static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Diffuse; }
+    static constexpr float alpha() { return kDiffuseAlpha; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return sameHemisphere(wo, wi) ? absCosTheta(wi) * kInvPi : 0; }
     LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
         LobeSample s;
@@ -67,11 +68,6 @@ template <class Lobe>
 LobeSample sampleByMicrofacet(const Lobe& lobe, const TrowbridgeReitz& distribution, const Vec3& wo, const Vec2& u) {
     if (wo.z == 0) return {};
     return sampleOffMicrofacet(lobe, wo, distribution.sample(wo, u));
-}
-
-// What kind of lobe this distribution of microfacets makes.
-inline LobeFlags glossiness(const TrowbridgeReitz& distribution) {
-    return distribution.isNarrow() ? LobeFlags::Narrow : LobeFlags::Glossy;
 }
 
 }  // namespace drc

@@ -16,7 +16,7 @@ TEST(Dielectric, SmoothAndRough) {
     p.roughness = number(0.1f);
     checkMaterial(makeDielectric(p));
     EXPECT_FALSE(bsdfOf(makeDielectric(p)).hasSpecular());
-    EXPECT_TRUE(bsdfOf(makeDielectric(p)).hasWideTransmission());
+    EXPECT_TRUE(bsdfOf(makeDielectric(p)).has(LobeFlags::Transmission, broadLobes(0.2f)));
     p.eta = number(1);
     EXPECT_NEAR(weightAtNormal(makeDielectric(p), kSpecular), 1, 1e-5f);
     checkConstancy<DielectricParams>(makeDielectric, {}, &DielectricParams::eta, &DielectricParams::roughness,

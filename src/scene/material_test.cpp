@@ -71,7 +71,7 @@ TEST(Glass, Rough) {
     p.uRoughness = number(0.05f);
     p.vRoughness = number(0.2f);
     checkMaterial(makeGlass(p));
-    EXPECT_TRUE(bsdfOf(makeGlass(p)).hasWideTransmission());
+    EXPECT_TRUE(bsdfOf(makeGlass(p)).has(LobeFlags::Transmission, broadLobes(0.2f)));
     p.eta = number(1);
     EXPECT_NEAR(weightAtNormal(makeGlass(p)), 1, 1e-5f);
 }
@@ -117,7 +117,7 @@ TEST(Translucent, Bsdf) {
     checkMaterial(makeTranslucent({}));
     const Bsdf bsdf = bsdfOf(makeTranslucent({}));
     EXPECT_EQ(bsdf.size(), 4);
-    EXPECT_TRUE(bsdf.hasWideTransmission());
+    EXPECT_TRUE(bsdf.has(LobeFlags::Transmission, broadLobes(0.2f)));
     constexpr LobeFlags kDiffuse = LobeFlags::Diffuse | LobeFlags::Transmission;
     EXPECT_NEAR(meanWeight(bsdf, bsdf.frame().n, kDiffuse).value.x, 0.125f, 1e-5f);
 }

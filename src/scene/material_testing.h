@@ -34,7 +34,7 @@ inline void checkMaterial(const MaterialPtr& material) {
     expectClose(meanWeight(bsdfOf(material, Rgb(0.5f)), wo).value, meanWeight(bsdf, wo).value * 0.5f, 1e-4f, "weight");
 }
 
-inline float weightAtNormal(const MaterialPtr& material, LobeFlags mask = LobeFlags::All) {
+inline float weightAtNormal(const MaterialPtr& material, const LobeMask& mask = LobeFlags::All) {
     const Bsdf bsdf = bsdfOf(material);
     return meanWeight(bsdf, bsdf.frame().n, mask).value.x;
 }

@@ -48,13 +48,11 @@ class TrowbridgeReitz {
 
     // One number for both axes.
     float meanAlpha() const { return std::sqrt(alphaX_ * alphaY_); }
+    float largestAlpha() const { return std::max(alphaX_, alphaY_); }
     // The same surface with normals spread further, by independent ones of this alpha.
     TrowbridgeReitz widened(float alpha) const {
         return TrowbridgeReitz(std::sqrt(sqr(alphaX_) + sqr(alpha)), std::sqrt(sqr(alphaY_) + sqr(alpha)), masking_);
     }
-
-    // Narrower than what 32x32 texels over a hemisphere, 4.5 degrees each, and a network's blur leave of a reflection.
-    bool isNarrow() const { return std::max(alphaX_, alphaY_) < kNarrowAlpha; }
 
   private:
     // Of w, scaled so that the surface's slopes have alpha 1: |cos w| (1 + 2 lambda(w)).
@@ -62,7 +60,6 @@ class TrowbridgeReitz {
         return std::sqrt(sqr(alphaX_ * w.x) + sqr(alphaY_ * w.y) + w.z * w.z);
     }
 
-    static constexpr float kNarrowAlpha = 0.2f;
     float alphaX_, alphaY_, inverseX_, inverseY_;
     Masking masking_;
 };

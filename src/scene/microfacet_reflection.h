@@ -10,7 +10,8 @@ class MicrofacetReflection {
     MicrofacetReflection(const Rgb& reflectance, const TrowbridgeReitz& distribution, const Fresnel& fresnel)
         : reflectance_(reflectance), distribution_(distribution), fresnel_(fresnel) {}
 
-    LobeFlags flags() const { return LobeFlags::Reflection | glossiness(distribution_); }
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Glossy; }
+    float alpha() const { return distribution_.largestAlpha(); }
     LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;
     Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }

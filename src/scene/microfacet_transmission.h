@@ -12,7 +12,8 @@ class MicrofacetTransmission {
     MicrofacetTransmission(const Rgb& transmittance, const TrowbridgeReitz& distribution, float etaA, float etaB)
         : transmittance_(transmittance), distribution_(distribution), etaA_(etaA), etaB_(etaB) {}
 
-    LobeFlags flags() const { return LobeFlags::Transmission | glossiness(distribution_); }
+    static constexpr LobeFlags flags() { return LobeFlags::Transmission | LobeFlags::Glossy; }
+    float alpha() const { return distribution_.largestAlpha(); }
     Rgb f(const Vec3& wo, const Vec3& wi) const { return f(wo, wi, TransportMode::Radiance); }
     Rgb f(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;

@@ -55,9 +55,10 @@ struct RenderSettings {
     int samplesPerPixel = 16;
     std::string sampler = "halton";
     std::string outputFile = "pbrt.exr";
+    SourceLocation outputFileAt;  // where the file names that, for messages; empty: it does not
     FilmGeometry film;
     SourceLocation filmAt;                   // where the file gives the film's size, for messages; empty: it does not
-    float cropWindow[4] = {0, 1, 0, 1};      // x0 x1 y0 y1
+    float cropWindow[4] = {0, 1, 0, 1};      // as cropWindowOf() gives it (crop_window.h)
     std::optional<PixelRegion> pixelBounds;  // of the film; none: all of it
     // What of the film is rendered: the crop window in whole pixels, by pbrt's rounding, and of it what lies within the
     // pixel bounds; at least one pixel.

@@ -1,0 +1,27 @@
+// Something that each thread needs one of and that is too big to make for every piece of a loop: a network's buffers.
+#pragma once
+#include <tbb/enumerable_thread_specific.h>
+
+#include "base/parallel.h"
+
+namespace drc {
+
+template <typename T>
+class PerThread {
+  public:
+    // make: T(); called when a thread first asks.
+    template <typename Make>
+    explicit PerThread(Make make) : things_(std::move(make)) {}
+
+    // Calls body(T&) with the calling thread's T. The body may wait for parallel loops, its own or those of a library
+    // on oneTBB: it is isolated(), so that no other piece of work gets the same T in the meantime.
+    template <typename Body>
+    void use(const Body& body) {
+        isolated([&] { body(things_.local()); });
+    }
+
+  private:
+    tbb::enumerable_thread_specific<T> things_;
+};
+
+}  // namespace drc
