@@ -29,7 +29,7 @@ MEAN_LIMIT = 0.015
 BLOCK_LIMIT, CAUSTIC_BLOCK_LIMIT = 5e-3, 2e-2
 CAUSTICS = ("glass", "mirror", "opacity", "transmission", "translucent", "metal")
 
-# Deviations that docs/decisions.md decides on: the picture is meant to differ. A scene's name, or the start of one.
+# Deviations that docs/decisions/ explains: the picture is meant to differ. A scene's name, or the start of one.
 DELIBERATE = {
     "texture-marble": "pbrt-v3's marble reflects up to 40 times what it receives: its picture diverges",
 }
