@@ -12,11 +12,12 @@ struct WeightedSite {
     float weight = 0;  // > 0; weights need not sum to 1
 };
 
-// Estimates the integral of f L cos over the sphere, where f are the broad lobes of the BSDF (glossy ones are
-// path-traced: see PathTracer::indirectNarrow) and L is the weighted mean of the incoming radiance in the maps.
-// samples: number of directions drawn from the maps. If the BSDF has a glossy lobe or the map's normal differs from the
-// pixel's, each is combined with one direction drawn from the BSDF (balance heuristic). Sample s of pixel `stream` uses
-// the sample index firstIndex + s, so that later passes continue the same sequence. `sites` must not be empty.
+// Estimates the integral of f L cos over the sphere, where f are the broad lobes of the BSDF (LobeFlags::Wide: diffuse,
+// and glossy with an alpha of at least 0.2; narrower ones are path-traced, see PathTracer::indirectNarrow) and L is the
+// weighted mean of the incoming radiance in the maps. samples: number of directions drawn from the maps. If the BSDF
+// has a broad glossy lobe, or the map's normal differs from the pixel's, each is combined with one direction drawn from
+// the BSDF (balance heuristic). Sample s of pixel `stream` uses the sample index firstIndex + s, so that later passes
+// continue the same sequence. `sites` must not be empty.
 Rgb gather(const PrimaryHit& hit, std::span<const WeightedSite> sites, int samples, uint64_t stream,
            uint32_t firstIndex);
 
