@@ -14,8 +14,8 @@ struct Parallelogram {
     Vec3 corner, side0, side1;
 };
 
-// Of triangles that are wound alike and have two corners in common, exactly; the fourth corner may be off by what
-// rounding does to coordinates. None if they make anything else. corner is the first triangle's own.
+// The parallelogram of two triangles with the same winding that share two corners exactly; the fourth corner may be off
+// by rounding errors. None if they form anything else. `corner` is the corner that only the first triangle has.
 std::optional<Parallelogram> parallelogramOf(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
 }  // namespace drc

@@ -1,6 +1,7 @@
 // The memory that ray tracing needs in addition to the scene itself. It is claimed (memory.h) before it is allocated,
 // and already when a few bytes of a file create millions of primitives, because there the error can name a place in the
 // file.
+#pragma once
 #include "base/memory.h"
 #include "scene/scene.h"
 
