@@ -1,4 +1,4 @@
-// A guided environment gives the same picture as an unguided one, with less noise.
+// Guiding an environment must not change the expected picture, and must reduce its noise.
 #include <gtest/gtest.h>
 
 #include "pipeline.h"
@@ -10,7 +10,7 @@ namespace {
 using test::Estimate;
 using test::Pipeline;
 
-// A room under a sky that it sees through one window, and that lights a glossy ball by BSDF samples too.
+// A room that sees the sky through one window. The sky also lights a glossy ball by BSDF samples.
 std::string roomWithWindow() {
     using test::quad;
     return "LookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70\n"
