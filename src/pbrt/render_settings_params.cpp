@@ -34,7 +34,7 @@ void applyFrame(const ParamSet& params, RenderSettings& settings) {
         if (window->numbers.size() != 4) params.failAt(*window, "must have four values of type 'float'");
         float crop[4];
         for (size_t i = 0; i < 4; ++i) crop[i] = std::clamp(float(window->numbers[i]), 0.f, 1.f);
-        // As pbrt does, either order of the two edges.
+        // As in pbrt, both edges may be given in either order.
         for (int axis = 0; axis < 2; ++axis) {
             settings.cropWindow[2 * axis] = std::min(crop[2 * axis], crop[2 * axis + 1]);
             settings.cropWindow[2 * axis + 1] = std::max(crop[2 * axis], crop[2 * axis + 1]);
