@@ -31,9 +31,9 @@ TEST(EnvironmentGuide, SamePictureLessNoise) {
     Pipeline guided(roomWithWindow());
     EnvironmentGuide guide(*guided.lights.infiniteLights().front(), 1);
     guided.tracer.setGuide(&guide);
-    for (int sweep = 0; sweep < 64; ++sweep) {
+    for (int pass = 0; pass < 64; ++pass) {
         for (int p = 0; p < guided.pixels(); ++p)
-            for (int i = 0; i < 4; ++i) guided.path(p, 1000000 + sweep * 4 + i);
+            for (int i = 0; i < 4; ++i) guided.path(p, 1000000 + pass * 4 + i);
         guide.update();
     }
     const Estimate a = plain.estimate(&Pipeline::path, 2048, 32), b = guided.estimate(&Pipeline::path, 2048, 32);

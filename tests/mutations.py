@@ -20,7 +20,7 @@ class Fault(NamedTuple):
     file: str
     before: str
     after: str
-    tests: str  # a filter: of them at least one has to fail
+    tests: str  # test filter; at least one of these tests must fail
 
 
 FAULTS = [
@@ -30,21 +30,21 @@ FAULTS = [
     Fault("the first surface's emission counts twice", "src/integrators/path_tracer.cpp",
           "return trace(ray, sampler, Emission::SkippedAtFirst, first);",
           "return trace(ray, sampler, Emission::Counted, first);", "*DirectPlusTracedIndirect*"),
-    Fault("narrow light along with the direct has the wide lobes' in it", "src/integrators/path_tracer.cpp",
+    Fault("the glossy light traced with the direct light includes the broad lobes", "src/integrators/path_tracer.cpp",
           "along->narrow += scale * clampNonNegative(s->f - wide) * incident;",
           "along->narrow += scale * s->f * incident;", "*IndirectLightAlong*"),
     Fault("the gather forgets the BSDF's density", "src/cache/gather.cpp",
           "mapPdf + (both ? bsdf.pdf : 0)", "mapPdf", "*Oracle*"),
-    Fault("directions below the horizon of a map that is turned away are left out", "src/cache/gather.cpp",
+    Fault("directions below the horizon of a map with another normal are left out", "src/cache/gather.cpp",
           "glossy || dot(normal, site.n) < kParallel;", "glossy;", "*Invariant1*"),
-    Fault("paths of narrow lobes that survive are not weighted up", "src/integrators/path_tracer.cpp",
+    Fault("paths of glossy lobes that survive Russian roulette are not weighted up", "src/integrators/path_tracer.cpp",
           "return weight * incident(ray, sampler) * (1 / survival);", "return weight * incident(ray, sampler);",
           "*Oracle*"),
     Fault("a sampler depends on its thread", "src/cache/indirect_pass.cpp",
           "    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(index));",
           "    static thread_local uint32_t calls = 0;\n"
           "    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(index) + ++calls);", "*Invariant4*"),
-    Fault("the maps of former passes are kept", "src/cache/indirect_pass.cpp",
+    Fault("the maps of earlier passes are kept", "src/cache/indirect_pass.cpp",
           "    captureSites(maps.grid(), uint64_t(pass), 0, cancel);",
           "    captureSites(maps.grid(), uint64_t(pass), 0, cancel);\n"
           "    static std::vector<std::vector<MapSite>> kept;\n"
@@ -53,7 +53,7 @@ FAULTS = [
 
 
 def failures(build, tests):
-    """The names of the tests that fail; exits if they cannot be built or there are none."""
+    """The names of the failing tests. Exits if the tests cannot be built or none match."""
     done = subprocess.run(["cmake", "--build", build, "--target", "pipeline_tests"], capture_output=True, text=True)
     if done.returncode:
         sys.exit(done.stdout + done.stderr)
@@ -67,7 +67,7 @@ def failures(build, tests):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="of faults: those with any of these words; default: all")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="words; only faults whose name contains one of them (default: all)")
     parser.add_argument("--build", default=os.path.join(ROOT, "build/release"), help="the build folder")
     args = parser.parse_args()
     faults = [f for f in FAULTS if not args.names or any(name in f.name for name in args.names)]
@@ -79,7 +79,7 @@ def main():
             sys.exit(f"{f.file} no longer has, or has more than once: {f.before.strip()}")
     whole = failures(args.build, ":".join(sorted({f.tests for f in faults})))
     if whole:
-        sys.exit(f"these tests fail on the whole code: {', '.join(whole)}")
+        sys.exit(f"these tests fail on the unchanged code: {', '.join(whole)}")
     unnoticed = 0
     for f in faults:
         path = os.path.join(ROOT, f.file)

@@ -32,7 +32,7 @@ void encode(const Example& example, const Encoding& encoding, int64_t slot, Batc
     const size_t texels = size_t(example.size) * example.size;
     const bool guides = encoding.planes == kGuidedPlanes;
     if (guides && (example.albedo.empty() || example.direct.empty()))
-        throw Error("the network sees albedos and direct light, and the data have none: learn with --planes 7");
+        throw Error("the network sees albedo and direct light, which the data do not contain: train with --planes 7");
     const MapView map{example.radiance.data(),
                       example.normal.data(),
                       example.distance.data(),
@@ -60,7 +60,7 @@ void encode(const Example& example, const Encoding& encoding, int64_t slot, Batc
 TargetMean parseTargetMean(const std::string& name) {
     if (name == "own") return TargetMean::Own;
     if (name == "input") return TargetMean::Input;
-    throw Error("--target-mean is 'own' or 'input', not '" + name + "'");
+    throw Error("--target-mean must be 'own' or 'input', not '" + name + "'");
 }
 
 std::string targetMeanName(TargetMean mean) { return mean == TargetMean::Own ? "own" : "input"; }

@@ -155,7 +155,7 @@ int run(Options o) {
     const Dataset dataset(o.data);
     const Split split = splitByScene(dataset, o.validationScenes, o.validationFraction);
     const auto validation = thinned(split.validation, o.validationExamples);
-    logInfo(fmt::format("{} examples of {} scenes ({} shards skipped): {} to learn from, {} to validate on ({} used)",
+    logInfo(fmt::format("{} examples of {} scenes ({} shards skipped): {} for training, {} for validation ({} used)",
                         dataset.size(), dataset.scenes().size(), dataset.skippedShards(), split.training.size(),
                         split.validation.size(), validation.size()));
 
@@ -170,8 +170,9 @@ int run(Options o) {
         init = UNetWeights::load(o.init);
         shape = init->shape();
         if (shape.size != dataset.mapSize())
-            throw Error(SourceLocation{o.init}, fmt::format("for maps of {}x{}, the data have {}x{}", shape.size,
-                                                            shape.size, dataset.mapSize(), dataset.mapSize()));
+            throw Error(SourceLocation{o.init},
+                        fmt::format("the weights are for maps of {}x{}, the data have {}x{}", shape.size, shape.size,
+                                    dataset.mapSize(), dataset.mapSize()));
     }
     if (shape.size % (1 << (shape.levels - 1)) != 0)
         throw Error(

@@ -138,7 +138,7 @@ void Training::load(const std::string& path) {
         archive.load_from(path);
         archive.read("signature", value);
         if (value.toStringRef() != signature())
-            throw Error(where, fmt::format("a checkpoint of another training ({}), not of this one ({})",
+            throw Error(where, fmt::format("a checkpoint of another training run ({}), not of this one ({})",
                                            value.toStringRef(), signature()));
         archive.read("model", model);
         archive.read("average", average);

@@ -16,7 +16,7 @@ constexpr double kUnguided = 0.25;
 // Weight of the prior estimate of a block's rate, in samples.
 constexpr double kPriorTries = 1;
 // After this many sample passes, learning gains nothing more and counting would only cost time.
-constexpr int kSweepsToLearn = 64;
+constexpr int kPassesToLearn = 64;
 
 // cumulative[i]: sum of the weights before i, in units of 2^-16 of their total, with at least one unit for each.
 template <size_t N>
@@ -117,10 +117,10 @@ float EnvironmentGuide::density(int group, const Vec2& u) const {
 
 void EnvironmentGuide::update() {
     if (!learning_) return;
-    ++sweeps_;
-    if (sweeps_ >= kSweepsToLearn) learning_ = false;
+    ++passes_;
+    if (passes_ >= kPassesToLearn) learning_ = false;
     // Rebuilds the tables after passes 1, 2, 4, 8, ..., as there is less and less to learn.
-    if (!std::has_single_bit(unsigned(sweeps_))) return;
+    if (!std::has_single_bit(unsigned(passes_))) return;
     parallelFor(0, kGroups, 256, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) rebuild(tables_[size_t(i)], &counts_[size_t(i) * kBlocks]);
     });

@@ -70,7 +70,7 @@ class EnvironmentGuide {
     const Light& light_;
     float perSize_;
     bool learning_ = true;
-    int sweeps_ = 0;
+    int passes_ = 0;
     std::vector<Table> tables_;
     std::unique_ptr<std::atomic<uint64_t>[]> counts_;  // kGroups x kBlocks
 };

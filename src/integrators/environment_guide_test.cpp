@@ -18,7 +18,7 @@ struct Guide : testing::Test {
 
     // One sample pass, in which samples of each block arrive with the given probability.
     template <typename Rate>
-    void sweep(int samples, Rate rate) {
+    void samplePass(int samples, Rate rate) {
         for (int i = 0; i < samples; ++i) {
             const int slot = guide.sample(group, rng.nextVec2()).slot;
             guide.learn(slot, rng.nextFloat() < rate(slot % kBlocks));
@@ -42,7 +42,7 @@ TEST_F(Guide, ChangesNothingBeforeItHasLearned) {
 }
 
 TEST_F(Guide, SamplesHaveTheDensityThatItSays) {
-    for (int i = 0; i < 8; ++i) sweep(4000, [](int block) { return float(block % 7) / 7; });
+    for (int i = 0; i < 8; ++i) samplePass(4000, [](int block) { return float(block % 7) / 7; });
     std::vector<double> counts(kBlocks);
     double sum = 0;
     const int n = 400000;
@@ -81,7 +81,7 @@ TEST(GuidedDirections, FollowTheirDensity) {
     const LightPtr sky = makeInfiniteLight(Transform::rotate(50, Vec3(1, 3, 2)), Rgb(1.f), map);
     EnvironmentGuide guide(*sky, 1);
     const int group = guide.group(Vec3(0.2f, 0.3f, 0.4f), Vec3(0, 0, 1));
-    for (int sweep = 0; sweep < 8; ++sweep) {
+    for (int pass = 0; pass < 8; ++pass) {
         for (int i = 0; i < 4000; ++i) {
             const int slot = guide.sample(group, rng.nextVec2()).slot;
             guide.learn(slot, rng.nextFloat() < float(slot % kBlocks % 7) / 7);
@@ -99,7 +99,7 @@ TEST(GuidedDirections, FollowTheirDensity) {
 
 TEST_F(Guide, LearnsWhereLightArrives) {
     const auto window = [](int block) { return block / 16 == 3 && block % 16 >= 4 && block % 16 < 8; };
-    for (int i = 0; i < 8; ++i) sweep(2000, [&](int block) { return window(block) ? 1.f : 0.f; });
+    for (int i = 0; i < 8; ++i) samplePass(2000, [&](int block) { return window(block) ? 1.f : 0.f; });
     for (int b = 0; b < kBlocks; ++b) {
         // The factor inside the window would be up to 24 (three quarters of 32) if the rest got nothing; the rest
         // always gets some.
@@ -111,7 +111,7 @@ TEST_F(Guide, LearnsWhereLightArrives) {
 }
 
 TEST_F(Guide, DensityFollowsTheRootOfTheRate) {
-    for (int i = 0; i < 16; ++i) sweep(20000, [](int block) { return block % 2 ? 0.04f : 0.64f; });
+    for (int i = 0; i < 16; ++i) samplePass(20000, [](int block) { return block % 2 ? 0.04f : 0.64f; });
     double odd = 0, even = 0;
     for (int b = 0; b < kBlocks; ++b) (b % 2 ? odd : even) += densityOf(b);
     // The rates are four to one, so the square roots two to one, apart from the unguided quarter.
@@ -120,7 +120,7 @@ TEST_F(Guide, DensityFollowsTheRootOfTheRate) {
 }
 
 TEST_F(Guide, ManyTriesDoNotOverflow) {
-    for (int i = 0; i < 4; ++i) sweep(1 << 20, [](int block) { return block == 5 ? 1.f : 0.f; });
+    for (int i = 0; i < 4; ++i) samplePass(1 << 20, [](int block) { return block == 5 ? 1.f : 0.f; });
     EXPECT_GT(densityOf(5), 20);
     for (int b = 0; b < kBlocks; ++b)
         if (b != 5) {
@@ -131,7 +131,7 @@ TEST_F(Guide, ManyTriesDoNotOverflow) {
 TEST_F(Guide, NorDoManySweeps) {
     // Eight blocks in a row, every other one with sixteen times the rate of the rest.
     const auto rateOf = [](int block) { return block / 8 != 3 ? 0.f : block % 2 ? 0.04f : 0.64f; };
-    for (int i = 0; i < 64; ++i) sweep(20000, rateOf);
+    for (int i = 0; i < 64; ++i) samplePass(20000, rateOf);
     double odd = 0, even = 0;
     for (int b = 24; b < 32; ++b) (b % 2 ? odd : even) += densityOf(b) / 4;
     EXPECT_GT(even + odd, 18);  // of 24

@@ -14,7 +14,7 @@ class EightSums {
     // weights: eight, none negative. offset: the sum of the weights before them.
     explicit EightSums(const float* weights, float offset = 0) {
         __m256 s = _mm256_loadu_ps(weights);
-        weighty_ = maskOf(_mm256_cmp_ps(s, _mm256_setzero_ps(), _CMP_GT_OQ));
+        nonZero_ = maskOf(_mm256_cmp_ps(s, _mm256_setzero_ps(), _CMP_GT_OQ));
         s = _mm256_add_ps(s, shiftedUp<4>(s));
         s = _mm256_add_ps(s, shiftedUp<8>(s));
         // These are prefix sums within each half. The total of the first half is still missing from the second.
@@ -33,11 +33,11 @@ class EightSums {
         const __m256 below = _mm256_cmp_ps(_mm256_loadu_ps(sums_ + 1), _mm256_set1_ps(target), _CMP_LE_OQ);
         const int count = std::popcount(maskOf(below));
         if (count == kCount) return kCount;
-        const unsigned upTo = weighty_ & ((2u << count) - 1);
-        return upTo != 0 ? int(std::bit_width(upTo)) - 1 : std::countr_zero(weighty_ | 1u << kCount);
+        const unsigned upTo = nonZero_ & ((2u << count) - 1);
+        return upTo != 0 ? int(std::bit_width(upTo)) - 1 : std::countr_zero(nonZero_ | 1u << kCount);
     }
     // Index of the last weight that is not zero; -1 if all are zero.
-    int last() const { return int(std::bit_width(weighty_)) - 1; }
+    int last() const { return int(std::bit_width(nonZero_)) - 1; }
 
   private:
     template <int kBytes>
@@ -46,7 +46,7 @@ class EightSums {
     }
     static unsigned maskOf(__m256 comparison) { return unsigned(_mm256_movemask_ps(comparison)); }
 
-    unsigned weighty_;  // bit i is set if weight i is not zero
+    unsigned nonZero_;  // bit i is set if weight i is not zero
     float sums_[kCount + 1];
 };
 

@@ -89,7 +89,7 @@ float encodeInput(const MapView& map, float* planes) {
 Ablation parseAblation(const std::string& name) {
     for (const Ablation a : {Ablation::None, Ablation::Normals, Ablation::Distance, Ablation::Both})
         if (name == ablationName(a)) return a;
-    throw Error("an ablation is one of none, normals, distance and both, not '" + name + "'");
+    throw Error("the ablation must be none, normals, distance or both, not '" + name + "'");
 }
 
 std::string ablationName(Ablation ablation) {

@@ -21,7 +21,7 @@ constexpr KindName kNames[] = {{UNetKind::Plain, "plain", "drc-unet-1"},
 const KindName& namesOf(UNetKind kind) {
     for (const KindName& n : kNames)
         if (n.kind == kind) return n;
-    throw Error("no such kind of network");
+    throw Error("unknown kind of network");
 }
 
 std::string listed(const char* KindName::*name) {

@@ -104,13 +104,14 @@ void LensSystem::focus(float distance) {
     // smaller and the image distance larger by m.
     const Cardinal c = cardinal();
     const double f = double(c.focalLength), object = double(distance - c.front), image = double(c.rear);
-    if (!(f > 0) || !std::isfinite(f)) throw Error("the lens does not gather light: its focal length is not positive");
+    if (!(f > 0) || !std::isfinite(f)) throw Error("the lens does not focus light: its focal length is not positive");
     const double total = object + image, root = total * (total - 4 * f);
     if (!(total > 0 && root >= 0))
         throw Error(fmt::format("the lens, of focal length {:.4g}, cannot be focused as near as {:g}", f, distance));
     const double move = 0.5 * (object - image - std::sqrt(root));
     const float thickness = float(double(rearZ()) + move);
-    if (!(thickness > 0)) throw Error(fmt::format("focused at {:g}, the lens would stand behind the film", distance));
+    if (!(thickness > 0))
+        throw Error(fmt::format("the lens cannot be focused at {:g}: it would have to be behind the film", distance));
     elements_.back().thickness = thickness;
 }
 
