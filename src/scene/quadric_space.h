@@ -76,9 +76,8 @@ class QuadricSpace {
     bool conformal_;
     bool flip_;
 };
-
-// Given the intersections t0 <= t1 of a ray with a quadric, returns the nearer hit in (tMin, tMax) for which hitAt(t)
-// finds a point on the part of the quadric that exists.
+// Given both intersections of a ray with a quadric, in any order, returns the nearer hit in (tMin, tMax) for which
+// hitAt(t) finds a point on the part of the quadric that exists. finds a point on the part of the quadric that exists.
 template <typename HitAt>
 auto nearerHit(double t0, double t1, double tMin, double tMax, const HitAt& hitAt) -> decltype(hitAt(t0)) {
     if (t0 > t1) std::swap(t0, t1);
