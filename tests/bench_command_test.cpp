@@ -1,4 +1,4 @@
-// `drc bench` as a user runs it.
+// Runs `drc bench` as a user would.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
     const std::string page = readFile(path("out/index.html"));
     EXPECT_THAT(page, AllOf(HasSubstr("fine"), HasSubstr("data:image/png;base64,")));
 
-    // Again, and nothing is measured anew.
+    // A second run must not measure anything again.
     EXPECT_EQ(bench(arguments).exitCode, 0);
     EXPECT_EQ(json(), report);
 }

@@ -1,4 +1,4 @@
-// Bidirectional paths bring what paths from the camera bring: every material, light and camera.
+// Bidirectional path tracing must give the same result as path tracing, for every material, light and camera.
 #include <gtest/gtest.h>
 
 #include "light_cases.h"
@@ -13,7 +13,7 @@ using test::Estimate;
 constexpr int kWidth = 12, kHeight = 8;
 constexpr int kPictures = 24;
 
-// pathSpp: paths from the camera are what is noisy.
+// pathSpp: larger than spp, since the path-traced picture is the noisier one.
 void expectSameAsPaths(const std::string& text, int spp = 32, int pathSpp = 96) {
     const std::string deep = "Integrator \"path\" \"integer maxdepth\" 12\n" + text;
     const auto path = test::pictures(deep, "path", kPictures, pathSpp);
@@ -23,7 +23,8 @@ void expectSameAsPaths(const std::string& text, int spp = 32, int pathSpp = 96) 
     EXPECT_EQ(z.tests, kWidth * kHeight / (test::kBlock * test::kBlock) * 3);
     EXPECT_LT(z.worst, z.bound);
     EXPECT_LT(z.meanSquare, 3);
-    // A light path brings light to several pixels: of the whole picture, whole pictures tell.
+    // A light path contributes to several pixels, so the variance of the mean over the picture is estimated from whole
+    // pictures.
     const Estimate ofBoth = test::estimateOfMeans(both), ofPath = test::estimateOfMeans(path);
     const test::ZResult means = test::zTest(ofBoth, ofPath);
     EXPECT_LT(means.worst, means.bound);
@@ -56,14 +57,13 @@ INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalLights, testing::ValuesIn(test::kLi
 
 TEST_P(BidirectionalLights, AgreeWithPaths) {
     const TemporaryFolder folder;
-    // Without its mirror: paths from the camera do not find what it throws of a point's light.
+    // Without the mirror, because path tracing does not find caustics of a point light.
     expectSameAsPaths(test::respelt(test::cornerWith(GetParam(), folder, kWidth, kHeight),
                                     R"(Material "mirror" "rgb Kr" [0.8 0.8 0.8])",
                                     R"(Material "metal" "float roughness" 0.2)"));
 }
 
-// Shading normals that are not the geometric ones: light that comes must not be brighter for them than light that is
-// looked for.
+// With shading normals that differ from the geometric normals, light paths and camera paths must agree in brightness.
 TEST(Bidirectional, AgreesWithPathsAboutShadingNormals) {
     const std::string floor =
         "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [-1.2 0.6 0.1 1.2 0.6 0.1 1.2 0.9 1.6 "
@@ -73,7 +73,7 @@ TEST(Bidirectional, AgreesWithPathsAboutShadingNormals) {
         kWidth, kHeight)));
 }
 
-// Few faces that are shaded as if they were round: light from below a shading horizon is no light to either.
+// A coarse mesh with smooth shading normals: both must ignore light from below the shading horizon.
 TEST(Bidirectional, AgreesWithPathsAboutFacesShadedRound) {
     const std::string octahedron =
         "AttributeBegin\nTranslate 0.3 0.2 1\nShape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3 0 3 4 0 4 1 5 2 "
@@ -114,7 +114,7 @@ TEST_P(BidirectionalCameras, AgreeWithPaths) {
                                                     kWidth * (cropped ? 2 : 1), kHeight * (cropped ? 2 : 1)));
     text = test::respelt(text, "Camera \"perspective\" \"float fov\" 70", c.camera);
     if (std::string(c.camera).find("LookAt") != std::string::npos)
-        text = text.substr(text.find("Scale"));  // its own, in place of the room's
+        text = text.substr(text.find("Scale"));  // the camera of this case in place of the room's
     text = test::respelt(text, "\nWorldBegin", std::string(c.film) + "\nWorldBegin");
     expectSameAsPaths("PixelFilter \"gaussian\" \"float xwidth\" 1.5 \"float ywidth\" 1.5\n" + text);
 }

@@ -1,4 +1,4 @@
-// The same scene in pbrt-v3's words and in pbrt-v4's: the same picture.
+// Scenes written for pbrt-v3 and for pbrt-v4 must give the same picture.
 #include <gtest/gtest.h>
 
 #include "pipeline.h"
@@ -20,7 +20,7 @@ const std::string kAreaLight = "AreaLightSource \"diffuse\" \"rgb L\" [8 7 6]\n"
 const std::string kLit = "AttributeBegin\n" + kAreaLight + "AttributeEnd\n";
 const std::string kBall = "\nTranslate 0 0.4 0.8\nShape \"sphere\" \"float radius\" 0.6\n";
 
-// In a grey room whose light, if it is not part of the pair, is a lamp below the ceiling.
+// In a grey room with a lamp below the ceiling, unless the pair has a light of its own.
 std::vector<Pair> pairs() {
     return {
         {"Diffuse", kLit + R"(Material "matte" "rgb Kd" [0.7 0.4 0.3])" + kBall,
@@ -77,7 +77,7 @@ std::vector<Pair> pairs() {
                    "point P" [-1.2 0.6 0.1  1.2 0.6 0.1  1.2 0.9 1.6  -1.2 0.9 1.6])",
          kLit + R"(Material "diffuse" "rgb reflectance" [0.7 0.4 0.3]
                    Shape "bilinearmesh" "point3 P" [-1.2 0.6 0.1  1.2 0.6 0.1  -1.2 0.9 1.6  1.2 0.9 1.6])"},
-        // The matrix from Rec. 2020's primaries to Rec. 709's, both of white D65.
+        // Converted with the matrix from Rec. 2020 to Rec. 709 primaries, both with the white point D65.
         {"WideGamut", kLit + R"(Material "matte" "rgb Kd" [0.47336 0.28837 0.18628])" + kBall,
          kLit + R"(ColorSpace "rec2020" Material "diffuse" "rgb reflectance" [0.4 0.3 0.2])" + kBall},
         {"SharedAttributes", kLit + R"(Material "matte" "rgb Kd" [0.7 0.4 0.3])" + kBall,
@@ -108,7 +108,7 @@ TEST_P(DialectPairs, GiveTheSamePicture) {
     const Pipeline v3(roomAround(GetParam().v3, false)), v4(roomAround(GetParam().v4, true));
     ASSERT_EQ(v3.pixels(), 16 * 12);
     ASSERT_EQ(v4.pixels(), v3.pixels());
-    // The same random numbers on both sides: what differs is not noise.
+    // Both use the same random numbers, so differences are not noise.
     const test::Estimate a = v3.estimate(&Pipeline::path, 64, 64 / 2), b = v4.estimate(&Pipeline::path, 64, 64 / 2);
     double sum = 0, difference = 0;
     for (size_t i = 0; i < a.mean.size(); ++i) {

@@ -1,4 +1,4 @@
-// A guided environment gives the same picture as an unguided one, with less noise.
+// Guiding an environment must not change the expected picture, and must reduce its noise.
 #include <gtest/gtest.h>
 
 #include "pipeline.h"
@@ -10,7 +10,7 @@ namespace {
 using test::Estimate;
 using test::Pipeline;
 
-// A room under a sky that it sees through one window, and that lights a glossy ball by BSDF samples too.
+// A room that sees the sky through one window. The sky also lights a glossy ball by BSDF samples.
 std::string roomWithWindow() {
     using test::quad;
     return "LookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70\n"
@@ -31,9 +31,9 @@ TEST(EnvironmentGuide, SamePictureLessNoise) {
     Pipeline guided(roomWithWindow());
     EnvironmentGuide guide(*guided.lights.infiniteLights().front(), 1);
     guided.tracer.setGuide(&guide);
-    for (int sweep = 0; sweep < 64; ++sweep) {
+    for (int pass = 0; pass < 64; ++pass) {
         for (int p = 0; p < guided.pixels(); ++p)
-            for (int i = 0; i < 4; ++i) guided.path(p, 1000000 + sweep * 4 + i);
+            for (int i = 0; i < 4; ++i) guided.path(p, 1000000 + pass * 4 + i);
         guide.update();
     }
     const Estimate a = plain.estimate(&Pipeline::path, 2048, 32), b = guided.estimate(&Pipeline::path, 2048, 32);

@@ -29,7 +29,7 @@ MEAN_LIMIT = 0.015
 BLOCK_LIMIT, CAUSTIC_BLOCK_LIMIT = 5e-3, 2e-2
 CAUSTICS = ("glass", "mirror", "opacity", "transmission", "translucent", "metal")
 
-# Deviations that docs/decisions.md decides on: the picture is meant to differ. A scene's name, or the start of one.
+# Intended deviations, explained in docs/decisions/: names of scenes, or prefixes of names.
 DELIBERATE = {
     "texture-marble": "pbrt-v3's marble reflects up to 40 times what it receives: its picture diverges",
 }
@@ -41,9 +41,9 @@ def limits(name):
 
 
 def within(name, comparison):
-    """Whether a comparison's means and blocks are within the limits of its scene."""
+    """Whether the means and block means of a comparison are within the limits for its scene."""
     mean_limit, block_limit = limits(name)
-    # What is not a number (a black reference, say) is not within.
+    # NaN (from a black reference, for example) counts as outside the limits.
     return (all(r is not None and abs(r - 1) <= mean_limit for r in comparison["mean_ratio"])
             and comparison["block_relmse"] is not None and comparison["block_relmse"] <= block_limit)
 
@@ -58,7 +58,7 @@ def verdict(name, comparisons):
 
 
 def scenes_with_references(args):
-    """Pairs of a scene and its reference; None, with a line that says why, if there is nothing to compare."""
+    """Pairs of a scene and its reference; None, after printing the reason, if there is nothing to compare."""
     for what, folder in (("scenes", args.scenes), ("references", args.references)):
         if not os.path.isdir(folder):
             print(f"skipped: no folder of {what} at {folder}")
@@ -81,15 +81,15 @@ def scenes_with_references(args):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scenes", help="folder of NAME.pbrt")
-    parser.add_argument("references", help="folder of NAME.exr")
+    parser.add_argument("scenes", help="folder of scenes NAME.pbrt")
+    parser.add_argument("references", help="folder of reference pictures NAME.exr")
     parser.add_argument("--spp", type=int, default=256)
     parser.add_argument("--integrator", default="path", choices=("path", "bdpt", "drc"))
-    parser.add_argument("--seeds", type=int, default=1, help="pictures of each scene; with two their difference is told")
-    parser.add_argument("--only", help="words, separated by commas: scenes whose name has one of them")
-    parser.add_argument("--output", default="out/features", help="where pictures and difference images go")
-    parser.add_argument("--resume", action="store_true", help="take the pictures that are already in --output")
-    parser.add_argument("--nthreads", type=int, default=0, help="threads; 0: one a core")
+    parser.add_argument("--seeds", type=int, default=1, help="pictures per scene; with two, their difference is printed")
+    parser.add_argument("--only", help="comma-separated words; only scenes whose name contains one of them")
+    parser.add_argument("--output", default="out/features", help="folder for pictures and difference images")
+    parser.add_argument("--resume", action="store_true", help="reuse the pictures that are already in --output")
+    parser.add_argument("--nthreads", type=int, default=0, help="threads; 0: one per core")
     args = parser.parse_args()
     pairs = scenes_with_references(args)
     if pairs is None:

@@ -1,4 +1,4 @@
-// Furnaces whose light is known: through the renderer, with each of its integrators and filters.
+// Furnaces with a known solution, rendered with every integrator and filter.
 #include <gtest/gtest.h>
 
 #include "pictures.h"
@@ -13,8 +13,8 @@ using test::pictures;
 
 constexpr int kWidth = 12, kHeight = 8;
 
-// A closed box whose walls emit half of the light and reflect half of it, and nothing in the picture but a ball that
-// `material` is of, and that emits as much if `emits`.
+// A closed box whose walls emit 0.5 and reflect 0.5, and a ball of `material` that fills the picture and, if `emits`,
+// emits the same.
 std::string ballInFurnace(const std::string& material, bool emits, bool v4) {
     std::string text = test::furnace(0.5f, kWidth, kHeight);
     text = test::respelt(text, "\"float fov\" 80", "\"float fov\" 26");
@@ -28,7 +28,7 @@ std::string ballInFurnace(const std::string& material, bool emits, bool v4) {
     return v4 ? test::inWordsOfV4(text) : text;
 }
 
-// slack: that a cache of light which differs from place to place may be wrong by.
+// slack: allowed error of radiance caches whose values vary with position.
 void expectConstant(const std::vector<std::vector<Rgb>>& seen, double value, double slack = 0) {
     const Estimate blocks = test::estimateOf(seen), mean = test::estimateOfMeans(seen);
     for (size_t c = 0; c < 3; ++c) {
@@ -43,13 +43,13 @@ void expectConstant(const std::vector<std::vector<Rgb>>& seen, double value, dou
 
 constexpr const char* kDeep = "Integrator \"path\" \"integer maxdepth\" 64\n";
 
-// A ball that reflects or passes as much of the light from every direction: half, and emits the other half, or all.
+// A ball whose albedo is the same from every direction: either 0.5, and it emits 0.5, or 1.
 struct Ball {
     const char* name;
     bool v4;
     const char* material;
     bool emits;
-    double direct;  // emission seen by way of its specular lobes, and one bounce off each of the others; where it emits
+    double direct;  // Le seen through its specular lobes, plus one bounce off its other lobes; for emissive balls
 };
 void PrintTo(const Ball& ball, std::ostream* out) { *out << ball.name; }
 const Ball kBalls[] = {
@@ -59,7 +59,7 @@ const Ball kBalls[] = {
      R"(Material "translucent" "rgb Kd" [0.5 0.5 0.5] "rgb Ks" [0 0 0] "rgb reflect" [0.6 0.6 0.6]
         "rgb transmit" [0.4 0.4 0.4])",
      true, 0.75},
-    // 0.3 are reflected, 0.2 go straight through this side, and then through the other.
+    // 0.3 is reflected; 0.2 goes straight through this side, and then through the other.
     {"UberInPart", false,
      R"(Material "uber" "rgb Kd" [0.375 0.375 0.375] "rgb Ks" [0 0 0] "rgb opacity" [0.8 0.8 0.8])", true,
      0.65 + 0.2 * (0.65 + 0.2 * 0.75)},
@@ -100,7 +100,7 @@ TEST_P(BallInFurnace, IsNotSeenByRadianceMaps) {
     expectConstant(pictures(text(), "drc", 8, 16), 1, GetParam().emits ? 0 : 0.01);
 }
 
-// Of those that do not emit it is not the same everywhere.
+// For balls that do not emit, direct light is not uniform, so they are left out here.
 class EmissiveBallInFurnace : public BallInFurnace {};
 INSTANTIATE_TEST_SUITE_P(Furnaces, EmissiveBallInFurnace, testing::ValuesIn(kBalls, kBalls + kEmissive),
                          [](const auto& i) { return i.param.name; });
@@ -109,8 +109,8 @@ TEST_P(EmissiveBallInFurnace, HasTheDirectLightThatFollows) {
     expectConstant(pictures(text(), "direct", 16, 16), GetParam().direct);
 }
 
-// With n bounces, of all that are reflected half: 1 - 0.5^(n + 1). Direct light is what one bounce brings, whatever the
-// file says.
+// After n bounces with an albedo of 0.5, radiance is 1 - 0.5^(n + 1). Direct lighting is the result for one bounce,
+// whatever depth the file asks for.
 class DepthOfFurnace : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Furnaces, DepthOfFurnace, testing::Values(1, 2, 3, 5));
 
@@ -119,14 +119,14 @@ TEST_P(DepthOfFurnace, IsTheSeriesCutShort) {
     const std::string text = "Integrator \"path\" \"integer maxdepth\" " + std::to_string(depth) + "\n" +
                              test::furnace(0.5f, kWidth, kHeight);
     const double expected = 1 - std::pow(0.5, depth + 1);
-    // As many as let the bound in deviations be trusted: of a few pictures the deviation itself is not well known.
+    // Enough pictures to estimate the standard deviation that the bound is based on.
     expectConstant(pictures(text, "path", 64, 16), expected);
     expectConstant(pictures(text, "bdpt", 64, 16), expected);
     expectConstant(pictures(text, "drc", 32, 16), expected);
     expectConstant(pictures(text, "direct", 64, 16), 0.75);
 }
 
-// Filters below zero in parts have weights of both signs.
+// Filters with negative lobes have weights of both signs.
 class FilterOfFurnace : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Furnaces, FilterOfFurnace, testing::Values("box", "triangle", "gaussian", "mitchell", "sinc"),
                          [](const auto& i) { return i.param; });

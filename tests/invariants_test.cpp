@@ -19,8 +19,8 @@ using test::Estimate;
 using test::expectSame;
 using test::Pipeline;
 
-// Invariant 1. Radiance is 1 everywhere in a furnace, and no projection, interpolation, gather or enhancer may change
-// that.
+// Invariant 1. In a furnace radiance is 1 everywhere, and no projection, interpolation, gather or map denoiser may
+// change that.
 struct FurnaceCase {
     const char* name;
     Projection projection;
@@ -56,7 +56,7 @@ TEST_P(Furnace, RadianceIsOneInEveryPixel) {
     EXPECT_NEAR(mean, 1, 4 * sigma) << c.name;
 }
 
-// Where surfaces of every kind emit what they do not reflect, what is sampled of them must be what rays see of them.
+// With surfaces of every shape that emit what they do not reflect, light sampling and BSDF sampling must agree.
 TEST(Invariant1, RadianceIsOneAmongLightsOfEveryShape) {
     std::string text = test::furnace(0.5f, 16, 12);
     text.insert(text.rfind("WorldEnd"), "Translate 0 0 -0.9\n" + test::everyShape());
@@ -115,8 +115,8 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
     IndirectSettings settings;
     settings.gatherSamples = 64;
     settings.primarySamples = 1;
-    // Light through a ball of rough glass comes in rare bright paths, for which few passes are too skewed a sample, and
-    // from a small part of the hemisphere, which 32x32 texels blur by more than this test forgives.
+    // Light through a ball of rough glass comes as rare bright paths, whose distribution is too skewed for few passes,
+    // and from a small solid angle, which 32x32 texels blur by more than this test tolerates.
     const bool roughGlass = name == "rough_glass";
     if (roughGlass) settings.capture.layout = MapLayout(Projection::EqualArea, 64);
     const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, roughGlass ? 24 : 16);
@@ -162,7 +162,7 @@ TEST(Invariant4, TheImageDoesNotDependOnTheNumberOfThreads) {
         EXPECT_EQ(renderWith(1, integrator, gaussian), renderWith(3, integrator, gaussian));
 }
 
-// What a pass of small maps over a room of 200 by 150 pixels gives, and what it allocates at most on its way.
+// Renders a map pass with small maps over a room of 200 by 150 pixels, and measures the peak of allocated memory.
 struct PassOfSmallMaps {
     std::vector<Rgb> values;
     int maps = 0;
@@ -211,7 +211,7 @@ TEST(Invariant4, AnotherSeedIsAnotherImage) {
     EXPECT_NE(pipeline.cachedIndirect(*identity, a, 6, 2).mean, pipeline.cachedIndirect(*identity, b, 6, 2).mean);
 }
 
-// Invariant 5. What is allocated after a pass is what was allocated before it, however many there were.
+// Invariant 5. The memory in use after a pass must be the same as before it, however many passes there were.
 TEST(Invariant5, MemoryDoesNotGrowWithPasses) {
     const auto scene = pbrt::loadPbrtString(test::room(test::allMaterials()[0].second, 60, 40));
     RenderParams params;
@@ -223,11 +223,11 @@ TEST(Invariant5, MemoryDoesNotGrowWithPasses) {
     const size_t before = mallinfo2().uordblks;
     while (session.mapPassesDone() < 16) session.step();
     const size_t after = mallinfo2().uordblks;
-    // One map of 32x32 takes 12 KiB; a pass here has hundreds.
+    // A map of 32x32 texels takes 12 KiB, and a pass has hundreds of maps here.
     EXPECT_LT(double(after), double(before) + 64 * 1024);
 }
 
-// Nor on its way does a pass have more at a time because it has more in all.
+// Nor may the peak memory during a pass grow with the pass's number of maps.
 TEST(Invariant5, MemoryDoesNotGrowWithTheMapsOfAPass) {
     const PassOfSmallMaps some = passOfSmallMaps(5.2f), many = passOfSmallMaps(2.4f);
     ASSERT_GT(many.maps, 3 * some.maps);

@@ -1,4 +1,4 @@
-// Light that must not be seen: a ray that gets lost must not bring the sky with it.
+// Light leaks: a ray that misses a surface it should hit must not see the sky.
 #include <gtest/gtest.h>
 
 #include "math/warp.h"
@@ -11,7 +11,7 @@ using test::Pipeline;
 
 const std::string kSky = "WorldBegin\nLightSource \"infinite\"\n";
 
-// Of paths that start next to the inside of a unit ball, which stands still at `still` or is the first instance.
+// Number of paths that see light when started on the inside of a unit ball, transformed by `still` or instanced.
 int litPaths(const Pipeline& pipeline, const Transform& still) {
     int lit = 0;
     for (int i = 0; i < 500; ++i) {
@@ -27,7 +27,7 @@ int litPaths(const Pipeline& pipeline, const Transform& still) {
     return lit;
 }
 
-// A hit that is lost on the inside of a closed ball would count as sky, at any bounce of a path.
+// If a ray missed the inside of a closed ball at any bounce, it would see the sky.
 TEST(Leaks, NoSkyIsSeenWithinAClosedBall) {
     const std::string white = "Material \"matte\" \"rgb Kd\" [1 1 1]\n";
     const std::string object = "ObjectBegin \"ball\"\nShape \"sphere\"\nObjectEnd\n";
@@ -42,7 +42,7 @@ TEST(Leaks, NoSkyIsSeenWithinAClosedBall) {
         EXPECT_EQ(litPaths(Pipeline(kSky + white + world + "WorldEnd\n"), place), 0) << world;
 }
 
-// Around a white ball more surfaces without a material than a path passes through, and a black one around all of them.
+// A white ball inside more surfaces without material than a path passes through, all inside a black one.
 TEST(Leaks, NoSkyIsSeenThroughManySurfacesWithoutMaterial) {
     std::string world = "Material \"none\"\n";
     for (int i = 0; i < 300; ++i) world += "Shape \"sphere\" \"float radius\" " + std::to_string(2 + 0.01 * i) + "\n";
@@ -51,7 +51,7 @@ TEST(Leaks, NoSkyIsSeenThroughManySurfacesWithoutMaterial) {
     const Pipeline pipeline(kSky + world + ball + "WorldEnd\n");
     Ray ray;
     ray.o = Vec3(0, 0, 1);
-    for (const float z : {1.f, -1.f}) {  // at the dark and at the ball
+    for (const float z : {1.f, -1.f}) {  // towards the black surface and towards the ball
         ray.d = normalize(Vec3(0.1f, 0.2f, z));
         for (uint32_t i = 0; i < 4; ++i) {
             Sampler sampler(1, i);

@@ -9,7 +9,7 @@
 
 namespace drc::test {
 
-// A corner of a room that is open to the sky, with a mirror on a wall, a ball that shines, and a light.
+// A corner of a room that is open to the sky, with a mirror on one wall, a glossy ball, and the given light.
 inline std::string corner(const std::string& light, int width, int height) {
     return "LookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70\nFilm \"image\" "
            "\"integer xresolution\" " +
@@ -24,7 +24,7 @@ inline std::string corner(const std::string& light, int width, int height) {
            light + "WorldEnd\n";
 }
 
-// `map`: a picture for those that have one.
+// `map` says whether the light uses an image file.
 struct LightCase {
     const char *name, *light;
 };
@@ -61,7 +61,7 @@ inline const LightCase kLightCases[] = {
      "Shape \"disk\" \"float radius\" 0.4\nAttributeEnd\n"},
 };
 
-// The corner with one of them, whose picture, if it has one, is written to the folder.
+// The corner with the light of this case. If the light has an image, it is written to the folder.
 inline std::string cornerWith(const LightCase& light, const TemporaryFolder& folder, int width, int height) {
     Image map(16, 8);
     for (int y = 0; y < 8; ++y)

@@ -1,5 +1,5 @@
-// A floor that nothing but one light shines on: what leaves it is known, for lights of every type, and by whatever way
-// it is estimated.
+// A floor lit by a single light, for which the outgoing radiance is known: for lights of every type and every
+// estimator.
 #include <gtest/gtest.h>
 
 #include "pipeline.h"
@@ -11,7 +11,7 @@ namespace {
 using test::Estimate;
 using test::Pipeline;
 
-// One point of the floor, the origin.
+// Only the point at the origin is visible.
 std::string floorUnder(const std::string& light) {
     return "LookAt 0.4 -1 1.5  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" 0.02\n"
            "Film \"image\" \"integer xresolution\" 2 \"integer yresolution\" 2\nWorldBegin\nAttributeBegin\n"
@@ -20,7 +20,8 @@ std::string floorUnder(const std::string& light) {
            test::quad("-9 -9 0", "9 -9 0", "9 9 0", "-9 9 0") + "WorldEnd\n";
 }
 
-// irradiance: of a light whose intensity, radiance or, of a distant one, irradiance across its way is one.
+// irradiance: at the origin, for a light with an intensity, radiance or (for distant lights) perpendicular irradiance
+// of one.
 struct LitFloor {
     const char *name, *light;
     double irradiance;
@@ -29,7 +30,7 @@ void PrintTo(const LitFloor& c, std::ostream* out) { *out << c.name; }
 
 constexpr double kPiD = std::numbers::pi;
 const double kSlanted = 2 / (6 * std::sqrt(6.0));  // from (1, -1, 2): cosine over squared distance
-// A square of side 4 at height 2, above the origin with its centre: four times the form factor of a corner.
+// From a square of side 4 at height 2, centred above the origin: four times the form factor of a corner.
 const double kSquare = 4 * kPiD * 2 / (2 * kPiD) * (1 / std::sqrt(2.0)) * std::atan(1 / std::sqrt(2.0));
 const LitFloor kFloors[] = {
     {"Point", R"(LightSource "point" "point from" [1 -1 2])", kSlanted},

@@ -1,4 +1,4 @@
-// What a map says of its own noise, against the spread of many maps.
+// Compares a map's estimate of its own noise with the variance over many maps.
 #include <gtest/gtest.h>
 
 #include "cache/map_capture.h"
@@ -40,7 +40,7 @@ TEST(MapDeviation, IsNoLessThanTheSpreadOfMapsAndNotMuchMore) {
             estimated[i] += double(map.deviation[i]) * map.deviation[i] / kMaps;
         }
     }
-    // Variances, mean over texels.
+    // Variances, averaged over the texels.
     double spread = 0, estimate = 0;
     for (size_t i = 0; i < values; ++i) {
         spread += (squares[i] - sum[i] * sum[i] / kMaps) / (kMaps - 1);

@@ -1,4 +1,4 @@
-// What a map tells of the surfaces that it sees, besides their light.
+// The auxiliary channels of a map: albedo and direct light of the surfaces that it sees.
 #include <gtest/gtest.h>
 
 #include "cache/map_capture.h"
@@ -8,10 +8,10 @@
 namespace drc::test {
 namespace {
 
-// Under an even white sky a convex body that stands alone sends on its albedo: the light of the map must be the albedo
-// that it reports, whatever the material.
+// Under a uniform white sky, the radiance of an isolated convex body equals its albedo. The map's radiance must
+// therefore equal the albedo that it reports, for every material.
 TEST(MapGuides, AlbedoIsTheLightOfABodyUnderAWhiteSky) {
-    // Of a rough coat the albedo is estimated as a smooth one's: this one is nearly smooth.
+    // The albedo of a rough coat is approximated by that of a smooth one, so this coat is nearly smooth.
     for (const char* material :
          {R"("matte" "rgb Kd" [0.7 0.3 0.1])", R"("mirror" "rgb Kr" [0.2 0.4 0.8])",
           R"("substrate" "rgb Kd" [0.5 0.2 0.6] "rgb Ks" [0.1 0.1 0.1] "float uroughness" 0 "float vroughness" 0)"}) {
@@ -37,7 +37,7 @@ TEST(MapGuides, AlbedoIsTheLightOfABodyUnderAWhiteSky) {
         const auto isSky = [&](int row, int column) { return map.distance[size_t(row * kSize + column)] < 0; };
         int body = 0, sky = 0;
         double difference = 0;
-        // Where a texel is half on the body its light is half the body's.
+        // Texels that the body covers in part have a part of its radiance.
         for (int row = 1; row + 1 < kSize; ++row)
             for (int column = 1; column + 1 < kSize; ++column) {
                 bool edge = false;
@@ -51,14 +51,14 @@ TEST(MapGuides, AlbedoIsTheLightOfABodyUnderAWhiteSky) {
                     EXPECT_EQ(map.albedo[i] == 0, isSky(row, column));
                 }
             }
-        // Within a texel at grazing angles the albedo varies; on the whole it does not matter which ray reports it.
+        // At grazing angles the albedo varies within a texel. On average it does not matter which ray reports it.
         EXPECT_NEAR(difference / (3 * body), 0, 0.005);
         EXPECT_GT(body, 100);
         EXPECT_GT(sky, 100);
     }
 }
 
-// Within a matte sphere of radius 10 a lamp of radius 5, and nothing that hides anything from it.
+// A spherical lamp of radius 5 inside a matte sphere of radius 10, with nothing between them.
 Pipeline lampInASphere() {
     return Pipeline(R"(
         LookAt 0 0 1  0 1 1  0 0 1
@@ -89,8 +89,8 @@ TEST(MapGuides, AlbedoIsThatBehindALampWithoutABody) {
     }
 }
 
-// The lamp's radiance is one, so that the wall gets the irradiance pi (5 / 10)^2 from it, and albedo times as much
-// again with each reflection.
+// The lamp's radiance is one, so the wall receives the irradiance pi (5 / 10)^2 from it, and with each reflection the
+// albedo times as much again.
 TEST(MapGuides, DirectLightIsWhatComesStraightFromTheLamp) {
     const Pipeline pipeline = lampInASphere();
     const Vec3 up(0, 0, 1);

@@ -1,4 +1,4 @@
-// Things and cameras that move, through the whole pipeline.
+// Moving objects and cameras, through the whole pipeline.
 #include <gtest/gtest.h>
 
 #include "pipeline.h"
@@ -15,7 +15,7 @@ std::string film(int width, int height) {
            std::to_string(height) + "\n";
 }
 
-// A ball that flies and an ellipsoid that turns, on a floor by a wall, a lamp above; the camera may move as well.
+// A flying ball and a rotating ellipsoid on a floor beside a wall, with a lamp above. The camera may move as well.
 std::string scene(bool cameraMoves) {
     return std::string("LookAt 0 -5 1.5  0 0 0.8  0 0 1\n") +
            (cameraMoves ? "ActiveTransform EndTime Translate 0.6 0 0 Rotate 8 0 1 0 ActiveTransform All\n" : "") +
@@ -46,15 +46,15 @@ TEST_P(Motion, DirectAndIndirectAreThePath) {
     expectSame(path, direct + of([&](int p, int i) { return pipeline.tracedIndirect(p, i); }), "direct + traced");
 
     IndirectSettings settings;
-    settings.capture.layout = MapLayout(Projection::EqualArea, 16);  // of fewer texels the map is too coarse
+    settings.capture.layout = MapLayout(Projection::EqualArea, 16);  // fewer texels would be too coarse
     settings.primarySamples = 1;
     const Estimate narrow = of([&](int p, int i) { return pipeline.glossyIndirect(p, i); });
     const Estimate maps = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, 40);
     expectSame(path, direct + narrow + maps, "direct + maps at every pixel");
 }
 
-// In a constant sky whatever reflects all light is as bright as the sky, wherever it is and from wherever it is seen. A
-// shadow ray or a bounce at another time than the camera's would find the thing in its own way.
+// Under a uniform sky, objects that absorb nothing are as bright as the sky from everywhere. A shadow ray or bounce at
+// another time than the camera ray's would hit the object in another place.
 TEST(MovingFurnace, IsAsBrightAsTheSky) {
     const Pipeline pipeline(
         "LookAt 0 -5 0  0 0 0  0 0 1\nActiveTransform EndTime Translate 0.3 0 0 ActiveTransform All\n"
@@ -74,9 +74,10 @@ TEST(MovingFurnace, IsAsBrightAsTheSky) {
     EXPECT_NEAR(sum, 1, 0.003);
 }
 
-// A map on a wall is the mean over the exposure of what the wall sees; one on the thing that moves is of the moment.
+// A map on a static wall must be the average over the exposure; a map on a moving surface is of the moment of its
+// sample.
 TEST(MovingMaps, AverageTheExposureWhereTheyStandStill) {
-    // A black screen between the origin and the sky, away for the second half of the time.
+    // A black screen between the origin and the sky, which is gone for the second half of the exposure.
     const Pipeline pipeline(
         "TransformTimes 0.5 0.5\n" + film(4, 4) +
         "WorldBegin\nLightSource \"infinite\" \"rgb L\" [0 0 0]\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\n"

@@ -24,31 +24,31 @@ class Fault(NamedTuple):
     file: str
     before: str
     after: str
-    tests: str  # a filter: of them at least one has to fail
+    tests: str  # test filter; at least one of these tests must fail
 
 
 FAULTS = [
     Fault("a look-up in a map returns two per cent too much", "src/cache/radiance_map.cpp",
           "lerp(fx, texel(i + n), texel(i + n + 1)));", "lerp(fx, texel(i + n), texel(i + n + 1))) * 1.02f;",
           "*Invariant1*"),
-    Fault("the first surface's emission counts twice", "src/integrators/path_tracer.cpp",
-          "return trace(ray, sampler, Emission::SkippedAtFirst, first);",
-          "return trace(ray, sampler, Emission::Counted, first);", "*DirectPlusTracedIndirect*"),
-    Fault("broad light along with the direct has the glossy lobes' in it", "src/integrators/path_tracer.cpp",
-          "const Rgb wide = bsdf.hasWithin(glossy()) ? bsdf.f(at.wo, s->wi, broad()) : s->f;",
-          "const Rgb wide = s->f;", "*IndirectLightAlong*"),
+    Fault("the first surface's emission counts twice", "src/integrators/path_tracer.h",
+          "return walker_.walk(ray, sampler, PathWalker::FirstEmission::Skipped, {first, nullptr});",
+          "return walker_.walk(ray, sampler, PathWalker::FirstEmission::Counted, {first, nullptr});", "*DirectPlusTracedIndirect*"),
+    Fault("the broad light traced with the direct light includes the glossy lobes", "src/integrators/path_tracer.cpp",
+          "const Rgb f = bsdf.hasWithin(glossy()) ? bsdf.f(at.wo, s->wi, broad()) : s->f;",
+          "const Rgb f = s->f;", "*IndirectLightAlong*"),
     Fault("the gather forgets the BSDF's density", "src/cache/gather.cpp",
           "mapPdf + (both ? bsdf.pdf : 0)", "mapPdf", "*Oracle*"),
-    Fault("directions below the horizon of a map that is turned away are left out", "src/cache/gather.cpp",
+    Fault("directions below the horizon of a map with another normal are left out", "src/cache/gather.cpp",
           "glossy || dot(normal, site.n) < kParallel;", "glossy;", "*Invariant1*"),
-    Fault("paths of glossy lobes that survive are not weighted up", "src/integrators/path_tracer.cpp",
+    Fault("paths of glossy lobes that survive Russian roulette are not weighted up", "src/integrators/path_tracer.cpp",
           "return weight * incident(ray, sampler) * (1 / survival);", "return weight * incident(ray, sampler);",
           "*Oracle*"),
     Fault("a sampler depends on its thread", "src/cache/indirect_pass.cpp",
-          "    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(index));",
+          "    CameraSample sample = cameraSample(tracer_.scene(), x, y, stream(x, y, kPrimary), uint32_t(index));",
           "    static thread_local uint32_t calls = 0;\n"
-          "    Sampler sampler(pixelStream(x, y, kPrimary), uint32_t(index) + ++calls);", "*Invariant4*"),
-    Fault("the maps of former passes are kept", "src/cache/indirect_pass.cpp",
+          "    CameraSample sample = cameraSample(tracer_.scene(), x, y, stream(x, y, kPrimary), uint32_t(index) + ++calls);", "*Invariant4*"),
+    Fault("the maps of earlier passes are kept", "src/cache/indirect_pass.cpp",
           "    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);",
           "    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);\n"
           "    static std::vector<std::vector<MapSite>> kept;\n"
@@ -89,7 +89,7 @@ def check(faults, build):
 
 
 def failures(build, tests):
-    """The names of the tests that fail; exits if they cannot be built or there are none."""
+    """The names of the failing tests. Exits if the tests cannot be built or none match."""
     done = subprocess.run(["cmake", "--build", build, "--target", "pipeline_tests"], capture_output=True, text=True)
     if done.returncode:
         sys.exit(done.stdout + done.stderr)
@@ -102,7 +102,7 @@ def failures(build, tests):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="of faults: those with any of these words; default: all")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="words; only faults whose name contains one of them (default: all)")
     parser.add_argument("--build", default=os.path.join(ROOT, "build/release"), help="the build folder")
     parser.add_argument("--check", action="store_true", help="only look whether each fault can be tried")
     args = parser.parse_args()
@@ -116,7 +116,7 @@ def main():
             sys.exit(f"{f.file} has changes that are not committed")
     whole = failures(args.build, ":".join(sorted({f.tests for f in faults})))
     if whole:
-        sys.exit(f"these tests fail on the whole code: {', '.join(whole)}")
+        sys.exit(f"these tests fail on the unchanged code: {', '.join(whole)}")
     if check(faults, args.build):
         return 1
     unnoticed = 0

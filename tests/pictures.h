@@ -1,4 +1,4 @@
-// Pictures of a scene text by the renderer, to be compared as estimates.
+// Renders pictures of a scene text and returns them as samples for estimates.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,7 +11,8 @@
 
 namespace drc::test {
 
-// Means over blocks of kBlock x kBlock pixels: of few samples a pixel is no normal deviate, these nearly are.
+// Means over blocks of kBlock x kBlock pixels. With few samples, single pixels are far from normally distributed, but
+// block means nearly are.
 inline constexpr int kBlock = 4;
 inline std::vector<Rgb> blocksOf(const Image& image) {
     std::vector<Rgb> blocks(size_t(image.width() / kBlock * (image.height() / kBlock)), Rgb(0.f));
@@ -22,7 +23,7 @@ inline std::vector<Rgb> blocksOf(const Image& image) {
     return blocks;
 }
 
-// Pictures of different seeds: [picture][block].
+// Pictures with different seeds: [picture][block].
 inline std::vector<std::vector<Rgb>> pictures(const std::string& text, const std::string& integrator, int count,
                                               int spp) {
     const auto scene = pbrt::loadPbrtString(text);

@@ -1,4 +1,4 @@
-// A scene text, ready to trace, and estimates of its pictures by the ways that must agree.
+// A scene text, ready to trace, and the estimators of its picture that must agree.
 #pragma once
 #include <memory>
 #include <string>
@@ -15,7 +15,7 @@ struct Pipeline {
         : scene(pbrt::loadPbrtString(text)), accel(*scene), lights(*scene), tracer(*scene, accel, lights) {}
 
     int pixels() const { return int(scene->settings.region().count()); }
-    // Camera ray `i` of a pixel, from a sampler that then goes on with the path.
+    // Camera ray `i` of a pixel. The sampler is left in the state in which the path continues.
     Ray cameraRay(int pixel, Sampler& sampler) const {
         const PixelRegion region = scene->settings.region();
         const Vec2 u = sampler.get2D();
@@ -49,24 +49,24 @@ struct Pipeline {
         const Ray ray = cameraRay(pixel, s);
         return tracer.layers(ray, s, false).glossy;
     }
-    // Indirect light of all lobes as a sample of direct light brings it along.
+    // Indirect light of all lobes, as a sample of direct light includes it.
     Rgb indirectAlong(int pixel, int i) const {
         Sampler s = sampler(5, pixel, i);
         const Ray ray = cameraRay(pixel, s);
         const SampleLayers layers = tracer.layers(ray, s, true);
         return layers.glossy + layers.broad;
     }
-    // Of every pixel, by one of the ways above.
+    // Estimates every pixel with one of the functions above.
     Estimate estimate(Rgb (Pipeline::*way)(int pixel, int i) const, int samples, int group) const {
         return test::estimate(pixels(), samples, group, [&](int p, int i) { return (this->*way)(p, i); });
     }
-    // The indirect layer by radiance maps, broad lobes alone: the mean and variance over independent passes of the same
+    // The indirect layer of the broad lobes from radiance maps: mean and variance over independent passes with the same
     // spacing.
     Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing,
                             int passes) const {
         return estimateOf(cachedPasses(enhancer, settings, spacing, passes));
     }
-    // The pictures of the passes: [pass][pixel].
+    // The pictures of single passes: [pass][pixel].
     std::vector<std::vector<Rgb>> cachedPasses(const Enhancer& enhancer, const IndirectSettings& settings,
                                                float spacing, int passes) const {
         const PixelRegion region = scene->settings.region();

@@ -1,4 +1,4 @@
-// `drc reference` as a user runs it: examples of scenes, and what becomes of runs that end early.
+// Runs `drc reference` as a user would: examples of scenes, and continuation of interrupted runs.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A lamp in a box, seen so that some rays of the camera escape.
+// A lamp in an open box, so that some camera rays escape.
 constexpr const char* kScene = R"(
 LookAt 0 -3 1  0 0 1  0 0 1
 Camera "perspective" "float fov" 60
@@ -57,7 +57,7 @@ class Reference : public FolderTest {
         posix_spawn_file_actions_destroy(&files);
         return child;
     }
-    // The exit code; -1 if it was killed.
+    // The exit code; -1 if the process was killed.
     static int wait(pid_t child) {
         int status = 0;
         waitpid(child, &status, 0);
@@ -96,7 +96,7 @@ TEST_F(Reference, WritesAnExampleForEachTileThatHasOne) {
     EXPECT_EQ(examples.scene(), "room");
     EXPECT_EQ(examples.inputs(), 2);
     EXPECT_GT(examples.count(), 20);
-    EXPECT_LT(examples.count(), 64);  // above the wall there is nothing
+    EXPECT_LT(examples.count(), 64);  // above the wall, rays escape
     EXPECT_THAT(log(), HasSubstr(std::to_string(examples.count()) + " examples"));
     EXPECT_THAT(log(), HasSubstr(" an hour"));
     EXPECT_THAT(log(), HasSubstr(std::to_string(64 - examples.count()) + " viewpoints without one"));
@@ -134,7 +134,7 @@ TEST_F(Reference, GoesOnAsIfItHadNotBeenKilled) {
     EXPECT_GE(interrupted, 2);
     ASSERT_EQ(run(command("cut")), 0) << log();
     EXPECT_TRUE(readFile(shard("cut")) == whole);
-    // What is finished is left alone.
+    // A complete shard must not be touched.
     const auto time = std::filesystem::last_write_time(shard("cut"));
     ASSERT_EQ(run(command("cut")), 0);
     EXPECT_EQ(std::filesystem::last_write_time(shard("cut")), time);
@@ -180,7 +180,7 @@ TEST_F(Reference, WritesTheAuthorsLayout) {
     EXPECT_EQ(a->damage(), "");
     EXPECT_EQ(a->scene(), "room");
     ASSERT_EQ(a->count(), b->count());
-    // The same maps; the shard has them by viewpoint, the folder by pixel.
+    // Both contain the same maps; the shard sorts them by viewpoint, the folder by pixel.
     TrainingExample x, y;
     for (int i = 0; i < a->count(); ++i) {
         a->load(i, 0, 1, x);
@@ -199,7 +199,7 @@ TEST_F(Reference, WritesTheAuthorsLayout) {
         EXPECT_EQ(same, 1);
     }
     EXPECT_EQ(wait(start({path("pfm"), path("out")}, "evaluate")), 0) << log();
-    // It goes on where something is missing.
+    // Missing files are written again.
     const std::string hash = a->contentHash();
     for (const auto& entry : std::filesystem::directory_iterator(path("pfm/room")))
         if (entry.path().filename().string().starts_with("p_1")) std::filesystem::remove(entry.path());

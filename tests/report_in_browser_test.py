@@ -20,7 +20,7 @@ import time
 import unittest
 
 SKIPPED = 77
-PATIENCE = 60  # seconds that a browser on a busy machine may take for one answer
+PATIENCE = 60  # seconds to wait for an answer of the browser on a busy machine
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 
 
@@ -95,7 +95,7 @@ class Browser:
             self.events.append(self.message())
 
     def run(self, script):
-        """The value of a JavaScript expression, awaited."""
+        """Evaluates a JavaScript expression and awaits its value."""
         result = self.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
         if "exceptionDetails" in result:
             raise RuntimeError(json.dumps(result["exceptionDetails"])[:400])
@@ -155,7 +155,7 @@ class ReportInBrowser(unittest.TestCase):
         self.browser.wait_for(SHOWN)
 
     def select(self, selector, value):
-        """Chooses as a user does; what was chosen is shown a little later."""
+        """Chooses an option as a user does, and waits until the page shows it."""
         self.browser.run(f"""(() => {{ const s = document.querySelector({selector!r}); s.value = {value!r};
             s.dispatchEvent(new Event("change", {{ bubbles: true }})); }})()""")
 
@@ -242,7 +242,7 @@ class ReportInBrowser(unittest.TestCase):
             differences.add(self.browser.run(DIFFERENCE))
         self.assertEqual(len(pictures), len(methods))
         self.assertEqual(len(differences), len(methods))
-        # The last is the reference, which differs from itself nowhere.
+        # The last method is the reference, which must not differ from itself.
         self.assertEqual(methods[-1], "reference")
         brightest = self.browser.run("""(() => { const c = document.querySelector(".details .left .difference");
             return c.getContext("2d").getImageData(0, 0, c.width, c.height).data
@@ -274,7 +274,7 @@ class ReportInBrowser(unittest.TestCase):
     def test_plain_pictures_without_scripts(self):
         self.browser.call("Emulation.setScriptExecutionDisabled", value=True)
         self.browser.open(self.page)
-        # What is run from here on is the test's; the page's own scripts have been passed by.
+        # Scripts are enabled again for the test's own expressions, after the page has loaded without its scripts.
         self.browser.call("Emulation.setScriptExecutionDisabled", value=False)
         self.assertEqual(self.browser.run("document.querySelector('.viewer').checkVisibility()"), False)
         seen = self.browser.run("[...document.querySelectorAll('figure[data-method] img')]"
@@ -302,7 +302,7 @@ class ReportInBrowser(unittest.TestCase):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("page", type=pathlib.Path)
-    parser.add_argument("--screenshots", type=pathlib.Path, help="a folder for pictures of the page")
+    parser.add_argument("--screenshots", type=pathlib.Path, help="folder for screenshots of the page")
     args = parser.parse_args()
     program = next(filter(None, map(shutil.which, NAMES)), None)
     if program is None:

@@ -1,4 +1,4 @@
-// Every sampler that a scene may name: as many samples as the file says, all of which count, and alike.
+// Every sampler that a scene file may name must take the number of samples that the file says, all with equal weight.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ namespace drc {
 namespace {
 
 struct SamplerCase {
-    const char* name;  // as the test has it: some are in both dialects
+    const char* name;  // as it is written in the test's scene; some exist in both dialects
     bool v4;
     const char* directive;
     int spp;
@@ -38,7 +38,7 @@ const SamplerCase kSamplers[] = {
 };
 
 constexpr int kWidth = 24, kHeight = 16, kDepth = 4;
-// Of a furnace whose walls reflect and emit a half each, after so many bounces.
+// Radiance in a furnace whose walls reflect and emit 0.5, after kDepth bounces.
 const double kRadiance = 1 - std::pow(0.5, kDepth + 1);
 
 std::string furnaceWith(const SamplerCase& c) {
@@ -80,7 +80,7 @@ TEST_P(Samplers, TakeTheirSamplesAndAreUnbiased) {
     while (session.step()) {
         // The first sample of all pixels takes several passes.
         if (session.samplesDone() == int(samples.size())) continue;
-        // What each sample added to the picture.
+        // The contribution of each sample to the picture.
         const std::vector<double> picture = greenOf(session.picture().beauty);
         samples.emplace_back();
         for (size_t i = 0; i < picture.size(); ++i) {
@@ -91,7 +91,7 @@ TEST_P(Samplers, TakeTheirSamplesAndAreUnbiased) {
     }
     ASSERT_EQ(int(samples.size()), GetParam().spp);
     expectUnbiased(greenOf(session.picture().beauty));
-    // None is another once more.
+    // No sample may be a repetition of another.
     for (size_t a = 0; a < samples.size(); ++a)
         for (size_t b = 0; b < a; ++b) {
             int same = 0;
@@ -100,7 +100,7 @@ TEST_P(Samplers, TakeTheirSamplesAndAreUnbiased) {
         }
 }
 
-// The program as a user runs it takes the file's samples and depth where it is told to.
+// The command-line program must use the samples and depth of the file where it is told to.
 TEST(SamplersOfTheProgram, AreTheFiles) {
     for (const SamplerCase* c : {&kSamplers[1], &kSamplers[13]}) {
         const TemporaryFolder folder;

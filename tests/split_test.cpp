@@ -1,5 +1,4 @@
-// Invariants 2 and 3 with what the scenes of pbrt-v3's materials and a lamp do not show: pbrt-v4's materials, and
-// lights of every type.
+// Invariants 2 and 3 for what invariants_test.cpp does not cover: the materials of pbrt-v4, and lights of every type.
 #include <gtest/gtest.h>
 
 #include "light_cases.h"
@@ -14,8 +13,8 @@ using test::Pipeline;
 
 constexpr int kWidth = 6, kHeight = 6, kBlock = 3, kSamples = 1024, kGroup = 32, kPasses = 3;
 
-// Of blocks of pixels, which are independent of each other: few samples of rare bright paths are no normal deviate, and
-// those of many pixels together nearly are.
+// Means over blocks of pixels, which are independent. With few samples of rare bright paths, single pixels are far from
+// normally distributed, but block means nearly are.
 Estimate blocks(const Estimate& pixels) {
     constexpr size_t kBlocks = kWidth / kBlock * (kHeight / kBlock), kPerBlock = kBlock * kBlock;
     Estimate e{std::vector<double>(kBlocks * 3), std::vector<double>(kBlocks * 3), std::vector<double>(kBlocks * 3)};
@@ -34,7 +33,7 @@ Estimate blocks(const Estimate& pixels) {
     return e;
 }
 
-// slack: a share of b that is forgiven.
+// slack: tolerated difference, as a share of b.
 void expectSameBlocks(Estimate a, const Estimate& b, const std::string& what, double slack = 0) {
     for (size_t i = 0; i < a.mean.size(); ++i) {
         const double most = slack * b.mean[i];
@@ -47,7 +46,8 @@ void expectSameBlocks(Estimate a, const Estimate& b, const std::string& what, do
     EXPECT_LT(z.meanSquare, 3) << what;
 }
 
-// Direct light plus indirect light, traced in either way or from a map at each pixel, is what paths bring.
+// Direct light plus indirect light, either path-traced in one of two ways or from a map at each pixel, must be the
+// path-traced result.
 void checkSplit(const Pipeline& pipeline) {
     const auto of = [&](Rgb (Pipeline::*way)(int, int) const) {
         return blocks(pipeline.estimate(way, kSamples, kGroup));
@@ -55,7 +55,7 @@ void checkSplit(const Pipeline& pipeline) {
     const Estimate path = of(&Pipeline::path), direct = of(&Pipeline::direct);
     expectSameBlocks(direct + of(&Pipeline::tracedIndirect), path, "direct and traced");
     expectSameBlocks(direct + of(&Pipeline::indirectAlong), path, "direct and along with it");
-    // Texels blur a lamp that is seen through a thin sheet: of twice as many to a side nothing is left of that.
+    // The texels of a map blur a lamp seen through a thin sheet. With twice as many along a side, that error vanishes.
     IndirectSettings settings;
     settings.gatherSamples = 32;
     settings.primarySamples = 1;
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Split, MaterialsOfV4, testing::Range<size_t>(0, test::m
 
 TEST_P(MaterialsOfV4, IsExact) {
     const std::string material = test::materialsOfV4()[GetParam()].second;
-    // Near enough that all of the picture is of the material.
+    // Close enough for the material to fill the picture.
     const std::string near =
         test::respelt(test::room(material, kWidth, kHeight), "\"float fov\" 70", "\"float fov\" 30");
     checkSplit(Pipeline(test::inWordsOfV4(near)));

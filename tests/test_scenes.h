@@ -1,4 +1,4 @@
-// Small scenes that the tests of the whole pipeline share, as pbrt-v3 text.
+// Small scenes shared by the tests of the whole pipeline, as pbrt-v3 text.
 #pragma once
 #include <string>
 #include <utility>
@@ -6,7 +6,7 @@
 
 namespace drc::test {
 
-// Materials that cover every lobe of pbrt-v3's, by name.
+// Materials that cover every lobe of pbrt-v3's materials, by name.
 inline std::vector<std::pair<std::string, std::string>> allMaterials() {
     return {
         {"matte", R"(Material "matte" "rgb Kd" [0.7 0.4 0.3])"},
@@ -36,7 +36,7 @@ inline std::vector<std::pair<std::string, std::string>> allMaterials() {
     };
 }
 
-// Those of pbrt-v4 that pbrt-v3 has no like of, by name: for rooms in the words of pbrt-v4.
+// Materials of pbrt-v4 without an equivalent in pbrt-v3, by name, for scenes in the syntax of pbrt-v4.
 inline std::vector<std::pair<std::string, std::string>> materialsOfV4() {
     return {
         {"coated_diffuse", R"(Material "coateddiffuse" "rgb reflectance" [0.6 0.3 0.2] "float roughness" 0)"},
@@ -63,7 +63,7 @@ inline std::string respelt(std::string text, const std::string& from, const std:
         text.replace(at, from.size(), to);
     return text;
 }
-// A scene of this file, all of whose own words are pbrt-v3's, in those of pbrt-v4.
+// Converts a scene of this file from pbrt-v3 to pbrt-v4.
 inline std::string inWordsOfV4(std::string text) {
     for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
              {"Film \"image\"", "Film \"rgb\""},
@@ -81,8 +81,7 @@ inline std::string quad(const std::string& a, const std::string& b, const std::s
 }
 
 // A closed room [-2,2]x[-2,2]x[0,3] (z up) with grey and coloured walls, an area light below the ceiling, a mirror on
-// one wall that shows it, and a quad of `material` on its back and a ball of it, seen by the camera. width x height
-// pixels.
+// one wall that shows the light, and a quad and a ball of `material`. Film size in pixels.
 inline std::string room(const std::string& material, int width, int height) {
     const std::string size =
         "\"integer xresolution\" " + std::to_string(width) + " \"integer yresolution\" " + std::to_string(height);
@@ -100,8 +99,8 @@ inline std::string room(const std::string& material, int width, int height) {
            "AttributeBegin\nTranslate 0.5 -0.4 0.5\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd\nWorldEnd\n";
 }
 
-// A white furnace: a closed box whose walls emit 1 - albedo and reflect albedo, with a ball of the same inside it.
-// Radiance is 1 everywhere, in every direction.
+// A white furnace: a closed box whose walls emit 1 - albedo and reflect albedo, with a ball of the same material.
+// Radiance is 1 everywhere in every direction.
 inline std::string furnace(float albedo, int width, int height) {
     const auto number = [](float x) { return std::to_string(x); };
     const std::string a = number(albedo), e = number(1 - albedo);
@@ -116,7 +115,7 @@ inline std::string furnace(float albedo, int width, int height) {
            "Shape \"sphere\" \"float radius\" 0.8\nWorldEnd\n";
 }
 
-// Lamps of every kind of shape, one- and two-sided, whole and in part, for the furnace and for the room.
+// Lamps of every kind of shape, one- and two-sided, whole and partial, for the furnace and for the room.
 inline std::string everyShape() {
     const std::string bent = "\"point P\" [-1.2 -0.6 0.3  -0.6 0.2 0.9  0.2 -0.8 0.9  0.9 -0.2 0.4]";
     return "AttributeBegin\nTranslate -1.2 0.2 1.2\nRotate 30 1 1 0\n"

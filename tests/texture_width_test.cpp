@@ -1,4 +1,4 @@
-// What textures average over along a path must not reach beyond the surfaces that they are on.
+// Texture filtering along a path must not reach beyond the surface that the texture is on.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ using test::Pipeline;
 
 constexpr float kDark = 0.1f;
 
-// A leaf of a unit's width at z = 0 under a sky of one, maybe above a wide white floor at z = -2. It shows the left
-// half of a picture, which is dark; the right half is white.
+// A leaf one unit wide at z = 0 under a sky of radiance one, optionally above a large white floor at z = -2. It shows
+// the dark left half of an image whose right half is white.
 std::string leafOver(const std::string& picture, bool floor) {
     const auto quad = [](float size, float z) {
         return fmt::format(
@@ -35,7 +35,7 @@ std::string writePicture(const TemporaryFolder& folder) {
     return folder.path("half.exr");
 }
 
-// The leaf as a camera sees it in whose pixels it is six wide. Under a sky of one it is as bright as it reflects.
+// The leaf seen by a camera in which it is six pixels wide. Under this sky its radiance equals its reflectance.
 TEST(TextureWidth, ALeafCutFromAPictureHasItsOwnColour) {
     const TemporaryFolder folder;
     const Pipeline pipeline(leafOver(writePicture(folder), false));
@@ -53,7 +53,8 @@ TEST(TextureWidth, ALeafCutFromAPictureHasItsOwnColour) {
     EXPECT_NEAR(sum / kRays / double(kDark), 1, 0.05);
 }
 
-// What a floor reflects of the leaf's underside, against a leaf that is dark all over. The paths are the same ones.
+// The light that a floor reflects from the leaf's underside, compared with a leaf of a constant dark colour. Both use
+// the same paths.
 TEST(TextureWidth, SoHasTheLightThatItReflects) {
     const TemporaryFolder folder;
     const std::string cut = leafOver(writePicture(folder), true);
@@ -67,7 +68,7 @@ TEST(TextureWidth, SoHasTheLightThatItReflects) {
         for (int i = 0; i < kPaths; ++i) {
             Sampler sampler(4, uint32_t(i));
             const Vec2 u = sampler.get2D();
-            Ray ray;  // on to the floor, and from there up to the leaf
+            Ray ray;  // to the floor and from there up to the leaf
             ray.o = Vec3(u.x - 0.5f, u.y - 0.5f, -0.5f);
             ray.d = Vec3(0, 0, -1);
             ray.coneSpread = 0.001f;

@@ -1,4 +1,4 @@
-// Whether two pictures whose pixels are means of independent samples have the same expectation.
+// A Z-test of whether two pictures, whose pixels are means of independent samples, have the same expectation.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -13,12 +13,12 @@
 
 namespace drc::test {
 
-// Mean and variance of the mean for each pixel and channel, and how many degrees of freedom the variance has.
+// Mean, variance of the mean, and degrees of freedom of that variance, for each pixel and channel.
 struct Estimate {
     std::vector<double> mean, variance, freedom;  // [pixels * 3]
 };
 
-// Variance of a sum or difference, and its degrees of freedom (Welch and Satterthwaite).
+// Variance of a sum or difference, and its degrees of freedom (Welch-Satterthwaite).
 struct Combined {
     double variance, freedom;
 };
@@ -28,8 +28,8 @@ inline Combined combine(const Estimate& a, const Estimate& b, size_t i) {
     return {v, d > 0 ? v * v / d : 1e9};
 }
 
-// Runs sample(pixel, i) for i in [0, samples) at every pixel. `groups` consecutive samples are averaged before the
-// variance is taken, so that samples that are stratified among themselves are judged by what they achieve.
+// Runs sample(pixel, i) for i in [0, samples) at every pixel. Each `group` consecutive samples are averaged before the
+// variance is computed: taking stratified samples as independent overestimates the variance of their mean.
 inline Estimate estimate(int pixels, int samples, int group, const std::function<Rgb(int pixel, int i)>& sample) {
     Estimate e;
     e.mean.resize(size_t(pixels) * 3);
@@ -57,13 +57,14 @@ inline Estimate estimate(int pixels, int samples, int group, const std::function
     return e;
 }
 
-// Of pictures that are independent of each other: [picture][pixel].
+// Estimate from independent pictures: [picture][pixel].
 inline Estimate estimateOf(const std::vector<std::vector<Rgb>>& pictures) {
     return estimate(int(pictures[0].size()), int(pictures.size()), 1,
                     [&](int pixel, int i) { return pictures[size_t(i)][size_t(pixel)]; });
 }
 
-// Of their means over all pixels, which tells how sure these are although the pixels depend on each other.
+// Estimate of the mean over all pixels from independent pictures. Valid although the pixels of a picture depend on each
+// other.
 inline Estimate estimateOfMeans(const std::vector<std::vector<Rgb>>& pictures) {
     return estimate(1, int(pictures.size()), 1, [&](int, int i) {
         Rgb sum(0.f);
@@ -73,10 +74,10 @@ inline Estimate estimateOfMeans(const std::vector<std::vector<Rgb>>& pictures) {
 }
 
 struct ZResult {
-    double worst = 0;           // largest |z| of a pixel and channel
-    double meanSquare = 0;      // of z: 1 if the variances are right and the expectations the same
-    double meanDifference = 0;  // of the whole picture, in standard deviations
-    double bound = 0;           // for `worst` and `meanDifference`: exceeded by chance in one run of a thousand
+    double worst = 0;           // largest |z| over pixels and channels
+    double meanSquare = 0;      // of z; 1 if the variances are right and the expectations are equal
+    double meanDifference = 0;  // of the mean over the whole picture, in standard deviations
+    double bound = 0;           // of `worst` and `meanDifference`; exceeded by chance in one of a thousand tests
     int tests = 0;
 };
 
@@ -89,7 +90,8 @@ inline ZResult zTest(const Estimate& a, const Estimate& b) {
         difference += d;
         variance += v;
         if (v <= 1e-14) continue;
-        // d / sqrt(v) follows Student's t; the normal deviate of the same rarity, by Wallace's approximation (1959).
+        // d / sqrt(v) follows Student's t distribution; Wallace's approximation (1959) converts it to a standard normal
+        // deviate.
         const double z = (8 * freedom + 1) / (8 * freedom + 3) * std::sqrt(freedom * std::log1p(d * d / (v * freedom)));
         r.worst = std::max(r.worst, z);
         r.meanSquare += z * z;
@@ -97,8 +99,8 @@ inline ZResult zTest(const Estimate& a, const Estimate& b) {
     }
     r.meanSquare /= std::max(1, r.tests);
     r.meanDifference = variance > 0 ? std::abs(difference) / std::sqrt(variance) : 0;
-    // Sidak's correction, by the normal tail's asymptote: P(|z| > x) = sqrt(2 / pi) exp(-x^2 / 2) / x. Channels of a
-    // pixel are correlated, which only makes the bound more generous.
+    // Sidak's correction for multiple tests, by the asymptotic expansion of the normal tail: P(|z| > x) = sqrt(2 / pi)
+    // exp(-x^2 / 2) / x. The channels of a pixel are correlated, which only makes the bound more generous.
     const double p = 1e-3 / std::max(1, r.tests);
     double x = 3;
     for (int k = 0; k < 50; ++k) x = std::sqrt(-2 * std::log(p * x * std::sqrt(std::numbers::pi / 2)));
@@ -106,8 +108,8 @@ inline ZResult zTest(const Estimate& a, const Estimate& b) {
     return r;
 }
 
-// correlated: pixels share maps, so that few of the z values are independent. Their mean square scatters more, and what
-// they say of the mean over the picture is worth nothing.
+// correlated: pixels share maps, so only few of the z values are independent. Their mean square then varies more, and
+// their mean over the picture is not tested.
 inline void expectSame(const Estimate& a, const Estimate& b, const std::string& what, bool correlated = false) {
     const ZResult z = zTest(a, b);
     EXPECT_GT(z.tests, 100) << what << ": nothing was compared";

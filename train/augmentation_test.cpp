@@ -14,7 +14,7 @@ struct Direction {
     double x, y, z;
 };
 
-// The direction of a texel's centre: a concentric map of the square to the disk, lifted so that areas are kept.
+// The direction of a texel's centre.
 Direction texelDirection(Projection projection, int u, int v) {
     using std::numbers::pi;
     if (projection == Projection::LatLong) {
@@ -28,7 +28,7 @@ Direction texelDirection(Projection projection, int u, int v) {
     return {r * std::cos(phi) * s, r * std::sin(phi) * s, 1 - r * r};
 }
 
-// A scene without any symmetry, as functions of the direction.
+// The radiance of a scene without any symmetry.
 double light(const Direction& d, int channel) {
     return 2 + d.x + 0.5 * d.y * d.z + 0.3 * channel * d.y - 0.2 * d.x * d.y;
 }
@@ -49,7 +49,8 @@ Direction turnBack(const Augmentation& a, Direction d) {
     return d;
 }
 
-// The map of the scene turned by `a`: its light in direction d is the scene's in the direction that a brings to d.
+// The map of the scene transformed by `a`: its radiance in direction d is that of the scene in the direction that `a`
+// maps to d.
 Example mapOf(Projection projection, const Augmentation& a) {
     Example e;
     e.resize(kSize);

@@ -11,7 +11,7 @@
 namespace drc {
 namespace {
 
-// A stateless random number: Steele et al., "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014.
+// A stateless random number (Steele et al., "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014).
 uint64_t splitMix(uint64_t x) {
     x += 0x9e3779b97f4a7c15;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
@@ -32,7 +32,7 @@ void encode(const Example& example, const Encoding& encoding, int64_t slot, Batc
     const size_t texels = size_t(example.size) * example.size;
     const bool guides = encoding.planes == kGuidedPlanes;
     if (guides && (example.albedo.empty() || example.direct.empty()))
-        throw Error("the network sees albedos and direct light, and the data have none: learn with --planes 7");
+        throw Error("the network sees albedo and direct light, which the data do not contain: train with --planes 7");
     const MapView map{example.radiance.data(),
                       example.normal.data(),
                       example.distance.data(),
@@ -60,7 +60,7 @@ void encode(const Example& example, const Encoding& encoding, int64_t slot, Batc
 TargetMean parseTargetMean(const std::string& name) {
     if (name == "own") return TargetMean::Own;
     if (name == "input") return TargetMean::Input;
-    throw Error("--target-mean is 'own' or 'input', not '" + name + "'");
+    throw Error("--target-mean must be 'own' or 'input', not '" + name + "'");
 }
 
 std::string targetMeanName(TargetMean mean) { return mean == TargetMean::Own ? "own" : "input"; }
@@ -72,7 +72,7 @@ TrainingBatches::TrainingBatches(const Dataset& dataset, std::vector<size_t> ind
 void TrainingBatches::shuffle(int64_t epoch) {
     if (epoch == epoch_) return;
     epoch_ = epoch;
-    // Sorted by random keys: the same order with every standard library, unlike std::shuffle.
+    // Sorted by random keys, which gives the same order with every standard library, unlike std::shuffle.
     std::vector<std::pair<uint64_t, size_t>> keys;
     for (size_t i : indices_) keys.emplace_back(splitMix(seed_ ^ splitMix(uint64_t(epoch)) ^ (i << 20)), i);
     std::sort(keys.begin(), keys.end());
@@ -88,7 +88,8 @@ Batch TrainingBatches::draw(int64_t step) {
         drawn.push_back(order_[draw % order_.size()]);
     }
     Batch batch = emptyBatch(batch_, dataset_.mapSize(), encoding_.planes);
-    // By torch's own threads: to unpack and encode takes as long as a small network's step on one of them.
+    // On torch's own threads, since decoding and encoding on a single thread takes as long as a training step of a
+    // small network.
     at::parallel_for(0, batch_, 1, [&](int64_t begin, int64_t end) {
         Example source, changed;
         for (int64_t slot = begin; slot < end; ++slot) {

@@ -1,4 +1,4 @@
-// Examples as the tensors that the network sees, on the network's scale (neural/transforms.h).
+// Batches of training examples as tensors, encoded for the network (neural/transforms.h).
 #pragma once
 #include <torch/torch.h>
 
@@ -10,31 +10,30 @@
 
 namespace drc {
 
-// Whose mean scales a target: the noisy input's, or its own.
+// The mean by which a target is scaled: that of the noisy input, or its own.
 enum class TargetMean { Own, Input };
 TargetMean parseTargetMean(const std::string& name);
 std::string targetMeanName(TargetMean mean);
 
-// How examples become tensors, for all of one training.
+// How examples are encoded; the same for a whole training run.
 struct Encoding {
     TargetMean mean = TargetMean::Own;
     Ablation ablation = Ablation::None;
-    int planes = kPlainPlanes;  // that the network sees: kPlainPlanes or kGuidedPlanes
+    int planes = kPlainPlanes;  // inputs of the network: kPlainPlanes or kGuidedPlanes
 };
 
 struct Batch {
     torch::Tensor input;       // [B][7 or 13][S][S]
-    torch::Tensor target;      // [B][3][S][S], encoded; over albedo if the network sees that
-    torch::Tensor targetMean;  // [B]: the mean that the target was scaled by
-    // [B][3][S][S]: what decoded outputs and targets are multiplied by to be radiance; ones for a network that does not
-    // see albedos.
+    torch::Tensor target;      // [B][3][S][S], encoded; demodulated by albedo if the network sees albedo
+    torch::Tensor targetMean;  // [B], the mean by which the target is scaled
+    // [B][3][S][S], the factor that turns decoded outputs and targets into radiance; 1 for a network without albedo.
     torch::Tensor factor;
-    torch::Tensor radiance;  // [B][3][S][S], noisy, not encoded; only if asked for
-    torch::Tensor clean;     // [B][3][S][S], not encoded; only if asked for
+    torch::Tensor radiance;  // [B][3][S][S], noisy input, not encoded; only if requested
+    torch::Tensor clean;     // [B][3][S][S], target, not encoded; only if requested
 };
 
-// Drawn examples for training step `step`: the data are gone through in a new order each epoch, each time with a random
-// realisation and augmentation. A function of (seed, step) alone, so that an interrupted training resumes exactly.
+// Batches for training. Each epoch visits the data in a new random order, and each visit chooses a random realisation
+// and augmentation. A batch depends only on (seed, step), so that an interrupted training resumes exactly.
 class TrainingBatches {
   public:
     TrainingBatches(const Dataset& dataset, std::vector<size_t> indices, int batch, uint64_t seed,
@@ -52,7 +51,8 @@ class TrainingBatches {
     int64_t epoch_ = -1;
 };
 
-// Examples [first, first + count) of `indices` as they are: realisation 0, no augmentation, with the plain radiance.
+// The examples [first, first + count) of `indices` with realisation 0 and without augmentation, including the radiance
+// that is not encoded.
 Batch plainBatch(const Dataset& dataset, const std::vector<size_t>& indices, size_t first, size_t count,
                  const Encoding& encoding);
 

@@ -74,7 +74,7 @@ Split splitByScene(const Dataset& dataset, const std::vector<std::string>& names
     Split split;
     const std::set<std::string> scenes = dataset.scenes();
     for (const std::string& name : names) {
-        if (!scenes.count(name)) throw Error(fmt::format("no example is of the validation scene '{}'", name));
+        if (!scenes.count(name)) throw Error(fmt::format("there is no example of the validation scene '{}'", name));
         split.validationScenes.insert(name);
     }
     if (names.empty() && fraction > 0 && scenes.size() > 1) {
@@ -87,11 +87,11 @@ Split splitByScene(const Dataset& dataset, const std::vector<std::string>& names
             split.validationScenes.erase(*std::max_element(scenes.begin(), scenes.end(), byHash));
     }
     if (split.validationScenes.size() == scenes.size())
-        throw Error("every scene is a validation scene: nothing is left to learn from");
+        throw Error("all scenes are for validation; none is left for training");
     for (size_t i = 0; i < dataset.size(); ++i)
         (split.validationScenes.count(dataset.scene(i)) ? split.validation : split.training).push_back(i);
     if (split.validation.empty() && fraction > 0 && split.training.size() > 1) {
-        logWarning("all examples are of one scene: validation is on other points of the same scene");
+        logWarning("all examples are of one scene; validation uses other points of the same scene");
         const size_t kept = std::clamp<size_t>(size_t((1 - fraction) * double(dataset.size())), 1, dataset.size() - 1);
         split.validation.assign(split.training.begin() + std::ptrdiff_t(kept), split.training.end());
         split.training.resize(kept);

@@ -1,4 +1,4 @@
-// The examples of `drc reference` (cache/example_source.h) as one set.
+// A data set made of the examples that `drc reference` writes (cache/example_source.h).
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -11,22 +11,22 @@
 
 namespace drc {
 
-// Examples are read when asked for, so that a data set may be larger than memory.
+// Examples are read on demand, so that a data set may be larger than memory.
 class Dataset {
   public:
-    // All that is under the folders (or files) named. What cannot be read is reported as a warning and skipped, as are
-    // shards whose projection or map size is not that of the first; throws drc::Error if nothing is left.
+    // Opens everything below the given folders (or files). Shards that cannot be read, or whose projection or map size
+    // differs from that of the first, are skipped with a warning. Throws drc::Error if none remain.
     explicit Dataset(const std::vector<std::string>& paths);
 
     size_t size() const { return entries_.size(); }
     int mapSize() const { return mapSize_; }
     Projection projection() const { return projection_; }
     int skippedShards() const { return skipped_; }
-    // Realisations of example i; at least 1.
+    // Number of realisations of example i; at least 1.
     int realisations(size_t i) const { return shards_[entries_[i].shard]->inputs(); }
     const std::string& scene(size_t i) const { return shards_[entries_[i].shard]->scene(); }
     std::set<std::string> scenes() const;
-    // Changes when any shard changes: for the provenance of weights.
+    // Hash of the contents of all shards, recorded with the weights.
     std::string contentHash() const;
 
     void load(size_t i, int realisation, Example& example) const;
@@ -44,15 +44,15 @@ class Dataset {
     int skipped_ = 0;
 };
 
-// Example indices for training and for validation, which share no scene.
+// Indices of the examples for training and for validation. No scene is in both.
 struct Split {
     std::vector<size_t> training, validation;
     std::set<std::string> validationScenes;
 };
 
-// Scenes named in `names` validate; if it is empty, those whose name's hash falls below `fraction` do, so that a scene
-// keeps its side when others join. At least one scene on each side; a data set of a single scene is cut in two by
-// example, with a warning. Throws drc::Error for a name that no example has.
+// The scenes in `names` are for validation. If `names` is empty, the scenes whose hashed name is below `fraction` are,
+// so that adding scenes does not move others from one set to the other. Each set gets at least one scene; a data set
+// with a single scene is split by example, with a warning. Throws drc::Error for a name that no example has.
 Split splitByScene(const Dataset& dataset, const std::vector<std::string>& names, double fraction);
 
 }  // namespace drc

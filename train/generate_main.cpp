@@ -1,4 +1,4 @@
-// drc-generate: writes rooms to learn from.
+// drc-generate: writes random rooms for training.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,8 +32,8 @@ int main(int argc, char** argv) {
     std::string directory, resolution = "320x240";
     app.add_option("--count", count, "Number of rooms")->check(CLI::Range(1, 1000000))->capture_default_str();
     app.add_option("--first", first, "Number of the first room")->check(CLI::Range(1, 1000000))->capture_default_str();
-    app.add_option("--seed", seed, "Seed of all that is random")->capture_default_str();
-    app.add_option("--resolution", resolution, "Film size that the scenes ask for")->capture_default_str();
+    app.add_option("--seed", seed, "Seed of all random choices")->capture_default_str();
+    app.add_option("--resolution", resolution, "Film size written to the scenes")->capture_default_str();
     app.add_option("-o,--output", directory, "Directory to write room-0001/scene.pbrt and so on into")->required();
     app.add_flag("-q,--quiet", quiet, "Do not list the rooms");
     CLI11_PARSE(app, argc, argv);

@@ -13,7 +13,8 @@ float firstHit(const Room& room, const Draft& draft, const Vec3& eye, const Vec3
     return nearest;
 }
 
-// Distances over a coarse grid of the view. A good view is deep, and has nothing right in front of the lens.
+// Rates a view by the distances over a coarse grid of rays. A good view is deep, and nothing is right in front of the
+// lens.
 float viewScore(const Room& room, const Draft& draft, const Vec3& eye, const Vec3& look, float fov) {
     const Vec3 z = normalize(look - eye);
     const Vec3 x = normalize(cross(z, Vec3(0, 0, 1)));
@@ -42,7 +43,7 @@ bool placeCamera(const Room& room, Draft& draft, Rng& rng) {
         const Vec3 eye{rng.uniform(0, room.width), rng.uniform(0, room.depth),
                        rng.uniform(0.5f, std::min(2.1f, room.eaves - 0.3f))};
         if (!room.contains(eye.x, eye.y, kClearance)) continue;
-        // Furniture's whole box, not its parts: the lens does not belong under a table either.
+        // Tests the bounding boxes of furniture, not their parts, so that the camera is not put under a table.
         const auto blocks = [&](const OrientedBox& b) { return b.contains(eye, kClearance); };
         if (std::any_of(draft.footprints.begin(), draft.footprints.end(), blocks)) continue;
         if (std::any_of(draft.solids.begin(), draft.solids.end(), blocks)) continue;
@@ -50,7 +51,7 @@ bool placeCamera(const Room& room, Draft& draft, Rng& rng) {
         if (std::any_of(draft.emitters.begin(), draft.emitters.end(), tooClose)) continue;
         const float yaw = rng.uniform(0, 2 * kPi), pitch = rng.uniform(-0.35f, 0.2f);
         const Vec3 look = eye + Vec3(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch));
-        // Not always the deepest view: close-ups teach too.
+        // Randomised, so that it is not always the deepest view: close-ups are useful for training too.
         const float score = viewScore(room, draft, eye, look, fov) * rng.uniform(0.6f, 1);
         if (score <= best) continue;
         best = score;

@@ -7,7 +7,7 @@
 namespace drc::interior {
 namespace {
 
-// One thing about `size` wide and at most `room` high, standing on z = 0.
+// A small object about `size` wide and at most `room` high, standing on z = 0.
 void ornament(const Pen& pen, float size, float room, Rng& rng, const Palette& palette) {
     const int m = rng.pick(palette.ornament);
     const float r = size / 2, h = std::min(room, size * rng.uniform(0.8f, 3));
@@ -107,7 +107,7 @@ void wallShelf(const Room& room, Wall& wall, Draft& draft, Rng& rng, const Palet
     pen.surface({*u + w / 2, d / 2, z}, w / 2 - 0.05f, d / 2 - 0.02f, 0.3f);
 }
 
-// Boards across the upper part of windows, inside and out: daylight reaches the room by way of the ceiling.
+// Light shelves: boards across the upper part of windows, inside and outside, that reflect daylight to the ceiling.
 void lightShelves(const Room& room, Draft& draft, Rng& rng, const Palette& palette) {
     const float out = rng.uniform(0.2f, 0.5f), in = rng.uniform(0.15f, 0.5f), at = rng.uniform(0.55f, 0.8f);
     const int top = rng.chance(0.4f) ? palette.metal.front() : palette.trim;
@@ -130,7 +130,7 @@ void placeOrnaments(Draft& draft, Rng& rng, const Palette& palette, float densit
     for (const Surface& s : surfaces) {
         const float w = s.hi.x - s.lo.x, d = s.hi.y - s.lo.y;
         if (w < 0.05f || d < 0.04f) continue;
-        std::vector<Vec3> taken;  // x, y, radius
+        std::vector<Vec3> taken;  // occupied places: x, y, radius
         const int count = static_cast<int>(density * rng.uniform(0, 10) * std::min(1.2f, w * std::max(d, 0.3f) * 2));
         for (int i = 0; i < count && draft.triangleCount() < 38000; ++i) {
             const float size = std::min({rng.logUniform(0.06f, 0.35f), d, w});
@@ -176,7 +176,7 @@ void dressWindows(const Room& room, Draft& draft, Rng& rng, const Palette& palet
                 }
                 continue;
             }
-            // Curtains; a rod needs room above, and nothing stands in the way that close to the wall.
+            // Curtains. The rod needs room above the window. No furniture is that close to the wall.
             const float top = std::min(o.z1 + 0.12f, room.eaves - 0.02f), y = 0.13f;
             const float cover = rng.uniform(0.1f, 0.48f) * (o.u1 - o.u0);
             const float left = std::max(0.03f, o.u0 - 0.15f), right = std::min(w.length - 0.03f, o.u1 + 0.15f);

@@ -1,4 +1,4 @@
-// Small things: on tables and shelves, on walls, at windows, on the floor.
+// Small objects on tables and shelves, on walls, at windows and on the floor.
 #pragma once
 #include "generator_room.h"
 

@@ -1,5 +1,5 @@
-// A scene while it is being made. Lengths are metres, z is up and the floor is z = 0; units and the up axis of the file
-// are the writer's business.
+// A generated scene before it is written. Lengths are in metres, z is up and the floor is at z = 0; the writer chooses
+// the units and the up axis of the file.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace drc::interior {
 
-// A turn about z and then a shift: where a local frame stands in the room.
+// A local frame in the room: a rotation about z followed by a translation.
 struct Placement {
     Vec3 origin{0, 0, 0};
     float cosYaw = 1;
@@ -34,7 +34,7 @@ struct OrientedBox {
     Vec3 lo, hi;
 
     bool contains(const Vec3& p, float margin = 0) const;
-    // Distance along the ray to the surface, or infinity; 0 from inside.
+    // Distance along the ray to the surface; infinity if it misses, 0 if it starts inside.
     float hit(const Vec3& origin, const Vec3& direction) const;
     Vec3 worldLo() const;
     Vec3 worldHi() const;
@@ -43,8 +43,8 @@ struct OrientedBox {
 struct Texture {
     std::string name;
     std::string type;        // "spectrum" or "float"
-    std::string parameters;  // class and parameters, as pbrt reads them
-    std::string file;        // empty: no image
+    std::string parameters;  // class and parameters in pbrt's syntax
+    std::string file;        // image file; empty if there is none
     int width = 0;
     int height = 0;
     std::vector<uint8_t> rgb;
@@ -53,10 +53,10 @@ struct Texture {
 struct Material {
     std::string name;
     std::string parameters;
-    std::string alpha;  // name of a float texture, or empty
+    std::string alpha;  // name of a float texture; empty if there is none
 };
 
-// Vertices that share a material. smooth meshes carry normals.
+// A triangle mesh with one material. Smooth meshes have normals.
 struct Mesh {
     int material = 0;
     bool smooth = false;
@@ -71,36 +71,36 @@ struct Sphere {
     int material;
 };
 
-// Any of pbrt's shapes, in metres about the frame's origin.
+// Any of pbrt's shapes, in metres, relative to the frame's origin.
 struct Shape {
     Placement frame;
     int material;
-    std::string parameters;  // class and parameters, as pbrt reads them
+    std::string parameters;  // class and parameters in pbrt's syntax
 };
 
 enum class EmitterShape { Quad, Sphere, Disk };
 
-// Emits from its geometric normal's side: u x v for quads (corner, corner + u, ...), outward for spheres.
+// Emits on the side of its geometric normal: u x v for quads, outward for spheres.
 struct Emitter {
     EmitterShape shape = EmitterShape::Quad;
-    Vec3 center{0, 0, 0};         // of all shapes
+    Vec3 center{0, 0, 0};         // for all shapes
     Vec3 u{0, 0, 0}, v{0, 0, 0};  // half edges of a quad
-    Vec3 normal{0, 0, 0};         // not for spheres
+    Vec3 normal{0, 0, 0};         // not used for spheres
     float radius = 0;
     int material = 0;
-    int group = 0;  // emitters of a group share their radiance
+    int group = 0;  // emitters of a group have the same radiance
     Rgb radiance{0, 0, 0};
 
     float area() const;
 };
 
-// Radiance over the directions, latitude by longitude, the zenith's row first; 1 on average above the horizon.
+// A sky image in lat-long layout, with the row of the zenith first; its mean above the horizon is 1.
 struct SkyImage {
     int width = 0, height = 0;
     std::vector<Rgb> radiance;
 };
 
-// A level place on which small things can stand, in its own frame.
+// A horizontal area on which small objects can stand, in its own frame.
 struct Surface {
     Placement frame;
     Vec2 lo, hi;
@@ -115,12 +115,12 @@ struct Draft {
     std::vector<Shape> shapes;
     std::vector<Emitter> emitters;
     std::vector<Surface> surfaces;
-    std::vector<OrientedBox> solids;       // what is opaque and full, to first order
-    std::vector<OrientedBox> footprints;   // floor that is taken
-    std::vector<OrientedBox> freeVolumes;  // the room, niches and what lies behind doors
-    // Lights without a shape. Black: none.
+    std::vector<OrientedBox> solids;       // approximate volumes of opaque objects
+    std::vector<OrientedBox> footprints;   // occupied areas of the floor
+    std::vector<OrientedBox> freeVolumes;  // interior of the room and its niches, and the space behind doors
+    // Radiance of the sky. Black if there is none.
     Rgb sky{0, 0, 0};
-    SkyImage skyImage;  // what varies over the sky; empty: nothing
+    SkyImage skyImage;  // variation of the sky; empty if it is uniform
     Rgb sun{0, 0, 0};
     Vec3 sunFrom{0, 0, 1};
     struct Point {
@@ -135,7 +135,7 @@ struct Draft {
     Mesh& meshFor(int material, bool smooth);
     size_t triangleCount() const;
     bool inFreeSpace(const Vec3& p) const;
-    // Radiant flux of all that shines, summed over RGB / 3; the sky counts as its radiance.
+    // Total radiant flux of all emitters, averaged over RGB. The sky is counted by its radiance.
     float flux() const;
 
   private:

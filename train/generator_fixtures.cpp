@@ -5,17 +5,17 @@
 namespace drc::interior {
 namespace {
 
-// White more often than not.
+// A material for fixtures, white more often than not.
 int enamel(const Kit& k) { return k.rng.chance(0.7f) ? k.palette.trim : k.ornament(); }
 
-// A tap: up, and over towards the front.
+// A tap: a vertical pipe with a spout to the front.
 void tap(const Kit& k, const Vec3& at, float height) {
     const int m = k.metal();
     k.pen.rod(at, at + Vec3(0, 0, height), 0.012f, m);
     k.pen.rod(at + Vec3(0, -0.005f, height - 0.01f), at + Vec3(0, 0.13f, height - 0.03f), 0.01f, m);
 }
 
-// An open box with thick sides: light gets in from above alone.
+// An open box with thick walls; light only enters from above.
 void basin(const Kit& k, const Vec3& lo, const Vec3& hi, float thick, int material) {
     k.pen.box(lo, {hi.x, hi.y, lo.z + thick}, material);
     k.pen.bevelledBox({lo.x, lo.y, lo.z}, {lo.x + thick, hi.y, hi.z}, 0.01f, material);
@@ -30,7 +30,7 @@ void bathtub(const Kit& k) {
     const int m = enamel(k);
     const float x = k.size.x / 2, rim = k.rng.uniform(0.04f, 0.09f);
     basin(k, {-x, 0, 0}, {x, k.size.y, k.size.z}, rim, m);
-    // The inside slopes at one end.
+    // The inside is sloped at one end.
     k.pen.quad({-x + rim, rim, k.size.z * 0.9f}, {-x + rim + 0.3f, rim, 0.1f}, {-x + rim + 0.3f, k.size.y - rim, 0.1f},
                {-x + rim, k.size.y - rim, k.size.z * 0.9f}, m);
     tap(k, {x - rim / 2, k.size.y * 0.4f, k.size.z}, 0.15f);
@@ -75,7 +75,7 @@ void showerScreen(const Kit& k) {
     k.pen.bevelledBox({-x, 0, 0}, {x, y, 0.06f}, 0.01f, enamel(k));
     const size_t solids = k.pen.draft().solids.size();
     k.pen.box({-x, y - t, 0.07f}, {x, y, k.size.z}, k.rng.chance(0.7f) ? k.palette.pane : k.palette.glass);
-    k.pen.draft().solids.resize(solids);  // one sees through it
+    k.pen.draft().solids.resize(solids);  // it is transparent
     const int m = k.metal();
     k.pen.rod({0, 0.03f, 1}, {0, 0.03f, k.size.z - 0.05f}, 0.012f, m);
     k.pen.cylinder({0, 0.15f, k.size.z - 0.08f}, 0.08f, 0.02f, m);

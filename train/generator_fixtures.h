@@ -1,4 +1,4 @@
-// What is built into bathrooms and kitchens.
+// Fixtures of bathrooms and kitchens.
 #pragma once
 #include "generator_piece.h"
 

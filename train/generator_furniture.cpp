@@ -262,7 +262,8 @@ void grass(const Kit& k) {
 }
 
 const std::vector<Piece> kPieces = {
-    // least and most size; at a wall; how often in living rooms, corridors, bathrooms, kitchens and halls
+    // smallest and largest size; whether it stands at a wall; weights in living rooms, corridors, bathrooms, kitchens,
+    // halls
     {table, {0.6f, 0.5f, 0.35f}, {2.0f, 1.0f, 0.95f}, false, {3, 0, 0.3f, 3, 4}},
     {roundTable, {0.5f, 0.5f, 0.4f}, {1.3f, 1.3f, 0.8f}, false, {1.5f, 0.2f, 0.2f, 1.5f, 2}},
     {chair, {0.38f, 0.38f, 0.75f}, {0.55f, 0.5f, 1.1f}, false, {4, 1, 0.5f, 5, 6}},
@@ -290,7 +291,7 @@ const std::vector<Piece> kPieces = {
 
 bool fits(const Room& room, const Draft& draft, const OrientedBox& box) {
     const Vec3 lo = box.worldLo(), hi = box.worldHi();
-    // The room is rectilinear: corners, and mid edges for the notch of an L.
+    // The room is rectilinear: tests the corners, and the edges' midpoints for the notch of an L.
     for (const float x : {lo.x, (lo.x + hi.x) / 2, hi.x}) {
         for (const float y : {lo.y, (lo.y + hi.y) / 2, hi.y}) {
             if (!room.contains(x, y, 0.005f)) return false;
@@ -332,7 +333,7 @@ bool place(Room& room, Draft& draft, Rng& rng, const Palette& palette, const Pie
     return false;
 }
 
-// Floor in front of doors stays free.
+// Keeps the floor in front of doors free.
 void keepDoorsClear(const Room& room, Draft& draft) {
     for (const Wall& w : room.walls) {
         for (const Opening& o : w.openings) {
@@ -384,7 +385,7 @@ void scatterPrimitives(const Room& room, Draft& draft, Rng& rng, const Palette& 
         if (!fits(room, draft, box)) continue;
         const Pen pen(draft, frame);
         const int material = anyMaterial();
-        // Some hover: light under an object is a case of its own.
+        // Some hover above the floor, since light below an object is a case of its own.
         const float lift =
             rng.chance(0.2f) ? rng.uniform(0.05f, std::max(0.06f, room.eaves - 2 * r - h - 0.2f)) : 0.002f;
         switch (rng.integer(0, 7)) {

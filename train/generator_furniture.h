@@ -1,13 +1,13 @@
-// Things that stand on the floor. A new piece is one function and one line of the table in generator_furniture.cpp.
+// Furniture on the floor. A new piece is a function and a line in the table of generator_furniture.cpp.
 #pragma once
 #include "generator_room.h"
 
 namespace drc::interior {
 
-// Fills the room to about `share` of its floor.
+// Fills about `share` of the room's floor.
 void furnish(Room& room, Draft& draft, Rng& rng, const Palette& palette, RoomKind kind, float share);
 
-// Loose primitives instead of furniture: for what no furniture teaches.
+// Scatters loose primitives instead of furniture, for geometry that no furniture has.
 void scatterPrimitives(const Room& room, Draft& draft, Rng& rng, const Palette& palette, int count);
 
 }  // namespace drc::interior

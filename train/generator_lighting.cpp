@@ -35,7 +35,7 @@ void ceilingPanels(const Kit& k) {
     const float hx = k.rng.uniform(0.08f, 0.7f), hy = k.rng.uniform(0.08f, 0.5f);
     const bool sloped = k.room.ceiling != CeilingKind::Flat;
     onGrid(k, std::max(hx, hy) + 0.1f, [&](float x, float y) {
-        // Under a slanted ceiling panels hang level from wires.
+        // Below a sloped ceiling, panels hang horizontally on wires.
         const float z = sloped ? std::min(k.room.ceilingAt(x - hx), k.room.ceilingAt(x + hx)) - 0.15f : k.room.eaves;
         if (!isClear(k.draft, {x, y, z - 0.08f})) return;
         const Pen pen(k.draft, {});
@@ -58,8 +58,8 @@ void downlights(const Kit& k) {
     });
 }
 
-// A small bright disk deep in a can: all that it lights itself is a patch below, and the room has what that patch sends
-// on.
+// Recessed spotlights: a small bright disk deep in a can. It directly lights only a patch below, so the room is mostly
+// lit indirectly.
 void spots(const Kit& k) {
     const float r = k.rng.uniform(0.03f, 0.08f), depth = r * k.rng.uniform(1.5f, 5), drop = k.rng.uniform(0, 0.8f);
     const int can = k.palette.metal.front();
@@ -91,7 +91,7 @@ void pendant(const Kit& k) {
     });
 }
 
-// Lights that see only the wall or the ceiling: all that the room gets is indirect.
+// Lights that face only the wall or the ceiling, so that the room receives only indirect light.
 void wallWashers(const Kit& k) {
     const bool upward = k.rng.chance(0.5f);
     const float z = upward ? k.room.eaves - k.rng.uniform(0.25f, 0.8f) : k.rng.uniform(1, k.room.eaves - 0.4f);
@@ -105,7 +105,7 @@ void wallWashers(const Kit& k) {
         if (!isClear(k.draft, w.frame.point(c)) || !isClear(k.draft, w.frame.point(c + Vec3(0, 0, 0.1f)))) continue;
         const Pen pen(k.draft, w.frame);
         if (upward) {
-            // An open trough.
+            // An open trough that holds the light.
             pen.box({u, 0.001f, z - 0.06f}, {u + width, out + 0.06f, z - 0.05f}, k.palette.trim);
             pen.box({u, out + 0.05f, z - 0.05f}, {u + width, out + 0.06f, z + 0.04f}, k.palette.trim);
             pen.quadLight({c.x, out / 2 + 0.02f, z - 0.045f}, {width * 0.48f, 0, 0}, {0, out * 0.4f, 0}, k.group,
@@ -151,7 +151,7 @@ void tableLamp(const Kit& k) {
         const float z = s.frame.origin.z;
         if (s.clearance < 0.45f || z > 1.3f || s.hi.y - s.lo.y < 0.15f || z + 0.5f > k.room.eaves) continue;
         lampOn(k, Pen(k.draft, s.frame), k.rng.uniform(0.28f, 0.44f));
-        // Nothing else goes on that surface: the lamp stands in its middle.
+        // The lamp stands in the middle of this surface, so nothing else may be put on it.
         k.draft.surfaces.erase(k.draft.surfaces.begin() + static_cast<std::ptrdiff_t>(i));
         return;
     }
@@ -164,7 +164,7 @@ void lightStrip(const Kit& k) {
     if (!w.isFree({0, w.length, z - 0.06f, z + 0.05f})) return;
     const Pen pen(k.draft, w.frame);
     pen.box({0.1f, 0.001f, z - 0.02f}, {w.length - 0.1f, 0.03f, z + 0.02f}, k.palette.trim);
-    // Emits into the room: z x x = y.
+    // Emits into the room, since z x x = y.
     pen.quadLight({w.length / 2, 0.032f, z}, {0, 0, 0.018f}, {w.length / 2 - 0.11f, 0, 0}, k.group,
                   k.palette.lightBody);
 }
@@ -201,7 +201,7 @@ void chandelier(const Kit& k) {
     }
 }
 
-// On whatever is level.
+// Candles on horizontal surfaces.
 void candles(const Kit& k) {
     if (k.draft.surfaces.empty()) return chandelier(k);
     for (int i = k.rng.integer(1, 8); i > 0; --i) {
@@ -224,7 +224,7 @@ const std::vector<Lamp> kLamps = {{ceilingPanels, 3},    {downlights, 2}, {spots
                                   {wallWashers, 4},      {floorLamp, 2},  {tableLamp, 2}, {lightStrip, 1},
                                   {glowingScreen, 0.7f}, {chandelier, 1}, {candles, 0.7f}};
 
-// Roughly a black body between candle and shade, normalised to luminance 1.
+// Approximate blackbody colours from candlelight to open shade, normalised to luminance 1.
 Rgb lightColor(Rng& rng) {
     Rgb c(1, 1, 1);
     const float warmth = rng.uniform(-0.25f, 0.8f);
@@ -233,7 +233,7 @@ Rgb lightColor(Rng& rng) {
     return c * (1 / luminance(c));
 }
 
-// Brighter about the sun's place and towards the horizon or the zenith, with clouds, over a darker ground.
+// A sky that is brighter around the sun and towards the horizon or zenith, with clouds, above darker ground.
 SkyImage paintSky(Rng& rng) {
     SkyImage image;
     image.width = 64;
@@ -275,7 +275,7 @@ SkyImage paintSky(Rng& rng) {
     return image;
 }
 
-// What an emitter reaches: a point just in front of it.
+// A point slightly in front of an emitter, to test what it illuminates.
 Vec3 inFrontOf(const Emitter& e) { return e.shape == EmitterShape::Sphere ? e.center : e.center + e.normal * 0.01f; }
 
 }  // namespace
@@ -310,12 +310,13 @@ void balanceLight(const Room& room, Draft& draft, Rng& rng, const ShellLight& sh
     const float skyWeight = shell.skyArea > 0 ? rng.logUniform(0.3f, 2) : 0;
     total += skyWeight;
     if (total == 0) return;
-    // Mean irradiance of about one to four on the room's surfaces, if all the light arrived.
+    // A flux that gives a mean irradiance between about one and four on the room's surfaces, if all of it arrives
+    // there.
     const float flux = room.surfaceArea() * rng.logUniform(1, 4);
     for (int g = 0; g < groups; ++g) {
         if (area[static_cast<size_t>(g)] == 0) continue;
         float share = flux * weight[static_cast<size_t>(g)] / total;
-        if (g == shell.corridorGroup) share *= 5;  // most of it stays behind the door
+        if (g == shell.corridorGroup) share *= 5;  // most of that light stays behind the door
         if (g == shell.nicheGroup || g == shell.hearthGroup) share *= 0.5f;
         const Rgb radiance = lightColor(rng) * (share / (kPi * area[static_cast<size_t>(g)]));
         for (Emitter& e : draft.emitters) {
@@ -332,7 +333,7 @@ void balanceLight(const Room& room, Draft& draft, Rng& rng, const ShellLight& sh
         if (sunShare > 0) {
             const float elevation = rng.uniform(0.15f, 1.1f), turn = rng.uniform(-0.9f, 0.9f);
             const Placement yaw = Placement::at({0, 0, 0}, turn);
-            // Under a skylight the sun may stand anywhere.
+            // Below a skylight, any azimuth of the sun will do.
             const Vec3 towards = shell.skyWindowOut.z > 0.5f ? Vec3(1, 0, 0) : shell.skyWindowOut;
             draft.sunFrom = normalize(yaw.vector(towards) * std::cos(elevation) + Vec3(0, 0, std::sin(elevation)));
             const float cosine = std::max(0.3f, dot(draft.sunFrom, shell.skyWindowOut));

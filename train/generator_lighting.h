@@ -1,14 +1,14 @@
-// Lamps, and how bright everything is.
+// Lamps, and the distribution of light among all emitters.
 #pragma once
 #include "generator_room.h"
 
 namespace drc::interior {
 
-// Hangs and stands lamps, of zero to three kinds; at least one if nothing else shines.
+// Places zero to three kinds of lamps; at least one if nothing else emits light.
 void placeLamps(const Room& room, Draft& draft, Rng& rng, const Palette& palette, const ShellLight& shell, int& groups);
 
-// Gives every group its share of a flux that suits the size of the room. Lights that no longer shine into free space
-// (furniture came in their way) are taken out.
+// Gives each group of emitters a share of a total flux that suits the size of the room. Removes lights that no longer
+// face free space because furniture was placed in front of them.
 void balanceLight(const Room& room, Draft& draft, Rng& rng, const ShellLight& shell, int groups);
 
 }  // namespace drc::interior

@@ -27,17 +27,17 @@ int add(Draft& draft, std::string parameters, std::string alpha = "") {
     return static_cast<int>(draft.materials.size()) - 1;
 }
 
-// A diffuse colour parameter, plain or from a texture.
+// The parameter for a diffuse colour, constant or textured.
 std::string diffuse(Draft& draft, Rng& rng, const Rgb& color, float textureChance, const std::vector<Pattern>& patterns,
                     float repeats) {
     if (!rng.chance(textureChance)) return rgb("Kd", color);
     return textured("Kd", addImageTexture(draft, rng, rng.pick(patterns), color, repeats));
 }
 
-// Disney's parameter for Kd is called color.
+// In pbrt's disney material, Kd is called color.
 std::string asColor(std::string kd) { return kd.replace(kd.find("Kd"), 2, "color"); }
 
-// A coat over a diffuse base, by one of the models that pbrt files use for it.
+// A diffuse base under a coat, by one of the models that pbrt files use for it.
 int coated(Draft& draft, Rng& rng, const std::string& kd) {
     const float roughness = rng.logUniform(0.02f, 0.4f);
     const float ks = rng.uniform(0.03f, 0.12f);
@@ -65,7 +65,7 @@ int makeMetal(Draft& draft, Rng& rng) {
     struct Conductor {
         Rgb eta, k;
     };
-    // RGB averages of measured indices: gold, copper, aluminium, chromium.
+    // RGB averages of measured indices of refraction: gold, copper, aluminium, chromium.
     static const std::vector<Conductor> kConductors = {{{0.143f, 0.375f, 1.442f}, {3.983f, 2.386f, 1.603f}},
                                                        {{0.200f, 0.924f, 1.102f}, {3.913f, 2.453f, 2.142f}},
                                                        {{1.657f, 0.880f, 0.521f}, {9.224f, 6.270f, 4.837f}},

@@ -7,7 +7,7 @@
 namespace drc::interior {
 namespace {
 
-// A grid of (rows + 1) x (columns + 1) smooth vertices; normals by central differences of the surface itself.
+// A smooth grid of (rows + 1) x (columns + 1) vertices, with normals from central differences of the surface function.
 void addGrid(Draft& draft, const Placement& frame, int material, int rows, int columns,
              const std::function<Vec3(float, float)>& at) {
     Mesh& m = draft.meshFor(material, true);
@@ -17,7 +17,7 @@ void addGrid(Draft& draft, const Placement& frame, int material, int rows, int c
         for (int c = 0; c <= columns; ++c) {
             const float u = static_cast<float>(c) / static_cast<float>(columns);
             const float v = static_cast<float>(r) / static_cast<float>(rows);
-            // At a pole the surface has no derivative along u; a step inside has the same normal, nearly.
+            // At a pole the derivative along u is zero; the normal slightly beside it is nearly the same.
             const float vn = std::clamp(v, 2 * kStep, 1 - 2 * kStep);
             const Vec3 du = at(u + kStep, vn) - at(u - kStep, vn);
             const Vec3 dv = at(u, vn + kStep) - at(u, vn - kStep);
@@ -28,7 +28,7 @@ void addGrid(Draft& draft, const Placement& frame, int material, int rows, int c
     }
     const int stride = columns + 1;
     const auto add = [&](int a, int b, int c) {
-        // Degenerate triangles at poles have no normal; leave them out.
+        // Degenerate triangles at the poles have no normal and are dropped.
         const size_t n = m.p.size();
         if (std::max({a, b, c}) >= static_cast<int>(n)) return;
         if (lengthSquared(cross(m.p[b] - m.p[a], m.p[c] - m.p[a])) < 1e-16f) return;
@@ -43,7 +43,7 @@ void addGrid(Draft& draft, const Placement& frame, int material, int rows, int c
     }
 }
 
-// Cosines that should be zero are not quite, and a small power would make much of them.
+// Cosines that should be zero are not exactly so, and a small exponent would amplify them.
 float signedPower(float x, float e) { return std::abs(x) < 1e-5f ? 0 : std::copysign(std::pow(std::abs(x), e), x); }
 
 }  // namespace
@@ -80,8 +80,7 @@ void Pen::box(const Vec3& l, const Vec3& h, int material) const {
 void Pen::bevelledBox(const Vec3& l, const Vec3& h, float bevel, int material) const {
     const float b = std::min({bevel, (h.x - l.x) * 0.4f, (h.y - l.y) * 0.4f, (h.z - l.z) * 0.4f});
     const Vec3 center = (l + h) * 0.5f;
-    // A corner at signs s, pulled in by b along every axis but `axis`: the three vertices that a bevel makes of a
-    // corner.
+    // A bevelled corner with the signs s: its vertex on the face that is perpendicular to `axis`.
     const auto corner = [&](std::array<int, 3> s, int axis) {
         Vec3 p;
         for (int i = 0; i < 3; ++i) {
@@ -111,7 +110,7 @@ void Pen::bevelledBox(const Vec3& l, const Vec3& h, float bevel, int material) c
             };
             outwardQuad(at(-1, -1), at(1, -1), at(1, 1), at(-1, 1));
         }
-        // The edges parallel to a, between the faces of u and v.
+        // The bevels of the edges parallel to a, between the faces of u and v.
         for (int su : {-1, 1}) {
             for (int sv : {-1, 1}) {
                 std::array<int, 3> s{};
@@ -140,7 +139,8 @@ void Pen::lathe(const Vec3& origin, const std::vector<Vec2>& profile, int materi
     Mesh& m = draft_->meshFor(material, true);
     float widest = 0;
     for (const Vec2& q : profile) widest = std::max(widest, q.x);
-    // Each span of the profile gets its own two rings: corners of the profile stay sharp unless they are slight.
+    // Each segment of the profile has its own two rings of vertices, so that corners of the profile stay sharp unless
+    // they are slight.
     const auto spanNormal = [&](size_t i) {
         const Vec2 d = profile[i + 1] - profile[i];
         const float l = std::max(1e-9f, std::sqrt(d.x * d.x + d.y * d.y));
@@ -174,7 +174,7 @@ void Pen::lathe(const Vec3& origin, const std::vector<Vec2>& profile, int materi
             if (profile[i + 1].x > 0) m.indices.insert(m.indices.end(), {a + 1, a + stride + 1, a + stride});
         }
     }
-    // The box inside the round body, not the box around it: only what is surely full counts as solid.
+    // The inscribed box rather than the bounding box, since only volume that is certainly occupied counts as solid.
     const float r = widest * 0.7f;
     solid(origin + Vec3(-r, -r, profile.front().y), origin + Vec3(r, r, std::max(profile.front().y, profile.back().y)));
 }
@@ -220,7 +220,7 @@ void Pen::curtain(const Vec3& a, const Vec3& b, float height, float foldDepth, i
     const Vec3 along = normalize(b - a);
     const Vec3 out(-along.y, along.x, 0);
     addGrid(*draft_, frame_, material, 4, folds * 8, [&](float u, float v) {
-        // Deeper folds towards the hem.
+        // The folds get deeper towards the hem.
         const float depth = foldDepth * (1 - 0.5f * v) * std::sin(2 * kPi * static_cast<float>(folds) * u);
         return a + (b - a) * u + out * depth - Vec3(0, 0, height * (1 - v));
     });

@@ -1,4 +1,4 @@
-// What builds a piece of furniture, and the table entry that says where it belongs.
+// Types for furniture: the tools that build a piece, and the table entry that says where it belongs.
 #pragma once
 #include <array>
 
@@ -8,7 +8,7 @@
 
 namespace drc::interior {
 
-// A piece is built with x across from -w/2 to w/2, its back at y = 0 and its front at y = depth.
+// A piece extends in x from -w/2 to w/2; its back is at y = 0 and its front at y = depth.
 struct Kit {
     const Pen& pen;
     Vec3 size;
@@ -26,7 +26,7 @@ struct Piece {
     void (*build)(const Kit&);
     Vec3 least, most;
     bool atWall;
-    std::array<float, 5> weight;  // by RoomKind: how often it is chosen
+    std::array<float, 5> weight;  // relative frequency, by RoomKind
 };
 
 }  // namespace drc::interior

@@ -12,13 +12,13 @@ Wall makeWall(const Vec2& a, const Vec2& b, int material) {
     Wall w;
     const Vec2 d = b - a;
     w.length = std::abs(d.x) + std::abs(d.y);
-    // Walls run along the axes: exact directions keep corners closed.
+    // Walls are parallel to the axes; exact directions keep the corners closed.
     w.frame = {Vec3(a.x, a.y, 0), d.x > 0 ? 1.f : d.x < 0 ? -1.f : 0.f, d.y > 0 ? 1.f : d.y < 0 ? -1.f : 0.f};
     w.material = material;
     return w;
 }
 
-// A wall piece that faces the room (+y), or away from it.
+// A piece of wall that faces the room (+y) or away from it.
 void wallQuad(const Pen& pen, float u0, float u1, float z0, float z1, float y, int material, bool intoRoom = true) {
     if (intoRoom) {
         pen.quad({u1, y, z0}, {u0, y, z0}, {u0, y, z1}, {u1, y, z1}, material);
@@ -27,7 +27,7 @@ void wallQuad(const Pen& pen, float u0, float u1, float z0, float z1, float y, i
     }
 }
 
-// The wall around its openings: a grid of cells whose lines are the openings' edges.
+// A wall with openings, as a grid of cells whose lines are the openings' edges.
 void perforatedWall(const Pen& pen, const std::vector<Opening>& openings, float u0, float u1, float z0, float z1,
                     float y, int material, bool intoRoom) {
     std::vector<float> us{u0, u1}, zs{z0, z1};
@@ -50,10 +50,10 @@ void perforatedWall(const Pen& pen, const std::vector<Opening>& openings, float 
     }
 }
 
-// As perforatedWall, seen from below.
+// The same for a ceiling, seen from below.
 void perforatedCeiling(const Pen& pen, const std::vector<Opening>& openings, float x0, float x1, float y0, float y1,
                        float z, int material) {
-    // Lying on its back: what is up along a wall is y here.
+    // Treated as a wall lying on its back: z of the opening becomes y.
     std::vector<float> xs{x0, x1}, ys{y0, y1};
     for (const Opening& o : openings) {
         xs.insert(xs.end(), {o.u0, o.u1});
@@ -74,7 +74,7 @@ void perforatedCeiling(const Pen& pen, const std::vector<Opening>& openings, flo
     }
 }
 
-// The shaft above a hole in the ceiling.
+// The shaft above a skylight.
 void skylight(const Opening& o, float z, Draft& draft, const Palette& palette, ShellLight& light) {
     const Pen pen(draft, {});
     const int m = palette.ceiling;
@@ -88,7 +88,7 @@ void skylight(const Opening& o, float z, Draft& draft, const Palette& palette, S
     light.skyWindowOut = Vec3(0, 0, 1);
 }
 
-// The four sides of a hole through the wall, facing its inside.
+// The four sides of an opening through the wall, facing inwards.
 void reveal(const Pen& pen, const Opening& o, int sides, int floor) {
     const float d = -o.depth;
     pen.quad({o.u0, d, o.z0}, {o.u1, d, o.z0}, {o.u1, 0, o.z0}, {o.u0, 0, o.z0}, floor);
@@ -119,9 +119,9 @@ void windowFrame(const Pen& pen, const Opening& o, Rng& rng, const Palette& pale
         const size_t solids = pen.draft().solids.size();
         pen.box({o.u0 + w * 0.8f, y - 0.003f, o.z0 + w * 0.8f}, {o.u1 - w * 0.8f, y + 0.003f, o.z1 - w * 0.8f},
                 palette.pane);
-        pen.draft().solids.resize(solids);  // one sees through it
+        pen.draft().solids.resize(solids);  // it is transparent
     }
-    // A sill that juts into the room.
+    // A sill that projects into the room.
     if (rng.chance(0.6f) && o.z0 > 0.2f)
         pen.box({o.u0 - 0.04f, -0.01f, o.z0 - 0.03f}, {o.u1 + 0.04f, rng.uniform(0.04f, 0.2f), o.z0}, m);
 }
@@ -139,7 +139,7 @@ void corridor(const Pen& pen, const Opening& o, Rng& rng, const Palette& palette
     const float s = rng.uniform(0.1f, 0.3f);
     pen.quadLight({(u0 + u1) / 2, (y0 + y1) / 2, top - 0.02f}, {0, s, 0}, {s, 0, 0}, group, palette.lightBody);
     pen.draft().freeVolumes.push_back({pen.frame(), {u0, y0, 0}, {u1, y1, top}});
-    // The leaf swings away from the room, about the near edge of the door frame.
+    // The door leaf opens away from the room, hinged at the near edge of the frame.
     const float angle = rng.uniform(0.25f, 1.2f);
     const Pen leaf = pen.inner({o.u0 + 0.01f, y1 - 0.01f, 0}, -angle);
     leaf.box({0, -0.04f, 0.01f}, {o.u1 - o.u0 - 0.03f, 0, o.z1 - 0.01f}, palette.trim);
@@ -240,7 +240,7 @@ void buildOpening(const Wall& wall, const Opening& o, Draft& draft, Rng& rng, co
     }
 }
 
-// Floor and ceiling reach a little beyond the walls: no ray slips through the seam.
+// Floor and ceiling extend slightly beyond the walls, so that no ray slips through the seam.
 void floorAndCeiling(const Room& room, const Pen& pen, const Palette& palette) {
     constexpr float kLap = 0.02f;
     for (const Room::Rect& r : room.rects) {
@@ -260,7 +260,7 @@ void floorAndCeiling(const Room& room, const Pen& pen, const Palette& palette) {
     }
 }
 
-// What the wall needs above the eaves, under a slanted ceiling.
+// The part of a wall above the eaves, below a sloped ceiling.
 void gableEnd(const Room& room, const Wall& wall, const Pen& pen) {
     if (room.ceiling == CeilingKind::Flat) return;
     std::vector<float> us{0, wall.length};
@@ -320,7 +320,7 @@ void pillarsAndBeams(const Room& room, Draft& draft, Rng& rng, const Palette& pa
     }
 }
 
-// What there is to see outside: ground, and at times a building across the street.
+// The surroundings outside: ground, and sometimes a building across the street.
 void outside(const Room& room, Draft& draft, Rng& rng, const Palette& palette) {
     const Pen pen(draft, {});
     const float level = -rng.uniform(0.3f, 9);
@@ -414,7 +414,7 @@ Room makeRoom(Rng& rng, const Palette& palette, RoomKind purpose) {
     r.eaves = rng.chance(0.75f) ? rng.uniform(2.3f, 3) : rng.uniform(3, 4.2f);
     switch (purpose) {
         case RoomKind::Corridor:
-            r.width = rng.chance(0.7f) ? rng.uniform(1.2f, 2.2f) : rng.uniform(3.3f, 5);  // wide ones turn a corner
+            r.width = rng.chance(0.7f) ? rng.uniform(1.2f, 2.2f) : rng.uniform(3.3f, 5);  // wide corridors are L-shaped
             r.depth = rng.uniform(5, 11);
             break;
         case RoomKind::Bath:
@@ -439,7 +439,7 @@ Room makeRoom(Rng& rng, const Palette& palette, RoomKind purpose) {
     const float w = r.width, d = r.depth;
     const bool isL = w > 3.2f && d > 3.2f && (purpose == RoomKind::Corridor || rng.chance(0.5f));
     if (isL) {
-        // Both arms of a corridor are narrow.
+        // Both arms of an L-shaped corridor are narrow.
         const float cut = purpose == RoomKind::Corridor ? rng.uniform(0.55f, 0.65f) : rng.uniform(0.25f, 0.55f);
         const float cw = w * cut, cd = d * (purpose == RoomKind::Corridor ? 1 - 1.5f / d : rng.uniform(0.25f, 0.55f));
         plan = {{0, 0}, {w, 0}, {w, d - cd}, {w - cw, d - cd}, {w - cw, d}, {0, d}};
@@ -459,7 +459,7 @@ Room makeRoom(Rng& rng, const Palette& palette, RoomKind purpose) {
         const int material = accent && static_cast<int>(i) == accentWall ? palette.accentWall : palette.wall;
         r.walls.push_back(makeWall(plan[i], plan[(i + 1) % plan.size()], material));
         r.walls.back().reentrant = isL && (i == 2 || i == 3);
-        // At the inner corner of an L a lap would stick out into the room.
+        // At the reentrant corner of an L, the extension would stick out into the room.
         r.walls.back().endLap = isL && i == 2 ? 0 : 0.02f;
         r.walls.back().startLap = isL && i == 3 ? 0 : 0.02f;
     }

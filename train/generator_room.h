@@ -1,4 +1,5 @@
-// The shell: floor plan, walls with their openings, ceiling, pillars, and what can be seen through the openings.
+// The shell of a room: floor plan, walls with openings, ceiling, pillars, and the surroundings visible through the
+// openings.
 #pragma once
 #include <optional>
 #include <vector>
@@ -19,13 +20,13 @@ struct Opening {
     float depth;
 };
 
-// A wall's frame: x along the wall, y into the room, z up.
+// A wall. Its frame has x along the wall, y into the room and z up.
 struct Wall {
     Placement frame;
     float length = 0;
-    bool reentrant = false;  // towards the notch of an L: what lies behind it is outside, but close to another wall
+    bool reentrant = false;  // borders the notch of an L: the outside behind it is close to another wall
     int material = 0;
-    // How far it is drawn beyond its ends, behind the neighbouring wall, so that no ray slips through the corner.
+    // How far the wall extends beyond its ends, behind the neighbouring walls, so that no ray slips through the corner.
     float startLap = 0, endLap = 0;
     std::vector<Opening> openings;
     struct Use {
@@ -34,7 +35,7 @@ struct Wall {
     std::vector<Use> uses;
 
     bool isFree(const Use& use) const;
-    // A place of this width somewhere along the wall, marked as used; none if none was found.
+    // Reserves a free place of this width along the wall; none if there is none.
     std::optional<float> reserve(Rng& rng, float width, float z0, float z1, float margin);
 };
 
@@ -48,28 +49,28 @@ struct Room {
     float eaves = 0;  // lowest height of the ceiling
     float rise = 0;
     CeilingKind ceiling = CeilingKind::Flat;
-    std::vector<Opening> skylights;  // of a flat ceiling: u is x, and z0, z1 stand for y
+    std::vector<Opening> skylights;  // in a flat ceiling; u is x, and z0 and z1 are y
 
     float ceilingAt(float x) const;
     bool contains(float x, float y, float margin) const;
     float floorArea() const;
     float surfaceArea() const;
-    // Distance to the shell, its openings taken as closed.
+    // Distance to the shell with its openings closed.
     float hit(const Vec3& origin, const Vec3& direction) const;
 };
 
-// Light that comes through openings; what it amounts to is decided later.
+// Light that enters through openings; its intensity is set later by balanceLight().
 struct ShellLight {
     int panelGroup = -1;
     int corridorGroup = -1;
     int nicheGroup = -1;
     int hearthGroup = -1;
-    float skyArea = 0;  // of openings to the sky
+    float skyArea = 0;  // total area of openings to the sky
     Vec3 skyWindowOut{0, 0, 0};
 };
 
 Room makeRoom(Rng& rng, const Palette& palette, RoomKind kind);
-// Chooses openings, then draws it all. groups counts the emitter groups given out so far.
+// Chooses the openings and builds the whole shell. `groups` is the number of emitter groups used so far.
 ShellLight buildShell(Room& room, Draft& draft, Rng& rng, const Palette& palette, int& groups);
 
 }  // namespace drc::interior

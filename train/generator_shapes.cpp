@@ -12,7 +12,8 @@ void append(std::string& s, const Vec3& p) {
     fmt::format_to(std::back_inserter(s), " {:.5g} {:.5g} {:.5g}", p.x, p.y, p.z);
 }
 
-// A cage of `around` x `along` corners on a surface of revolution, closed by two poles. `radius(t)` for t in (0, 1).
+// A control cage of `around` x `along` vertices on a surface of revolution, closed by two poles. `radius(t)` for t in
+// (0, 1).
 template <typename Radius>
 std::string closedCage(int around, int along, float height, Radius radius, int levels) {
     std::string points, indices;
@@ -82,7 +83,7 @@ void drawQuadric(const Pen& pen, const Vec3& base, float size, float height, Rng
 }
 
 void drawSubdivided(const Pen& pen, const Vec3& base, float size, float height, Rng& rng, int material) {
-    // The limit surface lies well inside of its cage.
+    // The limit surface is well inside its control cage.
     const float r = size * 0.62f, h = height;
     const int around = rng.integer(4, 8), along = rng.integer(2, 5);
     const float lump = rng.uniform(0, 0.5f), waist = rng.uniform(-0.5f, 0.5f);

@@ -15,7 +15,7 @@ float lattice(int x, int y, uint32_t seed) {
     return static_cast<float>((h ^ (h >> 15)) >> 8) * 0x1p-24f;
 }
 
-// Value noise on a lattice that repeats after `period` cells, so that textures tile.
+// Value noise on a lattice that repeats after `period` cells, so that textures are tileable.
 float noise(float x, float y, int period, uint32_t seed) {
     const float fx = std::floor(x), fy = std::floor(y);
     const auto wrap = [period](float f) {
@@ -191,7 +191,7 @@ std::string addImageTexture(Draft& draft, Rng& rng, Pattern pattern, const Rgb& 
         for (int x = 0; x < t.width; ++x) {
             const Rgb c = shade((static_cast<float>(x) + 0.5f) / static_cast<float>(t.width),
                                 (static_cast<float>(y) + 0.5f) / static_cast<float>(t.height));
-            // No surface reflects more than nine tenths, else energy in a closed room hardly ever dies out.
+            // Reflectances are at most 0.9, because light in a closed room would otherwise hardly ever be absorbed.
             const float top = pattern == Pattern::LeafMask ? 1 : 0.9f;
             for (int i = 0; i < 3; ++i) {
                 t.rgb.push_back(static_cast<uint8_t>(std::lround(255 * encodeSrgb(std::min(c[i], top)))));

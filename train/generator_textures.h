@@ -1,4 +1,4 @@
-// Small images to put on surfaces, made from noise and shapes.
+// Small procedural images for surfaces.
 #pragma once
 #include "generator_draft.h"
 #include "generator_rng.h"
@@ -7,12 +7,12 @@ namespace drc::interior {
 
 enum class Pattern { Wood, Stripes, Blotches, Bricks, Painting, Tiles, Floral, LeafMask };
 
-// Adds an image and the texture that reads it; `repeats` is in tiles per unit of uv. Returns the texture's name.
+// Adds an image and a texture that reads it. `repeats`: tiles per unit of uv. Returns the texture's name.
 std::string addImageTexture(Draft& draft, Rng& rng, Pattern pattern, const Rgb& base, float repeats);
-// A checkerboard needs no image.
+// The same for a checkerboard, which needs no image.
 std::string addCheckerboard(Draft& draft, const Rgb& a, const Rgb& b, float repeats);
 
-// The bytes of an uncompressed 24 bit TGA: pbrt reads it, and it needs no library.
+// Encodes an uncompressed 24-bit TGA, which pbrt can read and which needs no library.
 std::string encodeTga(const Texture& texture);
 
 }  // namespace drc::interior

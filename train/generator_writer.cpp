@@ -39,7 +39,7 @@ class Text {
     std::string text_;
 };
 
-// Seven digits keep a float; a shorter form would open seams between walls.
+// Seven significant digits: fewer would open seams between walls.
 void append(std::string& s, float x) { fmt::format_to(std::back_inserter(s), "{:.7g}", x == 0 ? 0.f : x); }
 void append(std::string& s, const Vec3& v) {
     append(s, v.x);
@@ -79,7 +79,7 @@ void writeEmitter(Text& out, const Emitter& e, const Draft& draft, const World& 
     out.line("AreaLightSource \"diffuse\" \"rgb L\" [ {} ]", str(e.radiance));
     switch (e.shape) {
         case EmitterShape::Quad:
-            // No normals here: they would decide which side shines.
+            // Without normals, since those would determine the emitting side.
             out.line("Shape \"trianglemesh\" \"integer indices\" [ 0 1 2 0 2 3 ]");
             out.line("  \"point P\" [ {} {} {} {} ]", str(world.point(e.center - e.u - e.v)),
                      str(world.point(e.center + e.u - e.v)), str(world.point(e.center + e.u + e.v)),
@@ -90,7 +90,7 @@ void writeEmitter(Text& out, const Emitter& e, const Draft& draft, const World& 
             out.line("Shape \"sphere\" \"float radius\" [ {:.6g} ]", e.radius * world.scale);
             break;
         case EmitterShape::Disk: {
-            // pbrt's disk lies in z = 0 and faces +z.
+            // pbrt's disk is in the plane z = 0 and faces +z.
             const Vec3 z = world.vector(e.normal);
             const Vec3 x = normalize(cross(std::abs(z.x) < 0.7f ? Vec3(1, 0, 0) : Vec3(0, 1, 0), z));
             const Vec3 y = cross(z, x);
@@ -102,7 +102,7 @@ void writeEmitter(Text& out, const Emitter& e, const Draft& draft, const World& 
     out.line("AttributeEnd");
 }
 
-// Lengths inside stay metres: the transformation scales them.
+// Lengths inside stay in metres; the transformation scales them.
 void writePlacement(Text& out, const Placement& frame, const World& world) {
     const auto axis = [&](const Vec3& v) { return str(world.vector(frame.vector(v)) * world.scale); };
     out.line("ConcatTransform [ {} 0 {} 0 {} 0 {} 1 ]", axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1}),
@@ -129,7 +129,7 @@ void writeSky(Text& out, const Draft& draft, const World& world) {
     out.line("AttributeEnd");
 }
 
-// PFM, which begins with the lowest row.
+// PFM, whose first row is the lowest one.
 std::string encodePfm(const SkyImage& image) {
     std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
     for (int y = image.height - 1; y >= 0; --y) {
@@ -149,7 +149,7 @@ void writeShapelessLights(Text& out, const Draft& draft, const World& world) {
                  str(draft.sun), str(world.vector(draft.sunFrom)));
     }
     for (const Draft::Point& p : draft.points) {
-        // Irradiance falls with the square of the distance, which the units scale.
+        // Irradiance falls with the squared distance, which depends on the units.
         out.line("LightSource \"point\" \"rgb I\" [ {} ] \"point from\" [ {} ]",
                  str(p.intensity * (world.scale * world.scale)), str(world.point(p.at)));
     }

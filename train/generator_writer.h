@@ -1,4 +1,4 @@
-// A draft as files that pbrt-v3 reads.
+// Writes a draft as a pbrt-v3 scene.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace drc::interior {
 
-// How the file's world lies to the draft's.
+// How the file's world space relates to that of the draft.
 struct World {
     bool yUp = false;
-    float scale = 1;  // file units in a metre
+    float scale = 1;  // file units per metre
     Placement frame;
 
     Vec3 vector(const Vec3& v) const;
@@ -23,7 +23,7 @@ struct FilmSize {
 };
 
 std::string toPbrt(const Draft& draft, const World& world, const FilmSize& film, const std::string& title);
-// scene.pbrt and textures/ in a directory that is made if need be. Throws Error.
+// Writes scene.pbrt and textures/ to a directory, which is created if necessary. Throws Error.
 void writeScene(const std::filesystem::path& directory, const Draft& draft, const std::string& pbrt);
 
 }  // namespace drc::interior

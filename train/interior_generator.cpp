@@ -66,7 +66,7 @@ Draft makeDraft(Rng rng) {
 World makeWorld(Rng& rng) {
     World w;
     w.yUp = rng.chance(0.5f);
-    // Metres, centimetres, millimetres / 100, inches: the renderer must not care.
+    // Metres, centimetres, millimetres / 100, inches: training must not depend on the units.
     w.scale = rng.pick(std::vector<float>{1, 1, 1, 100, 100, 10, 39.37f, 0.1f});
     const Vec3 origin{rng.uniform(-5, 5), rng.uniform(-5, 5), rng.chance(0.5f) ? 0 : rng.uniform(-3, 3)};
     w.frame = Placement::at(origin, rng.chance(0.4f) ? 0 : rng.uniform(0, 2 * kPi));

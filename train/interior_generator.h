@@ -1,4 +1,4 @@
-// Closed interiors to learn from: every scene follows from the seed and its number alone, to the byte.
+// Random closed interiors for training. Every scene is determined, byte for byte, by the seed and its number.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -17,10 +17,10 @@ struct Interior {
 
 Interior generateInterior(uint64_t seed, int number, const FilmSize& film);
 
-// What must hold of a scene before it is worth rendering. Empty, or what is wrong.
+// Checks that a scene is worth rendering. Returns what is wrong; empty if nothing is.
 std::string findFault(const Draft& draft);
 
-// Its files, as directory/room-0001 and so on; returns what was made.
+// Writes a room to directory/room-0001 and so on, and returns it.
 Interior writeInterior(const std::filesystem::path& directory, uint64_t seed, int number, const FilmSize& film);
 
 }  // namespace drc::interior

@@ -25,7 +25,7 @@ const std::vector<Interior>& rooms() {
     return all;
 }
 
-// Just enough of pbrt's grammar to catch a file that no reader would take.
+// A minimal check of pbrt's grammar, enough to catch files that no reader would accept.
 struct Tokens {
     std::vector<std::string> words;
     bool balanced = true;
@@ -112,7 +112,7 @@ TEST(InteriorGenerator, IndicesAndNormalsFit) {
     }
 }
 
-// The mean above the horizon is what the balance of light assumes.
+// The balance of light assumes that the mean above the horizon is 1.
 TEST(InteriorGenerator, SkiesAreNormalised) {
     for (const Interior& room : rooms()) {
         const SkyImage& image = room.draft.skyImage;
@@ -130,7 +130,7 @@ TEST(InteriorGenerator, SkiesAreNormalised) {
     }
 }
 
-// A shape's winding and its normals agree: glass would otherwise take its inside for its outside.
+// Normals must agree with the winding of shapes, otherwise glass would take its inside for its outside.
 TEST(InteriorGenerator, NormalsAgreeWithTheWinding) {
     for (const Interior& room : rooms()) {
         for (const Mesh& m : room.draft.meshes) {
@@ -163,7 +163,7 @@ TEST(InteriorGenerator, LightsFaceFreeSpace) {
     }
 }
 
-// The order in which a quad's corners are written is what pbrt takes its shining side from.
+// pbrt takes the emitting side of a quad from the order of its corners.
 TEST(InteriorGenerator, QuadLightsAreWoundTowardsTheirNormal) {
     for (const Interior& room : rooms()) {
         for (const Emitter& e : room.draft.emitters) {

@@ -9,7 +9,8 @@ namespace drc {
 namespace {
 
 constexpr int kNormalsAside = 8;
-// Where the target is dark, errors count against a tenth of the map's mean.
+// Added to squared irradiances in the denominator: where the target is dark, errors are relative to a tenth of its
+// mean.
 constexpr double kEpsilon = 0.01;
 
 }  // namespace
@@ -35,7 +36,9 @@ Loss::Loss(const MapLayout& layout, double irradianceWeight)
 torch::Tensor Loss::irradianceErrors(const torch::Tensor& output, const torch::Tensor& target,
                                      const torch::Tensor& factor) const {
     const auto radiance = [&](const torch::Tensor& encoded) {
-        return (torch::expm1(encoded.clamp(0, kMaxEncoded)) * factor).contiguous().flatten(2);  // in units of ten means
+        return (torch::expm1(encoded.clamp(0, kMaxEncoded)) * factor)
+            .contiguous()
+            .flatten(2);  // in units of ten times the mean
     };
     const auto mean = [&](const torch::Tensor& maps) { return torch::matmul(maps, solidAngles_).unsqueeze(2); };
     const torch::Tensor t = radiance(target), meanOfTarget = mean(t);
@@ -48,7 +51,7 @@ torch::Tensor Loss::irradianceErrors(const torch::Tensor& output, const torch::T
 
 torch::Tensor Loss::operator()(const torch::Tensor& output, const torch::Tensor& target,
                                const torch::Tensor& factor) const {
-    // Over the map's own mean factor, so that a room of dark things counts as much as one of bright things.
+    // Relative to the map's own mean factor, so that rooms with dark and with bright surfaces have equal weight.
     const torch::Tensor weight = factor / factor.mean({1, 2, 3}, true);
     const torch::Tensor l1 = ((output - target).abs() * weight).mean();
     if (irradianceWeight_ == 0) return l1;

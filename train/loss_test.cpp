@@ -10,7 +10,7 @@ namespace {
 class LossOn : public testing::TestWithParam<Projection> {
   protected:
     MapLayout layout_{GetParam(), 32};
-    // Random radiances on the network's scale.
+    // Random encoded radiance.
     torch::Tensor maps(int seed) const {
         torch::manual_seed(seed);
         return torch::log1p(torch::rand({4, 3, 32, 32}).pow(4) / 2);
@@ -27,7 +27,8 @@ TEST_P(LossOn, WithoutIrradianceIsL1) {
     EXPECT_NEAR(Loss(layout_, 0)(a, b, torch::ones_like(a)).item<double>(), (a - b).abs().mean().item<double>(), 1e-7);
 }
 
-// An error on a surface that sends on a third of another's light counts a third; whether all are dark does not matter.
+// An error on a surface with a third of another's albedo must count a third. The overall level of albedos must not
+// matter.
 TEST_P(LossOn, ErrorsCountByTheLightThatTheyMakeWrong) {
     const torch::Tensor t = maps(1), left = torch::zeros_like(t);
     left.slice(3, 0, 16).fill_(1);
@@ -39,7 +40,7 @@ TEST_P(LossOn, ErrorsCountByTheLightThatTheyMakeWrong) {
     EXPECT_NEAR(loss(wrongLeft, t, factor * 0.1).item<double>(), a, 1e-6);
 }
 
-// What the renderer's energy match takes away anyway must not be learned.
+// The renderer scales channels to the captured energy anyway, so the loss must not depend on their scale.
 TEST_P(LossOn, IrradianceDoesNotDependOnTheScaleOfAChannel) {
     const torch::Tensor t = maps(3);
     const torch::Tensor scales = torch::tensor({0.5f, 1.f, 3.f}).view({1, 3, 1, 1});
@@ -67,7 +68,7 @@ TEST_P(LossOn, IrradianceIsWhatTheEvaluationMeasures) {
         };
         std::vector<float> map = radiance(a);
         const std::vector<float> target = radiance(b);
-        // The renderer matches each channel.
+        // The renderer scales each channel to the captured energy.
         const size_t texels = size_t(layout_.texels());
         for (size_t c = 0; c < 3; ++c) {
             double of = 0, to = 0;

@@ -8,18 +8,18 @@
 namespace drc {
 namespace {
 
-// ln(1 + 1/10): the encoded value of a texel as bright as its map's mean.
+// ln(1 + 1/10): the encoded value of a texel equal to its map's mean.
 constexpr double kEncodedMean = 0.0953;
 
 std::string moduleName(std::string name) {
-    std::replace(name.begin(), name.end(), '.', '_');  // libtorch allows no dots
+    std::replace(name.begin(), name.end(), '.', '_');  // libtorch does not allow dots in names
     return name;
 }
 
-// [1][inputs][1][1]: what the input planes are multiplied by before the network sees them. Encoded radiance and
-// distance vary by about a tenth, albedos by a quarter, normals by one: weights that all move by the same small steps,
-// as Adam's do, would attend to normals first and find the radiance late. Exported weights contain it. The paper's
-// network is left as it is.
+// [1][inputs][1][1]: factors for the input planes. The standard deviation of encoded radiance and distance is about a
+// tenth, of albedos a quarter, of normals one. With Adam, whose steps have the same size for all weights, a network
+// would learn from normals first and from radiance late. Exported weights include the factors. The paper's network is
+// left unchanged.
 torch::Tensor inputScale(const UNetShape& shape) {
     torch::Tensor scale = torch::ones({1, shape.inputs, 1, 1});
     if (shape.kind == UNetKind::Paper) return scale;

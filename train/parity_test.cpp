@@ -1,4 +1,4 @@
-// What was trained is what runs: libtorch's and oneDNN's forward passes of the same weights agree.
+// The forward passes of libtorch and oneDNN must agree for the same weights: what was trained is what runs.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace drc {
 namespace {
 
-// Of the model and of oneDNN with the same weights, on the same random input.
+// Compares the model with oneDNN running the same weights, on the same random input.
 void expectAgreement(Model& model, const std::shared_ptr<const UNetWeights>& weights) {
     const torch::NoGradGuard noGrad;
     constexpr int kCount = 5;
@@ -29,8 +29,9 @@ void expectAgreement(Model& model, const std::shared_ptr<const UNetWeights>& wei
             EXPECT_LT(error, 1e-4);
             continue;
         }
-        // The promise, which bestPrecision keeps by trusting that whole maps find at most two and a half times the
-        // error that the probe foresees. That is so for all of them, also for those that it therefore runs in fp32.
+        // bestPrecision() promises an error of at most .02, assuming that whole maps have at most two and a half times
+        // the error that bf16Error() finds. Checks that assumption for all weights, including those that it would run
+        // in fp32.
         EXPECT_LT(error, std::max(2e-2, 2.5 * bf16Error(*weights)));
     }
 }
@@ -45,7 +46,7 @@ TEST_P(Parity, LibtorchAndOneDnnAgree) {
     model->setWeights(*UNetWeights::random(shape, 13));
     model->eval();
 
-    // By way of a file, so that the export is tested as well.
+    // Through a file, so that exporting is tested as well.
     const auto path =
         std::filesystem::temp_directory_path() /
         fmt::format("drc_parity_{}_{}_{}.safetensors", unetKindName(shape.kind), shape.width, shape.inputs);
@@ -74,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Parity,
                          testing::Combine(testing::ValuesIn(kUNetKinds), testing::Values(8, 16, 32),
                                           testing::Values(kPlainPlanes, kGuidedPlanes)));
 
-// Statistics that a training gathers are what the exported scale and shift come from.
+// The running statistics of a training become the exported scale and shift.
 TEST(ParityOfNetworks, NormalisationAfterLearning) {
     UNetShape shape;
     shape.kind = UNetKind::Paper;

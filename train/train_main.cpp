@@ -1,4 +1,4 @@
-// drc-train: learns the radiance-map network from shards of examples and writes the weights that drc loads.
+// drc-train: trains the map denoiser on shards of examples and writes the weights file that drc loads.
 #include <fmt/core.h>
 #include <malloc.h>
 #include <torch/torch.h>
@@ -36,7 +36,7 @@ struct Options {
 };
 
 void parse(CLI::App& app, Options& o) {
-    app.description("Learns the network of Deep Radiance Caching from the shards that `drc reference` writes.");
+    app.description("Trains the network of Deep Radiance Caching on the shards that `drc reference` writes.");
     app.footer(
         "Example:\n"
         "  drc-train --data data/train --examples 500000 --width 32 --output models/drc.safetensors \\\n"
@@ -44,16 +44,17 @@ void parse(CLI::App& app, Options& o) {
         "An interrupted run goes on from its checkpoint when the same command is given again.\n"
         "Where other programs use the processor too, set OMP_WAIT_POLICY=passive.");
     TrainingOptions& t = o.training;
-    app.add_option("--data", o.data, "What `drc reference` writes: files, or folders of them")->required();
+    app.add_option("--data", o.data, "Training examples: files that `drc reference` wrote, or folders of them")
+        ->required();
     app.add_option("-o,--output", o.output, "The weights file to write");
-    app.add_option("--store", o.store, "Numbers of that file: fp32, or fp16 or bf16 at half the size")
+    app.add_option("--store", o.store, "Number format of the weights file: fp32, or fp16 or bf16 at half the size")
         ->capture_default_str()
         ->check(CLI::IsMember({"fp32", "fp16", "bf16"}));
     app.add_option("--init", o.init, "Weights to start from; with --examples 0 they are only evaluated");
-    app.add_option("--examples", t.examples, "Examples to draw in total")
+    app.add_option("--examples", t.examples, "Total number of examples to draw")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
-    app.add_option("--batch", t.batch, "Examples a step")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--batch", t.batch, "Examples per step")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--kind", o.kind, "The network's blocks: plain, residual, separable or paper")
         ->capture_default_str();
     app.add_option("--width", o.width, "Channels of the first level")->capture_default_str()->check(CLI::Range(1, 512));
@@ -63,41 +64,42 @@ void parse(CLI::App& app, Options& o) {
                    "7 for the paper's network, 13 for others")
         ->check(CLI::IsMember({kPlainPlanes, kGuidedPlanes}));
     app.add_option("--lr", t.learningRate, "Peak learning rate")->capture_default_str()->check(CLI::PositiveNumber);
-    app.add_option("--irradiance", t.irradianceWeight, "Weight of the irradiance's error in the loss")
+    app.add_option("--irradiance", t.irradianceWeight, "Weight of the irradiance error in the loss")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
-    app.add_option("--clip", t.clipNorm, "Largest norm of the gradient; 0: any")->capture_default_str();
-    app.add_option("--average", t.averageDecay, "Decay of the weights' running average")
+    app.add_option("--clip", t.clipNorm, "Maximum norm of the gradient; 0: no clipping")->capture_default_str();
+    app.add_option("--average", t.averageDecay, "Decay of the running average of the weights")
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("--seed", t.seed, "Seed of all random numbers")->capture_default_str();
-    app.add_option("--target-mean", o.targetMean, "Whose mean scales a target")
+    app.add_option("--target-mean", o.targetMean, "Mean by which a target is scaled")
         ->capture_default_str()
         ->check(CLI::IsMember({"own", "input"}));
-    app.add_option("--ablate", o.ablation, "What the network is not shown: none, normals, distance or both")
+    app.add_option("--ablate", o.ablation, "Inputs hidden from the network: none, normals, distance or both")
         ->capture_default_str();
     app.add_option("--validation-data", o.validationData, "Folders of examples to validate on");
-    app.add_option("--validation-scenes", o.validationScenes, "Or scenes of --data to validate on (comma-separated)")
+    app.add_option("--validation-scenes", o.validationScenes, "Scenes of --data to validate on (comma-separated)")
         ->delimiter(',');
     app.add_option("--validation-fraction", o.validationFraction,
-                   "Else the share of scenes, chosen by their names' hash")
+                   "Otherwise, the share of scenes to validate on, chosen by hashing their names")
         ->capture_default_str()
         ->check(CLI::Range(0.0, 0.9));
-    app.add_option("--validation-examples", o.validationExamples, "At most so many, spread evenly")
+    app.add_option("--validation-examples", o.validationExamples,
+                   "Maximum number of validation examples, spread evenly")
         ->capture_default_str();
     app.add_option("--report-every", o.reportEvery, "Examples between two validations")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    app.add_option("--curve", o.curve, "CSV file of the losses over time; train/plot-curve draws it");
-    app.add_option("--checkpoint", o.checkpoint, "File to save the state to each minute, and to resume from");
+    app.add_option("--curve", o.curve, "CSV file of the losses during training; train/plot-curve draws it");
+    app.add_option("--checkpoint", o.checkpoint, "File to save the state to every minute, and to resume from");
     app.add_option("--threads", o.threads, "Threads; 0: all")->capture_default_str()->check(CLI::NonNegativeNumber);
-    app.add_option("--commit", o.commit, "Commit of the source, noted in the weights");
-    app.add_flag("--bf16", t.bf16, "Train in bf16 where that is possible");
+    app.add_option("--commit", o.commit, "Commit of the source code, recorded in the weights file");
+    app.add_flag("--bf16", t.bf16, "Train in bf16 where possible");
 }
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// An evenly spaced choice, as neighbours in a shard are alike.
+// An evenly spaced subset, because neighbours in a shard are similar.
 std::vector<size_t> thinned(const std::vector<size_t>& indices, size_t most) {
     if (indices.size() <= most) return indices;
     std::vector<size_t> some;
@@ -105,7 +107,7 @@ std::vector<size_t> thinned(const std::vector<size_t>& indices, size_t most) {
     return some;
 }
 
-// The curve of an interrupted run is continued: rows beyond the checkpoint are dropped.
+// Continues the curve of an interrupted run; rows after the checkpoint are dropped.
 std::ofstream openCurve(const std::string& path, int64_t resumedAt) {
     std::string kept =
         "examples,seconds,learning_rate,train_log_l1,val_log_l1,val_intensity_l1,val_irradiance,noisy_log_l1,gaussian_"
@@ -153,7 +155,7 @@ int run(Options o) {
     const Dataset dataset(o.data);
     const Split split = splitByScene(dataset, o.validationScenes, o.validationFraction);
     const auto validation = thinned(split.validation, o.validationExamples);
-    logInfo(fmt::format("{} examples of {} scenes ({} shards skipped): {} to learn from, {} to validate on ({} used)",
+    logInfo(fmt::format("{} examples of {} scenes ({} shards skipped): {} for training, {} for validation ({} used)",
                         dataset.size(), dataset.scenes().size(), dataset.skippedShards(), split.training.size(),
                         split.validation.size(), validation.size()));
 
@@ -168,8 +170,9 @@ int run(Options o) {
         init = UNetWeights::load(o.init);
         shape = init->shape();
         if (shape.size != dataset.mapSize())
-            throw Error(SourceLocation{o.init}, fmt::format("for maps of {}x{}, the data have {}x{}", shape.size,
-                                                            shape.size, dataset.mapSize(), dataset.mapSize()));
+            throw Error(SourceLocation{o.init},
+                        fmt::format("the weights are for maps of {}x{}, the data have {}x{}", shape.size, shape.size,
+                                    dataset.mapSize(), dataset.mapSize()));
     }
     if (shape.size % (1 << (shape.levels - 1)) != 0)
         throw Error(
@@ -245,8 +248,8 @@ int run(Options o) {
 }  // namespace drc
 
 int main(int argc, char** argv) {
-    // A step allocates what the one before it freed. Unless told to keep it, glibc returns large blocks to the system
-    // and each step faults them in again, which took 3 to 13 % of the time.
+    // Each step allocates what the step before freed. By default glibc returns large blocks to the system, and each
+    // step has to fault them in again, which took 3 to 13 % of the time.
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     CLI::App app;

@@ -13,7 +13,7 @@
 namespace drc {
 namespace {
 
-// bf16 for the layers that gain from it, while it lives. The loss stays in float.
+// While it lives, layers that gain from bf16 run in bf16. The loss stays in float.
 class Autocast {
   public:
     explicit Autocast(bool enabled) : enabled_(enabled) {
@@ -93,7 +93,7 @@ double Training::step() {
 
 void Training::updateAverage() {
     const torch::NoGradGuard noGrad;
-    // A short memory at first, or the average would drag the random start along.
+    // Starts with a short memory, otherwise the average would contain the random initial weights for long.
     const double decay = std::min(options_.averageDecay, double(step_) / double(step_ + 10));
     auto to = average_->parameters();
     const auto from = model_->parameters();
@@ -103,7 +103,7 @@ void Training::updateAverage() {
 
 std::string Training::signature() const {
     const TrainingOptions& o = options_;
-    // The first number rises when the same parameters come to mean another network.
+    // The version number is increased when the same parameters come to mean another network.
     return fmt::format(
         "model 2 kind {} planes {} width {} levels {} size {} batch {} examples {} lr {} seed {} irradiance {} "
         "target-mean {} "
@@ -138,7 +138,7 @@ void Training::load(const std::string& path) {
         archive.load_from(path);
         archive.read("signature", value);
         if (value.toStringRef() != signature())
-            throw Error(where, fmt::format("a checkpoint of another training ({}), not of this one ({})",
+            throw Error(where, fmt::format("a checkpoint of another training run ({}), not of this one ({})",
                                            value.toStringRef(), signature()));
         archive.read("model", model);
         archive.read("average", average);

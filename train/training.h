@@ -1,4 +1,4 @@
-// One training from start to end: Adam with a warm-up and a cosine decay to zero, gradients clipped, and a running
+// A training run: Adam with warm-up and cosine decay of the learning rate to zero, gradient clipping, and a running
 // average of the weights, which is what is validated and exported.
 #pragma once
 #include <torch/torch.h>
@@ -14,11 +14,11 @@ namespace drc {
 
 struct TrainingOptions {
     int batch = 32;
-    int64_t examples = 500000;    // drawn in total, over all epochs
-    double learningRate = 1e-3;   // at its peak
-    double warmUp = 0.02;         // share of the steps in which the rate climbs from 0 to its peak
-    double clipNorm = 1;          // of the gradient of all parameters; 0: no clipping
-    double averageDecay = 0.999;  // of the running average of the weights, a step
+    int64_t examples = 500000;    // total number drawn, over all epochs
+    double learningRate = 1e-3;   // peak value
+    double warmUp = 0.02;         // share of the steps in which the rate rises linearly from 0 to its peak
+    double clipNorm = 1;          // maximum norm of the gradient of all parameters; 0: no clipping
+    double averageDecay = 0.999;  // of the running average of the weights, per step
     double irradianceWeight = 0;  // see Loss
     uint64_t seed = 1;
     Encoding encoding;
@@ -29,20 +29,20 @@ struct TrainingOptions {
 
 class Training {
   public:
-    // Seeds torch's generator; the model starts from random weights.
+    // Seeds torch's global generator. The model starts from random weights.
     Training(const UNetShape& shape, const Dataset& dataset, std::vector<size_t> indices,
              const TrainingOptions& options);
 
-    // Both the model that learns and its average start from these weights.
+    // Initialises both the model and its running average with these weights.
     void startFrom(const UNetWeights& weights);
-    // One batch; returns its loss. The step after done() == options.steps() is an error of the caller.
+    // Trains on one batch and returns its loss. Must not be called when done() == options.steps().
     double step();
     int64_t done() const { return step_; }
     double learningRate() const;
     Model& average() { return average_; }
 
-    // Everything a resumed training needs to go on as if it had not stopped. load() throws drc::Error if the file is
-    // unreadable or was made with other options.
+    // Saves and restores the complete state, so that a resumed training continues as if it had not stopped. load()
+    // throws drc::Error if the file is unreadable or was made with other options.
     void save(const std::string& path);
     void load(const std::string& path);
 

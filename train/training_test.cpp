@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr int kSize = 16;
 
-// Shards of smooth maps with noise on them, which a network soon learns to smooth.
+// Shards of smooth maps with added noise, which a network quickly learns to remove.
 class TrainingOnFiles : public testing::Test {
   protected:
     void SetUp() override {
@@ -87,7 +87,7 @@ TEST_F(TrainingOnFiles, LossGoesDownAndBeatsTheNoise) {
 TEST_F(TrainingOnFiles, ResumesAsIfItHadNotStopped) {
     writeShard("a", 12, 3);
     const Dataset data = dataset();
-    const Split split = splitByScene(data, {}, 0.2);  // one scene: split by example
+    const Split split = splitByScene(data, {}, 0.2);  // a single scene is split by example
     EXPECT_EQ(split.training.size() + split.validation.size(), 12u);
     EXPECT_FALSE(split.validation.empty());
     const std::string path = (directory_ / "state.ckpt").string();

@@ -8,7 +8,7 @@ namespace {
 
 torch::Tensor meanOf(const torch::Tensor& maps) { return maps.mean({1, 2, 3}, true).clamp_min(1e-30); }
 
-// Radiance on the network's scale, by its own mean.
+// Radiance encoded by its own mean.
 torch::Tensor encoded(const torch::Tensor& maps) { return torch::log1p(maps / (10 * meanOf(maps))); }
 
 double l1(const torch::Tensor& a, const torch::Tensor& b) { return (a - b).abs().mean().item<double>(); }

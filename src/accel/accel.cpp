@@ -20,17 +20,17 @@
 namespace drc {
 namespace {
 
-// What a geometry's callbacks need; lives as long as the Accel.
+// The data that Embree's callbacks need for one geometry. Lives as long as the Accel.
 struct GeometryData {
     const Primitive* primitive;
-    std::optional<PackedMesh> mesh;  // none: the primitive is a shape ...
-    const Curves* curves = nullptr;  // ... or, if not null, curves
-    const Bsdf* lobes = nullptr;     // see SurfaceInteraction
+    std::optional<PackedMesh> mesh;  // set for meshes; otherwise the primitive is a shape,
+    const Curves* curves = nullptr;  // or, if this is not null, curves
+    const Bsdf* lobes = nullptr;     // see SurfaceInteraction::lobes
 };
 
 struct Group {
     RTCScene scene = nullptr;
-    std::vector<std::unique_ptr<GeometryData>> geometries;  // indexed by Embree's geometry id
+    std::vector<std::unique_ptr<GeometryData>> geometries;  // indexed by Embree's geometry ID
 };
 
 void fill(const ShapeHit& found, SurfaceInteraction& hit) {
@@ -45,7 +45,7 @@ void fill(const ShapeHit& found, SurfaceInteraction& hit) {
     hit.triangle = found.part;
 }
 
-// What a mesh or curves look like where a ray meets them, at the distance t.
+// Fills in the interaction at a hit on a mesh or curves, at distance t along the ray.
 void fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, float u, float v,
             SurfaceInteraction& hit) {
     if (data.mesh)
@@ -104,10 +104,10 @@ void shapeBounds(const RTCBoundsFunctionArguments* a) {
     a->bounds_o->upper_z = b.max.z;
 }
 
-// Nearest hit with a shape where none of the masks has a hole.
+// The nearest hit on a shape at which none of the alpha masks is transparent.
 std::optional<ShapeHit> intersectSolid(const GeometryData& data, std::initializer_list<const FloatTexture*> masks,
                                        const Ray& ray, float tMin) {
-    constexpr int kMaxHits = 8;  // more than any shape has
+    constexpr int kMaxHits = 8;  // no shape has more intersections with a ray
     for (int i = 0; i < kMaxHits; ++i) {
         auto found = data.primitive->shape->intersect(ray, tMin);
         if (!found) return {};
@@ -161,7 +161,7 @@ struct Accel::Impl {
     RTCDevice device = nullptr;
     Group world;
     std::vector<Group> objects;
-    std::vector<const Instance*> instances;  // indexed by the world scene's geometry id; null: not an instance
+    std::vector<const Instance*> instances;  // indexed by geometry ID in the world scene; null if not an instance
     const Instance* firstInstance = nullptr;
     bool anythingMoves = false;
 
@@ -173,9 +173,9 @@ struct Accel::Impl {
     }
     std::unordered_map<const Material*, std::unique_ptr<const Bsdf>> lobes;  // of the materials without textures
 
-    // Embree ends the program at rays that are not of numbers below 1.8e18, in the world or, where it meets them, in
-    // the instances' own spaces. A scene's own numbers can make such rays: of a camera that is too far away, of normals
-    // that are no numbers.
+    // Embree aborts the program when it is given rays with coordinates that are not finite or beyond 1.8e18, in world
+    // space or, after transformation, in an instance's space. A valid scene file can lead to such rays: its camera may
+    // be too far away, or its normals may be NaN.
     bool isWithinReach(const Vec3& o, const Vec3& d) const {
         return std::abs(o.x) + std::abs(o.y) + std::abs(o.z) + std::abs(d.x) + std::abs(d.y) + std::abs(d.z) < reach;
     }
@@ -184,7 +184,7 @@ struct Accel::Impl {
 
     const Bsdf* lobesOf(const Material* material);
     void fill(Group& group, const std::vector<Primitive>& primitives);
-    // Of one that moves.
+    // Object-to-world transform of a moving instance.
     Transform toWorld(const Instance& instance, float time) const {
         const auto id = world.geometries.size() + size_t(&instance - firstInstance);
         return instanceToWorld(rtcGetGeometry(world.scene, unsigned(id)), time);
@@ -203,7 +203,8 @@ const Bsdf* Accel::Impl::lobesOf(const Material* material) {
 }
 
 void Accel::Impl::limitReachBy(const Transform& objectToWorld) {
-    // Embree's own inverse, in floats, may be twice as large: see pbrt::checkPlacement.
+    // Embree inverts instance transforms in single precision, so its ray coordinates may be twice as large as ours: see
+    // pbrt::checkPlacement.
     constexpr float kInside = limits::kCoordinate / 4;
     const Transform inverse = objectToWorld.inverse();
     for (int row = 0; row < 3; ++row) {
@@ -238,7 +239,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
             rtcSetGeometryIntersectFunction(geometry, shapeIntersect);
             rtcSetGeometryOccludedFunction(geometry, shapeOccluded);
         }
-        // Functions of our own look at the masks by themselves.
+        // Our own intersection functions, for shapes, test the alpha masks themselves.
         if (data->mesh || data->curves) {
             if (primitive.alpha) rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
             if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
@@ -340,7 +341,7 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
         if (toWorld) {
             const Transform inverse = toWorld->inverse();
             local.o = inverse.point(ray.o);
-            local.d = inverse.vector(ray.d);  // not renormalised: t stays the same in both spaces
+            local.d = inverse.vector(ray.d);  // not normalised, so that t is the same in both spaces
         }
         fillAt(data, local, found.t, found.triangle, found.b1, found.b2, hit);
     } else {

@@ -1,4 +1,4 @@
-// Ray queries against a scene, by Embree. Thread-safe after construction.
+// Ray queries against a scene, using Embree. Thread-safe once constructed.
 #pragma once
 #include <memory>
 #include <optional>
@@ -10,31 +10,32 @@ namespace drc {
 
 class Accel {
   public:
-    // Builds on all cores. The scene must outlive the Accel and stay where it is.
+    // Builds the acceleration structures on all cores. The scene must outlive the Accel and must not move in memory.
+    // Throws Error if Embree fails or memory is short.
     explicit Accel(const Scene& scene);
     ~Accel();
     Accel(const Accel&) = delete;
     Accel& operator=(const Accel&) = delete;
 
-    // Nearest surface along the ray, alpha masks applied. False: the ray escapes.
+    // Finds the nearest surface along the ray, with alpha masks applied. False if the ray escapes.
     bool intersect(const Ray& ray, SurfaceInteraction& hit) const;
-    // The same in two steps: find() starts to fetch from memory what describe() reads, so that other work between the
-    // two hides the wait.
+    // The same in two steps. find() prefetches what describe() reads, so that work done between the two hides the
+    // memory latency.
     struct Found {
         const void* geometry = nullptr;
         const Instance* instance = nullptr;
         uint32_t triangle = 0;
         float b1 = 0, b2 = 0, t = 0;
-        // Of a shape, in its own space: kept from when it was found. The same ray, taken there once more with other
-        // rounding, may miss. Not of meshes and curves.
+        // The hit on a shape, in the shape's own space, as find() saw it. Transforming the ray again would round
+        // differently and might miss. Unused for meshes and curves.
         ShapeHit shape;
     };
     bool find(const Ray& ray, Found& found) const;
     void describe(const Ray& ray, const Found& found, SurfaceInteraction& hit) const;
-    // True if anything lies between o and o + tMax * d (d unit) at that time, which is a ray's. Surfaces without a
-    // material do not block.
+    // Whether anything blocks the segment from o to o + tMax * d (d unit) at the given time (Ray::time). Surfaces
+    // without a material do not block.
     bool occluded(const Vec3& o, const Vec3& d, float tMax, float time) const;
-    // Whether anything is not always where it is.
+    // Whether any object moves while the shutter is open.
     bool anythingMoves() const;
 
   private:

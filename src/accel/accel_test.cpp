@@ -1,4 +1,4 @@
-// Shapes and curves as rays of a whole scene see them; pictures test meshes.
+// Rays against shapes and curves in a whole scene; meshes are tested by rendered images.
 #include "accel/accel.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@
 namespace drc {
 namespace {
 
-// Holes where u is below a half.
+// An alpha mask that is transparent where u < 0.5.
 class HalfMask final : public FloatTexture {
   public:
     float eval(const TextureContext& at) const override { return at.uv.x < 0.5f ? 0 : 1; }
@@ -64,7 +64,8 @@ TEST(Accel, HitsAreThoseOfTheShapes) {
             const bool found = accel.intersect(ray, hit);
             EXPECT_EQ(found, accel.occluded(ray.o, ray.d, kInfinity, ray.time));
             hits += found;
-            // Curves are lines in both, but not the same ones: edges differ a little.
+            // Embree and the reference approximate curves by different line segments, so their silhouettes differ a
+            // little.
             if (found != expected.has_value() ||
                 (found && (std::abs(hit.t - expected->t) > 0.01f || std::abs(hit.uv.x - expected->uv.x) > 0.02f ||
                            std::abs(hit.uv.y - expected->uv.y) > 0.1f || dot(hit.ng, expected->ng) < 0.94f)))
@@ -108,7 +109,7 @@ TEST(Accel, MasksOfEveryShape) {
         EXPECT_GT(kept, 20);
         everBehind += behind;
     }
-    EXPECT_GT(everBehind, 0);  // through a hole more of the shape is seen
+    EXPECT_GT(everBehind, 0);  // some rays pass the hole and hit the far side of the shape
 }
 
 TEST(Accel, InstancedShapesAndCurves) {
@@ -140,7 +141,7 @@ TEST(Accel, InstancedShapesAndCurves) {
     }
 }
 
-// Debian's Embree ends the program at what is no ray.
+// Without our check, Debian's build of Embree aborts on rays with invalid coordinates.
 TEST(Accel, WhatIsNoRayMeetsNothing) {
     Scene scene;
     Primitive sphere;
@@ -164,12 +165,12 @@ TEST(Accel, WhatIsNoRayMeetsNothing) {
             EXPECT_FALSE(accel.intersect(rayFrom(o, d), hit));
             EXPECT_FALSE(accel.occluded(o, d, 10, 0));
         }
-    // In the space of the instance its origin lies at 1e19.
+    // In the space of the instance the ray's origin is at 1e19.
     EXPECT_FALSE(accel.intersect(rayFrom(Vec3(5, 0, -1e11f), Vec3(0, 0, 1)), hit));
     EXPECT_TRUE(accel.intersect(rayFrom(Vec3(5, 0, -1), Vec3(0, 0, 1)), hit));
 }
 
-// One of 250000 triangles, which take 5 MB, and what rays need of them 34.
+// A mesh of 250000 triangles takes 5 MB, and its acceleration structure 34 MB more.
 TEST(Accel, ScenesThatNeedMoreThanThereIsAreRefused) {
     constexpr uint32_t kSide = 354;
     auto mesh = std::make_shared<TriangleMesh>();

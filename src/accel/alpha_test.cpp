@@ -1,4 +1,4 @@
-// Alpha masks that are looked up by position.
+// Alpha masks that depend on position.
 #include <gtest/gtest.h>
 
 #include "accel/accel.h"
@@ -21,7 +21,7 @@ TEST(Alpha, SolidTexturesHideTheSamePartsOfAShapeFromEveryRay) {
     int holes = 0, hits = 0;
     for (float x = -0.63f; x < 0.65f; x += 0.05f)
         for (float y = -0.63f; y < 0.65f; y += 0.05f) {
-            // From within, so that there is one surface along the ray, and it has z > 0.
+            // From the inside, so that the ray crosses the surface once, at z > 0.
             const Vec3 o(x, y, 0), d(0, 0, 1);
             Ray ray;
             ray.o = o;

@@ -1,4 +1,4 @@
-// Curves as Embree's own geometry.
+// Creates Embree's own geometry type for curves.
 #pragma once
 #include <embree3/rtcore.h>
 
@@ -6,8 +6,8 @@
 
 namespace drc {
 
-// One geometry for all of them, whose primitives are the pieces of the curves and whose u is that of a piece. Reads the
-// control points where they are. To be committed by the caller.
+// One geometry for all curves. Its primitives are the pieces of the curves, and u is the parameter within a piece.
+// Shares the control points with `curves`, which must outlive it. The caller commits it.
 RTCGeometry makeCurveGeometry(RTCDevice device, const Curves& curves);
 
 }  // namespace drc

@@ -13,12 +13,13 @@ void setMatrix(RTCGeometry instance, unsigned step, const Transform& t) {
     rtcSetGeometryTransform(instance, step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
 }
 
-// As a translation of a rotation of an upper triangular matrix, each of which Embree interpolates by itself.
+// Decomposes the transform into translation, rotation and an upper triangular matrix, which Embree interpolates
+// separately.
 void setFactors(RTCGeometry instance, unsigned step, const Transform& t) {
     Imath::V3d c[3], q[3];
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) c[column][row] = t.at(row, column);
-    // Gram and Schmidt's; the last scale takes the sign, so that q is a rotation.
+    // Gram-Schmidt orthonormalisation. The last scale takes the determinant's sign, so that q is a rotation.
     q[0] = c[0].normalized();
     q[1] = (c[1] - q[0] * q[0].dot(c[1])).normalized();
     q[2] = q[0].cross(q[1]);
@@ -48,8 +49,9 @@ RTCGeometry makeInstanceGeometry(RTCDevice device, RTCScene object, const Animat
         return instance;
     }
     rtcSetGeometryTimeStepCount(instance, steps);
-    // Many steps are so near to each other that matrices between them do as well. Of factors Embree would search the
-    // bounds of what turns between every two steps, which takes ten milliseconds an instance.
+    // With many time steps, linear interpolation of matrices between them is accurate enough. With decomposed
+    // transforms, Embree would search for the bounds of the rotation between every two steps, which takes ten
+    // milliseconds per instance.
     const auto set = steps == AnimatedTransform::kMostSteps ? setMatrix : setFactors;
     for (unsigned i = 0; i < steps; ++i) set(instance, i, objectToWorld.at(float(i) / float(steps - 1)));
     return instance;

@@ -1,4 +1,4 @@
-// Instances of objects, still or moving, as Embree's own geometry.
+// Creates Embree's own geometry type for instances, static or moving.
 #pragma once
 #include <embree3/rtcore.h>
 
@@ -6,12 +6,12 @@
 
 namespace drc {
 
-// To be committed by the caller.
+// The caller commits it.
 RTCGeometry makeInstanceGeometry(RTCDevice device, RTCScene object, const AnimatedTransform& objectToWorld);
 
-// Where a ray of that time meets a moving instance: objectToWorld.at(time), but for the approximations that Embree
-// makes between its time steps. Hits must be placed by the same ones, or rays that leave them would start off the
-// surface.
+// Object-to-world transform of a moving instance at a ray's time, as Embree interpolates it between its time steps. It
+// differs slightly from objectToWorld.at(time). Hit points must be computed with Embree's version, or spawned rays
+// would start off the surface.
 Transform instanceToWorld(RTCGeometry instance, float time);
 
 }  // namespace drc

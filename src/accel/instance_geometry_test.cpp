@@ -7,7 +7,8 @@ namespace {
 
 const Vec3 kAxis(1, 2, -1);
 
-// Largest difference of Embree's interpolation from ours, in the images of the unit vectors and the origin.
+// Largest difference between Embree's interpolation and ours, measured on the images of the unit vectors and the
+// origin.
 float strayOf(const AnimatedTransform& motion) {
     RTCDevice device = rtcNewDevice(nullptr);
     RTCScene object = rtcNewScene(device);
@@ -31,7 +32,8 @@ TEST(InstanceGeometry, FollowsTheMotion) {
     const Transform placed = Transform::translate(Vec3(3, 1, 2)) * Transform::rotate(40, Vec3(0, 1, 1));
     EXPECT_LT(strayOf(placed), 1e-5f);
     EXPECT_LT(strayOf({placed, Transform::translate(Vec3(0, 4, 0)) * placed}), 1e-5f);
-    // Turning, growing, and both mirrored. Embree's sines are good to a few units in the fourth place.
+    // Rotating, growing, and both with a mirror. Embree's sines are accurate to a few units in the fourth decimal
+    // place.
     const Transform turned = placed * Transform::rotate(150, kAxis);
     EXPECT_LT(strayOf({placed, turned}), 1e-3f);
     EXPECT_LT(strayOf({placed * Transform::scale(1, 2, 3), turned * Transform::scale(3, 1, 1)}), 3e-3f);
@@ -39,7 +41,7 @@ TEST(InstanceGeometry, FollowsTheMotion) {
 }
 
 TEST(InstanceGeometry, FollowsMotionsThatEmbreeDoesNotKnow) {
-    // Stretch that is not along the axes, and a motion within a motion.
+    // Stretch along other axes than the coordinate axes, and a motion within a motion.
     EXPECT_LT(strayOf({Transform::scale(1, 3, 1), Transform::scale(1, 3, 1) * Transform::rotate(120, kAxis)}), 4e-3f);
     const AnimatedTransform wheel(Transform(), Transform::rotate(170, Vec3(1, 0, 0)));
     const AnimatedTransform car(Transform::translate(Vec3(2, 0, 0)),

@@ -1,4 +1,5 @@
-// Instances against copies of their objects that are written out, and things that move against where they are then.
+// Compares instances with copies of their objects, and moving objects with static ones placed where the moving ones are
+// at the ray's time.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -13,7 +14,7 @@
 namespace drc {
 namespace {
 
-// A scene and what finds the hits in it.
+// A scene and its acceleration structure.
 struct Traced {
     explicit Traced(const std::string& world, const std::string& options = "")
         : scene(pbrt::loadPbrtString(options + "WorldBegin\n" + world + "\nWorldEnd\n")), accel(*scene) {}
@@ -48,7 +49,8 @@ const std::string kCurve = "\"point P\" [-1 0 0  -0.5 1 0.4  0.5 -0.6 0.8  1 0.3
 struct Shaped {
     const char* name;
     std::string text;
-    bool sided = false;  // pbrt turns the normals of quadrics and ribbons with their own mirroring, not an instance's
+    bool sided =
+        false;  // pbrt flips normals of quadrics and ribbons when their own transform mirrors, not an instance's
     bool curve = false, placed = false;
 };
 std::vector<Shaped> shapes() {
@@ -92,7 +94,8 @@ float relative(const Vec3& a, const Vec3& b) { return length(a - b) / std::max(1
 TEST(Instances, AreCopies) {
     for (const Shaped& shape : shapes())
         for (const Placement& at : placements()) {
-            if (shape.curve && at.stretches) continue;  // widths of copies do not stretch: see docs/decisions.md
+            if (shape.curve && at.stretches)
+                continue;  // copies keep the widths of their curves, instances stretch them
             const std::string what = std::string(shape.name) + ", " + at.name;
             const Traced instance("ObjectBegin \"o\"\n" + shape.text + "ObjectEnd\n" + at.text +
                                   "ObjectInstance \"o\"");
@@ -111,7 +114,7 @@ TEST(Instances, AreCopies) {
                 if (!met && !expected && shadow) return;
                 const float side = sideIsOpen && dot(a.ng, b.ng) < 0 ? -1.f : 1.f;
                 const float tolerance = shape.curve ? 0.03f : 2e-3f;
-                // Silhouettes and edges of masks may fall on either side by rounding.
+                // Rounding may put rays at silhouettes and mask edges on either side.
                 different += met != expected || !shadow || std::abs(a.t - b.t) > tolerance ||
                              length(a.p - b.p) > tolerance || std::abs(a.uv.x - b.uv.x) > tolerance ||
                              std::abs(a.uv.y - b.uv.y) > tolerance + (shape.curve ? 0.2f : 0.f) ||
@@ -144,7 +147,7 @@ TEST(Instances, NormalsArePerpendicularToWhatIsSeenUnderAnyPlacement) {
     }
 }
 
-// Of this process, bytes in memory.
+// Resident memory of this process, in bytes.
 size_t residentMemory() {
     std::ifstream file("/proc/self/statm");
     size_t total = 0, resident = 0;
@@ -163,7 +166,7 @@ TEST(Instances, ShareTheirMesh) {
     const Traced scene(many);
     const size_t after = residentMemory();
     EXPECT_EQ(scene.scene->triangleCount(), size_t(kCount) * 9800);
-    // Copies would need more than a hundred bytes a triangle: ten thousand megabytes.
+    // Copies would take more than a hundred bytes per triangle, 10 GB in all.
     EXPECT_LT(double(after) - double(before), 60e6);
     SurfaceInteraction hit;
     ASSERT_TRUE(scene.hit(rayFrom(Vec3(150.1f, 60.2f, 5), Vec3(0, 0, -1)), hit));
@@ -174,7 +177,8 @@ TEST(Instances, ShareTheirMesh) {
     EXPECT_NEAR(bounds.min.y, -1, 1e-3);
 }
 
-// Turns, moves and grows; written so that the object's own placement is the same as that of a shape that stands there.
+// A motion that rotates, translates and scales, written so that an object's own placement equals that of a static
+// shape.
 const std::string kMotion =
     "ActiveTransform StartTime Translate -1 0 0.2 Rotate 10 0 1 0\n"
     "ActiveTransform EndTime Translate 1 0.3 0 Rotate 130 1 1 0 Scale 1 1.5 1\nActiveTransform All\n";
@@ -190,7 +194,7 @@ TEST(MovingShapes, AreWhereTheyAreAtTheTime) {
         const AnimatedTransform& motion = moving.scene->instances[0].objectToWorld;
         int hits = 0, missed = 0, different = 0;
         forManyRays(600, [&](const Ray& local) {
-            // The same ray in the moving space.
+            // The same ray in the space of the moving object.
             const Transform toWorld = motion.at(local.time);
             const Vec3 d = toWorld.vector(local.d);
             const Ray ray = rayFrom(toWorld.point(local.o), normalize(d), local.time);
@@ -202,7 +206,7 @@ TEST(MovingShapes, AreWhereTheyAreAtTheTime) {
             missed += met != expected;
             if (!met && !expected && shadow) return;
             EXPECT_TRUE(!met || (a.moves && a.time == ray.time));
-            const float tolerance = shape.curve ? 0.05f : 0.01f;  // Embree's interpolation is approximate
+            const float tolerance = shape.curve ? 0.05f : 0.01f;  // allows for the error of Embree's interpolation
             different += met != expected || !shadow || std::abs(a.t - b.t * length(d)) > tolerance ||
                          length(a.p - toWorld.point(b.p)) > tolerance || std::abs(a.uv.x - b.uv.x) > tolerance ||
                          dot(a.ng, normalize(toWorld.normal(b.ng))) < 1 - tolerance ||
@@ -215,7 +219,7 @@ TEST(MovingShapes, AreWhereTheyAreAtTheTime) {
 }
 
 TEST(MovingShapes, HitsLieOnTheSurfaceThatRaysMeet) {
-    // A ray that leaves a hit on a plane must not meet the plane again, nor start behind it.
+    // A ray that leaves a point on a plane must neither hit the plane again nor start behind it.
     const Traced scene(
         kMotion +
         "Shape \"trianglemesh\" \"point P\" [-3 -3 0 3 -3 0 3 3 0 -3 3 0] \"integer indices\" [0 1 2 0 2 3]\n");
@@ -234,7 +238,7 @@ TEST(MovingShapes, HitsLieOnTheSurfaceThatRaysMeet) {
 }
 
 TEST(MovingShapes, BoundsHoldTheWholeMotion) {
-    // A quarter of a turn and more: the way bulges far beyond its ends.
+    // Rotations by 90 degrees and more, in which objects move far outside the bounds of their end positions.
     for (const std::string& motion :
          {kMotion, std::string("ActiveTransform EndTime Rotate 170 0 0 1 ActiveTransform All Translate 4 0 0\n")}) {
         const Traced scene(motion + "Shape \"sphere\"");
@@ -249,7 +253,7 @@ TEST(MovingShapes, BoundsHoldTheWholeMotion) {
 }
 
 TEST(MovingShapes, MoveWithinTheirObject) {
-    // A part that turns within an object whose instance moves, and one that does neither.
+    // A part that rotates within an object whose instance moves, and a part that is static in both.
     const std::string world =
         "ObjectBegin \"o\"\n"
         "AttributeBegin Translate 0 0 -2 Shape \"sphere\" \"float radius\" 0.2\nAttributeEnd\n"
@@ -259,7 +263,8 @@ TEST(MovingShapes, MoveWithinTheirObject) {
     const Traced scene(world);
     ASSERT_EQ(scene.scene->instances.size(), 2u);
     for (const float time : {0.f, 0.25f, 0.5f, 1.f}) {
-        // The way of what turns about a point aside of it is straight: its translation is interpolated by itself.
+        // The rotation is about a point off the object's centre; translation is interpolated separately, so the path is
+        // straight.
         for (const Vec3& center : {Vec3(0, 0, -2 + 3 * time), Vec3(1 - time, time, 3 * time)}) {
             SurfaceInteraction hit;
             ASSERT_TRUE(scene.hit(rayFrom(center + Vec3(0, 5, 0), Vec3(0, -1, 0), time), hit)) << time;

@@ -6,14 +6,14 @@
 namespace drc {
 namespace {
 
-// Of a cone's width, what one texture lookup averages over: a pixel has many samples, and its filter averages those.
-// pbrt divides by the square root of their number; this is what it does with 256. More would blur beyond what
-// the surface shows, and saves no noise that can be measured.
+// Share of a cone's width over which one texture lookup averages. A pixel has many samples, and the pixel filter
+// averages them. pbrt divides the width by the square root of the samples per pixel; this is its value at 256. A larger
+// share would blur textures visibly without a measurable reduction of noise.
 constexpr float kSampleShare = 1 / 16.f;
 
-// Cones that spread by more than this, in radians, come from diffuse reflection or fill a map's texel. Bumps that were
-// averaged over their width would be flat, and reflect more than bumps do: they are looked up as they are. (pbrt
-// follows no cones after such a reflection.)
+// Cones with a larger spread, in radians, come from diffuse reflection or cover a texel of a radiance map. Averaging a
+// bump map over their width would flatten it and change how much it reflects, so bump maps are evaluated unfiltered
+// there. (pbrt drops ray differentials after such a reflection.)
 constexpr float kWidestForBumps = 0.04f;
 
 }  // namespace
@@ -32,7 +32,8 @@ TextureContext SurfaceInteraction::textureContext() const {
 Frame SurfaceInteraction::bumped(const Frame& shading, const FloatTexture& displacement, TextureContext at) const {
     if (bumpTangents == BumpTangents::OppositeUnit) {
         at.dpdu = -shading.s;
-        // In the order of dpdu and dpdv that the normal asks for, whichever the texture's is.
+        // bumpFrame() takes the normal's orientation from dpdu and dpdv, so their order is fixed by the shading frame,
+        // not by the texture's parametrisation.
         at.dpdv = -shading.t;
     }
     if (coneSpread > kWidestForBumps) {

@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// Height 0.6 u - 0.8 v.
+// A texture with the height 0.6 u - 0.8 v.
 class Slope final : public FloatTexture {
   public:
     float eval(const TextureContext& at) const override { return 0.6f * at.uv.x - 0.8f * at.uv.y; }
@@ -17,16 +17,16 @@ TEST(SurfaceInteraction, BumpsGoAlongTheTangentsOfTheMesh) {
     hit.dpdu = hit.tangent = Vec3(2, 0, 0);
     hit.dpdv = Vec3(0, 4, 0);
     const Frame shading = Frame::fromNormalAndTangent(hit.ns, hit.tangent);
-    // 0.6 a half unit of u a metre, -0.8 a quarter of v.
+    // The height changes by 0.6 per half unit of u per metre, and by -0.8 per quarter unit of v per metre.
     const Vec3 right = hit.bumped(shading, Slope(), hit.textureContext()).n;
     EXPECT_LT(length(right - normalize(Vec3(-0.3f, 0.2f, 1))), 1e-4f);
-    // As pbrt-v3 has it: the other way, by 0.6 and 0.8.
+    // As in pbrt-v3: in the opposite direction, with the slopes 0.6 and 0.8.
     hit.bumpTangents = BumpTangents::OppositeUnit;
     const Vec3 inverted = hit.bumped(shading, Slope(), hit.textureContext()).n;
     EXPECT_LT(length(inverted - normalize(Vec3(0.6f, -0.8f, 1))), 1e-4f);
 }
 
-// What a texture is that is averaged away within a footprint.
+// A texture that averages out when the footprint is larger than its details.
 class FineSlope final : public FloatTexture {
   public:
     float eval(const TextureContext& at) const override {

@@ -1,4 +1,4 @@
-// What queries of nearest hits hand to Embree, and Embree to the functions that intersect shapes.
+// The context that nearest-hit queries pass through Embree to the intersection functions of shapes.
 #pragma once
 #include <embree3/rtcore.h>
 
@@ -6,11 +6,11 @@
 
 namespace drc {
 
-// Every call of rtcIntersect1 on the scene of an Accel needs one of these; rtcOccluded1 does not.
+// Every call of rtcIntersect1 on an Accel's scene needs one; rtcOccluded1 does not.
 struct IntersectContext : RTCIntersectContext {
     explicit IntersectContext(ShapeHit& shape) : latest(shape) { rtcInitIntersectContext(this); }
-    // Of the shape that was accepted last. Embree accepts nothing that is not nearer than all before it: if the ray's
-    // hit is a shape's at all, this is it.
+    // The last accepted hit on a shape. Embree only accepts hits nearer than all before, so if the ray's final hit is
+    // on a shape at all, it is this one.
     ShapeHit& latest;
 };
 

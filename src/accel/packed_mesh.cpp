@@ -36,7 +36,7 @@ void PackedMesh::fill(uint32_t triangle, float b1, float b2, SurfaceInteraction&
     hit.p = v0.p * b0 + v1.p * b1 + v2.p * b2;
     hit.ng = face.ng;
 
-    // pbrt's coordinates for triangles that have none: (0,0), (1,0), (1,1).
+    // pbrt's default texture coordinates for triangles without any: (0,0), (1,0), (1,1).
     const Vec2 uv0 = hasUvs_ ? v0.uv : Vec2(0, 0);
     const Vec2 d1 = hasUvs_ ? v1.uv - uv0 : Vec2(1, 0), d2 = hasUvs_ ? v2.uv - uv0 : Vec2(1, 1);
     hit.uv = uv0 + d1 * b1 + d2 * b2;

@@ -1,4 +1,4 @@
-// A mesh as hits read it: what a hit needs of a triangle lies in four or five cache lines instead of a dozen.
+// A triangle mesh laid out for shading: a hit reads four or five cache lines of it rather than a dozen.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,20 +9,20 @@ namespace drc {
 
 class PackedMesh {
   public:
-    // On all cores. Copies what it needs of the mesh.
+    // Builds on all cores, and copies what it needs of the mesh.
     explicit PackedMesh(const TriangleMesh& mesh);
 
-    // Position, normals, uv, derivatives and triangle of the point with barycentric coordinates b1, b2 of the second
-    // and third vertex, in the mesh's own space; the rest of the hit stays as it is.
+    // Fills in position, normals, uv, derivatives and triangle index for the point with barycentric coordinates b1, b2
+    // of the second and third vertex, in the mesh's own space. Leaves the other members of the hit unchanged.
     void fill(uint32_t triangle, float b1, float b2, SurfaceInteraction& hit) const;
 
-    // Starts to fetch what fill() reads first.
+    // Prefetches what fill() reads first.
     void prefetch(uint32_t triangle) const { __builtin_prefetch(&faces_[triangle]); }
 
-    // For Embree, which reads the position alone: 16 bytes from there on are within the vertex.
+    // Embree reads only the position, but with 16-byte loads, which stay within the vertex.
     struct alignas(32) Vertex {
         Vec3 p;
-        Vec3 n;  // unit, or zero if the mesh has none
+        Vec3 n;  // unit; zero if the mesh has no normals
         Vec2 uv;
     };
     struct Face {
@@ -35,7 +35,7 @@ class PackedMesh {
   private:
     std::vector<Vertex> vertices_;
     std::vector<Face> faces_;
-    std::vector<Vec3> tangents_;  // of vertices; empty if the mesh has none
+    std::vector<Vec3> tangents_;  // per vertex; empty if the mesh has none
     bool hasNormals_, hasUvs_;
     BumpTangents bumpTangents_;
 };

@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// Two triangles that share an edge; positions, normals and coordinates differ at every vertex.
+// Two triangles that share an edge. Positions, normals and texture coordinates differ at every vertex.
 TriangleMesh mesh() {
     TriangleMesh m;
     m.positions = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 3, 0), Vec3(0, 3, 1)};
@@ -42,7 +42,7 @@ TEST(PackedMesh, ShadingNormalIsInterpolated) {
     expectNear(at(m, 0, 1, 0).ns, Vec3(0.6f, 0, 0.8f));
     expectNear(at(m, 0, 0.5f, 0).ns, normalize(Vec3(0.3f, 0, 0.9f)));
     expectNear(at(m, 1, 0.5f, 0.5f).ns, normalize(Vec3(0, 0.3f, 0.9f)));
-    // Normals that cancel leave the geometric one.
+    // Where interpolated normals cancel, the geometric normal is used.
     m.normals = {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, 1)};
     const SurfaceInteraction hit = at(m, 0, 0.5f, 0);
     EXPECT_EQ(hit.ns, hit.ng);
@@ -64,7 +64,7 @@ TEST(PackedMesh, TangentsAreTheMeshesOwnOrDpdu) {
 
 TEST(PackedMesh, CoordinatesAndDerivatives) {
     TriangleMesh m = mesh();
-    // Those of pbrt where there are none.
+    // Without texture coordinates, pbrt's defaults are used.
     EXPECT_EQ(at(m, 0, 1, 0).uv, Vec2(1, 0));
     EXPECT_EQ(at(m, 0, 0, 1).uv, Vec2(1, 1));
     m.uvs = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 2), Vec2(0, 2)};
@@ -73,7 +73,7 @@ TEST(PackedMesh, CoordinatesAndDerivatives) {
         const Vec2 step = b.uv - a.uv;
         EXPECT_LT(length(a.dpdu * step.x + a.dpdv * step.y - (b.p - a.p)), 1e-5f);
     }
-    // Coordinates without an area still give two directions in the triangle's plane.
+    // Degenerate texture coordinates must still give two tangents in the triangle's plane.
     m.uvs = {Vec2(0, 0), Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)};
     const SurfaceInteraction hit = at(m, 1, 0.2f, 0.3f);
     EXPECT_NEAR(dot(hit.dpdu, hit.ng), 0, 1e-6);

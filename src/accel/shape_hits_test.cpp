@@ -1,5 +1,5 @@
-// Shapes far from the origin, placed by instances, as rays see them that start next to them: Embree takes such rays to
-// the shape's space in single precision, and what it finds there must be what is described.
+// Shapes far from the origin, placed by instances, and rays that start close to them. Embree transforms such rays to
+// the shape's space in single precision, and the hit that it finds must be the one that is described.
 #include <gtest/gtest.h>
 
 #include "accel/accel.h"
@@ -38,12 +38,13 @@ Transform placedAt(const Vec3& center) {
 
 struct Aim {
     const char* name;
-    float distance;  // of the shape from the origin
-    float t;         // of the hit along the ray
+    float distance;  // from the origin to the shape
+    float t;         // from the ray's origin to the hit
 };
 constexpr Aim kAims[] = {{"near", 5, 0.01f}, {"far", 100, 0.3f}, {"very far", 1000, 5}, {"far and short", 1000, 0.1f}};
 
-// Rays that meet the shape after about that distance, at any angle to it but the flattest: how many of them it misses.
+// Aims rays at the shape from about the given distance, at all angles except grazing ones. Returns how many of them
+// miss.
 int missedOf(const Shape& shape, const AnimatedTransform& motion, float distance, int count) {
     Scene scene;
     scene.objects.push_back({"o", {}});
@@ -86,12 +87,13 @@ TEST(ShapeHits, NoneIsLostNextToAMovingShape) {
             const Transform start = placedAt(Vec3(1, 0.6f, -0.3f) * aim.distance);
             const AnimatedTransform motion(
                 start, Transform::translate(Vec3(1, 2, 0)) * start * Transform::rotate(50, Vec3(0, 1, 1)));
-            // Embree's interpolation is good to a thousandth: rays that are shorter would miss what we aim at.
+            // Embree's interpolation is accurate to about a thousandth, so shorter rays would miss what they are aimed
+            // at.
             EXPECT_LE(missedOf(*shape, motion, std::max(0.1f, aim.t), kCount), kCount / 100) << aim.name;
         }
 }
 
-// The nearest of the scenes that each of them is in alone.
+// The nearest hit found by testing each primitive in a scene of its own.
 const Primitive* nearestOf(const std::vector<std::unique_ptr<Accel>>& alone, const std::vector<Primitive>& all,
                            const Ray& ray, SurfaceInteraction& nearest) {
     const Primitive* found = nullptr;
@@ -104,10 +106,10 @@ const Primitive* nearestOf(const std::vector<std::unique_ptr<Accel>>& alone, con
     return found;
 }
 
-// On its way to the nearest hit Embree accepts others, of shapes and of meshes.
+// Before the nearest hit, Embree may accept farther ones, on shapes as well as on meshes.
 TEST(ShapeHits, OfSeveralSurfacesTheNearestIsDescribed) {
     std::vector<Primitive> all;
-    // No two of them in one place, where either could be the nearest.
+    // No two primitives coincide, since either could then be the nearest.
     for (int i = 0; i < 4; ++i) {
         const float x = 0.3f * float(i);
         all.push_back(
@@ -158,7 +160,7 @@ TEST(ShapeHits, OfSeveralSurfacesTheNearestIsDescribed) {
     }
 }
 
-// A ray that leaves a convex shape never meets it again, wherever the ray that found the point came from.
+// A ray that leaves a convex shape must not hit it again, however far the ray came from that found the point.
 TEST(ShapeHits, LieOnTheShapeHoweverFarTheRayCame) {
     for (const float far : {10.f, 1000.f, 100'000.f}) {
         Scene scene;
@@ -179,9 +181,9 @@ TEST(ShapeHits, LieOnTheShapeHoweverFarTheRayCame) {
     }
 }
 
-// As above, where coordinates are large: of the instance in the world, of the shape in its object, of both. The floor
-// of the offset is what keeps such rays off the ball: those in the normal's direction are the easy ones, so the rest
-// are tried too.
+// The same at large coordinates: of the instance in the world, of the shape in its object, and of both. Such rays are
+// kept off the sphere by the lower bound of the spawn offset. Rays along the normal are the easy case, so other
+// directions are tried as well.
 TEST(ShapeHits, RaysLeaveAPlacedShapeForGood) {
     const Transform turn = Transform::rotate(40, Vec3(1, 2, -1));
     for (const float far : {0.f, 30.f, 1000.f, 30'000.f}) {

@@ -6,8 +6,8 @@
 namespace drc {
 namespace {
 
-// Rotations mix coordinates, so that each of them is as inexact as the largest: p by up to two units in the last place,
-// and what a ray from there finds in the shape's own space by as many again.
+// Rotations mix coordinates, so that each has the rounding error of the largest. p is off by up to two units in the
+// last place of that, and a ray transformed to the shape's own space by as many again.
 constexpr float kShareOfLargest = 8 * 0x1p-23f;
 
 }  // namespace

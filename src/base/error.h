@@ -1,23 +1,23 @@
-// The one exception type for what a user can mend: a bad file, a bad option, a full disk.
+// The exception for faults that the user can mend: a bad file, a bad option, a full disk.
 #pragma once
 #include <stdexcept>
 #include <string>
 
 namespace drc {
 
-// A place in a text file. line and column count from 1; 0 means "the file as a whole".
+// A position in a text file. Lines and columns count from 1; a line of 0 means the file as a whole.
 struct SourceLocation {
     std::string file;
     int line = 0;
     int column = 0;
 
     bool empty() const { return file.empty(); }
-    // "file:line:column", "file" or "".
+    // "file:line:column"; "file" if the line is 0; "" if the location is empty.
     std::string str() const;
 };
 
-// what() is ready to print: "file:line:column: message", followed on the next lines by an excerpt with a caret where
-// one was given. It says what is wrong and what would be right.
+// what() is ready to print: "file:line:column: message", followed on the next lines by an excerpt of the file with a
+// caret, if one was given. The message says what is wrong and what would be right.
 class Error : public std::runtime_error {
   public:
     explicit Error(const std::string& message) : std::runtime_error(message) {}

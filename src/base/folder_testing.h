@@ -1,4 +1,5 @@
-// For tests that write files: a folder of their own, gone when the test ends, and what an error says.
+// Helpers for tests that write files: a temporary folder, a limit on file sizes that stands in for a full disk, and the
+// text of an Error.
 #pragma once
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -14,7 +15,7 @@
 
 namespace drc {
 
-// The text of the Error that f throws; empty if it throws none.
+// The text of the Error that f throws; empty if f throws none.
 template <typename F>
 std::string errorOf(const F& f) {
     try {
@@ -25,7 +26,7 @@ std::string errorOf(const F& f) {
     return "";
 }
 
-// A folder that is removed with everything in it.
+// A temporary folder that is removed, with everything in it, by the destructor.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
@@ -42,7 +43,7 @@ class TemporaryFolder {
 
     std::string path() const { return path_.string(); }
     std::string path(const std::string& name) const { return (path_ / name).string(); }
-    // The file's path.
+    // Writes a file into the folder and returns its path.
     std::string write(const std::string& name, std::string_view contents) const {
         const auto file = path_ / name;
         std::filesystem::create_directories(file.parent_path());
@@ -54,7 +55,8 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-// While it lives no file grows beyond so many bytes. Stands for a full disk: both end a write in the middle.
+// While an object of this class lives, no file of this process can grow beyond the given size in bytes. It stands in
+// for a full disk: either ends a write in the middle.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -1,7 +1,8 @@
-// How much a file may ask for. A number in a file must not decide alone how much memory is taken or how long the
-// program runs: a scene may come from anywhere. Each limit lies far beyond what real scenes have, and each says why it
-// is where it is. What grows in proportion to the file itself needs none here; what a few bytes can blow up does.
-// Memory that is within these limits and yet more than the machine has: see memory.h.
+// Upper limits on what an input file may ask for. Scenes may come from anywhere, so a single number in a file must not
+// decide how much memory is allocated or how long the program runs. Every limit lies far above what real scenes
+// contain; each comment says why it is where it is. Data that is proportional to the size of the file itself needs no
+// limit here, only what a few bytes can blow up does. Requests that stay within these limits and still exceed the
+// machine's memory are caught by MemoryClaim (memory.h).
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,85 +11,91 @@ namespace drc::limits {
 
 // --- Files ---------------------------------------------------------------------------------------------------------
 
-// Of a scene or a mesh: the largest published scenes have single files of some gigabytes. More is a sparse file, whose
-// reading would take minutes before the first error.
+// Size of a scene or mesh file. The largest published scenes have single files of several gigabytes. A larger one is
+// probably a sparse file, which would take minutes to read before the first error.
 inline constexpr uint64_t kFileBytes = uint64_t(32) << 30;
-// Of a picture: the most pixels (below) with four floats each take 16 GiB, uncompressed.
+// Size of an image file: kImagePixels pixels of four floats take 16 GiB uncompressed.
 inline constexpr uint64_t kPictureBytes = uint64_t(16) << 30;
-// Of a measured spectrum or a lens: a sample a tenth of a nanometre takes 100 KB, the longest zoom lens 2 KB.
+// Size of a measured spectrum or a lens description. A spectrum sampled every 0.1 nm takes 100 KB, the longest zoom
+// lens 2 KB.
 inline constexpr uint64_t kTableBytes = uint64_t(256) << 10;
-// Of a safetensors header: a line of 100 bytes a tensor, and we have less than a hundred. The parsed header takes up to
-// fifty times as much memory.
+// Size of a safetensors header. A tensor takes about 100 bytes of it, and our networks have fewer than a hundred
+// tensors. Parsing takes up to fifty times the header's size in memory.
 inline constexpr uint64_t kSafetensorsHeaderBytes = uint64_t(1) << 20;
-// Of the header of a shard of examples: ten settings and the scene's name.
+// Size of the header of a shard of training examples: ten settings and the scene's name.
 inline constexpr uint64_t kShardHeaderBytes = uint64_t(64) << 10;
-// Texels along a side of an example's maps, and its realisations: together they bound what one record unpacks to, 60
-// MB.
+// Texels along a side of a training example's maps, and the number of its one-sample realisations. Together they bound
+// the unpacked size of one record to 60 MB.
 inline constexpr int kExampleMapSize = 256;
 inline constexpr int kExampleInputs = 64;
-// What a gzip'd file may grow to: the larger of the two. Meshes and scenes shrink to a tenth, rarely to a fiftieth.
+// Unpacked size of a gzip file: whichever of the two limits is larger. Meshes and scenes compress to a tenth, rarely to
+// a fiftieth, of their size.
 inline constexpr size_t kGunzipBytes = size_t(64) << 20;
-inline constexpr size_t kGunzipRatio = 250;  // to the compressed size
+inline constexpr size_t kGunzipRatio = 250;  // relative to the compressed size
 
-// Warnings that are shown and kept; nobody reads more.
+// Number of different warnings that are kept and shown. Nobody reads more.
 inline constexpr size_t kWarnings = 1000;
-// Of a message that quotes a file.
+// Length of a message that quotes a file, in bytes.
 inline constexpr size_t kMessageBytes = 4000;
 
 // --- Scenes --------------------------------------------------------------------------------------------------------
 
-// Files within files. Exporters write two or three levels.
+// Nesting depth of Include. Exporters nest two or three levels.
 inline constexpr size_t kIncludeDepth = 64;
-// Files that each include the next one twice are read 2^n times. Together, Includes may be of so many files, and have
-// so many bytes of text beyond a multiple of what is on the disk (a file may well be included for each of its copies).
+// A chain of n files, each of which includes the next one twice, is read 2^n times. These limit the number of Includes
+// of a scene, and the bytes of text they read: kIncludedBytes plus kIncludedRatio times the size of the included files
+// on disk, since a scene may legitimately include one file once per copy of an object.
 inline constexpr size_t kIncludes = 100'000;
 inline constexpr uint64_t kIncludedBytes = uint64_t(1) << 30;
 inline constexpr uint64_t kIncludedRatio = 64;
-// Blocks within blocks, each of which keeps a graphics state of about 1 KB: hand-written files have ten, exported
-// hierarchies a hundred.
+// Nesting depth of attribute blocks; each level stores a graphics state of about 1 KB. Hand-written files nest ten
+// deep, exported hierarchies a hundred.
 inline constexpr size_t kBlockDepth = 1024;
-// Parameters of one directive, and of all Attribute directives of one target: every one is compared with every other,
-// and pbrt's longest list has thirty.
+// Parameters of one directive, and of all Attribute directives with the same target. Duplicates are found by comparing
+// every pair. The longest parameter list in pbrt has thirty.
 inline constexpr size_t kParameters = 256;
-// Numbers and strings that the Attribute directives of a target may give together: every later shape gets a copy.
+// Numbers and strings that the Attribute directives of one target may set in total; every later shape gets a copy of
+// them.
 inline constexpr size_t kAttributeValues = 1024;
-// Textures of textures: how deep (each level is a call within a call), and how many lookups one lookup leads to (a
-// texture that uses another one twice, and so on, has 2^n). Exported node graphs have some ten and some hundred.
+// Nesting depth of textures (each level is a nested call), and texture lookups that one lookup may lead to: a chain of
+// n textures, each of which uses the next one twice, takes 2^n. Exported node graphs have about ten levels and about a
+// hundred lookups.
 inline constexpr int kTextureDepth = 100;
 inline constexpr int kTextureLookups = 4096;
-// Farthest lookups apart along a footprint: beyond it a longer one is blurred across, which nobody sees.
+// Largest ratio of the axes of an anisotropically filtered footprint. Beyond it the minor axis is widened instead,
+// which is not visible.
 inline constexpr float kAnisotropy = 64;
-// Octaves of noise: at most as many as there are with features that a float tells apart.
+// Octaves of noise. Higher octaves have features smaller than float coordinates can resolve.
 inline constexpr int kOctaves = 64;
-// Of a coordinate. Embree leaves out what lies beyond 1.8e18, and squares of distances must be floats.
+// Absolute value of a coordinate. Embree ignores geometry beyond 1.8e18, and squared distances must be finite floats.
 inline constexpr float kCoordinate = 1e18f;
-// From the world to the space of an instanced object, by which rays are multiplied: with it, those of scenes of a
-// thousand kilometres stay within the limit of a coordinate.
+// Scale of the transform from world space to an instanced object, which is applied to rays. With this limit the rays of
+// a scene a thousand kilometres across stay within kCoordinate.
 inline constexpr float kInstanceScale = 1e9f;
-// Instances, those of parts that move within objects included: a file may ask for their product. One that moves counts
-// as many times as there are moments that stand for its motion, up to 65.
+// Number of instances, counting those nested in other instances by multiplication, since a short file may ask for the
+// product. A moving instance counts once for each time step of its motion (AnimatedTransform::steps, up to 65).
 inline constexpr size_t kInstanceSteps = size_t(1) << 24;
-// Triangles that a scene's subdivision surfaces may become: 64 times those of a picture of a million pixels, one a
-// pixel. They take some 11 GB by the time that rays are traced, and 30 GB more where they are lights.
+// Triangles that all subdivision surfaces of a scene may be refined into: 64 times the one per pixel that a picture of
+// a million pixels would need. They take about 11 GB once the BVH is built, and 30 GB more if they emit light.
 inline constexpr double kSubdividedTriangles = 1 << 26;
-// Pieces that a scene's curves may be cut into: a coat of ten million hairs with a dozen each. They take some 24 GB, as
-// ribbons 32. A segment of a curve may have 64 of them, and takes six bytes of a file.
+// Pieces that all curves of a scene may be split into: ten million hairs of a dozen pieces each. They take about 24 GB,
+// or 32 GB as ribbons. One curve segment of six bytes in the file may become 64 pieces.
 inline constexpr size_t kCurvePieces = size_t(1) << 27;
-// Surfaces of a lens, all of which every ray meets: the longest zoom lenses have some fifty.
+// Surfaces of a lens. Every camera ray is intersected with all of them; the longest zoom lenses have about fifty.
 inline constexpr size_t kLensSurfaces = 256;
 
 // --- Pictures ------------------------------------------------------------------------------------------------------
 
-// Along one side: what OpenImageIO takes for sound in most formats.
+// Width or height of an image: the limit of OpenImageIO for most formats.
 inline constexpr int kImageSide = 1 << 16;
-// In all: 32768 x 32768, the largest maps that are on offer.
+// Pixels of an image: 32768 x 32768, the largest environment maps on offer.
 inline constexpr int64_t kImagePixels = int64_t(1) << 30;
-// Layers of a production's EXR file have some two hundred.
+// Channels of an EXR file. The layers of production files come to about two hundred.
 inline constexpr int kImageChannels = 1024;
-// Of the film. One of all the pixels that this allows needs more memory than machines have (see MemoryClaim), a crop
-// window of it does not.
+// Width or height of the film. A film of kFilmSide squared needs more memory than machines have (see MemoryClaim), but
+// a crop window of one does not.
 inline constexpr int kFilmSide = 1 << 16;
-// That a scene may ask for, a pixel: beyond it, a float's digits hide what another sample adds.
+// Samples per pixel that a scene may ask for. Beyond this, adding one more sample to a float sum changes nothing.
 inline constexpr int kSamplesPerPixel = 1 << 24;
 
 }  // namespace drc::limits

@@ -21,7 +21,8 @@ spdlog::logger& logger() {
     return *instance;
 }
 
-// Texts quote files: what a terminal would obey, among it, is not passed on, nor is a name of megabytes.
+// Messages quote files. Control characters are replaced, so that a file cannot send escape sequences to the terminal,
+// and very long names are cut.
 std::string printable(std::string text) {
     if (text.size() > limits::kMessageBytes) {
         text.resize(limits::kMessageBytes);
@@ -37,7 +38,7 @@ std::set<std::string>& warnings() {
     static std::set<std::string> seen;
     return seen;
 }
-int unseenWarnings = 0;  // after the most that are shown: each time, for their texts are not kept
+int unseenWarnings = 0;  // warnings beyond limits::kWarnings; their texts are not kept, so repetitions count too
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// Messages to the user on standard error. Levels: error and warning are always shown, info unless quiet, debug with -v.
+// Messages to the user on standard error. Errors and warnings are always shown, information unless --quiet, debug
+// messages with -v.
 #pragma once
 #include <fmt/core.h>
 
@@ -15,13 +16,13 @@ void setLogLevel(LogLevel level);
 void logError(const std::string& message);
 void logInfo(const std::string& message);
 void logDebug(const std::string& message);
-// Prints "file:line:column: warning: message". Thread-safe. Identical warnings are printed once.
+// Prints "file:line:column: warning: message". Safe to call from several threads. Identical warnings are printed once.
 void logWarning(const SourceLocation& where, const std::string& message);
 inline void logWarning(const std::string& message) { logWarning({}, message); }
-// How many different warnings were given so far, for tests and `drc info`. Those beyond limits::kWarnings, which are
-// not kept, count each time.
+// Number of different warnings given so far, for tests and `drc info`. Warnings beyond limits::kWarnings are not kept,
+// so repetitions of those are counted each time.
 int warningCount();
-// As if there had been none: for tests, and for programs that read many files.
+// Forgets all earlier warnings, for tests and for programs that read many files.
 void forgetWarnings();
 
 }  // namespace drc

@@ -8,7 +8,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST(Log, WhatFilesSayCannotCommandATerminal) {
-    forgetWarnings();  // each prints once
+    forgetWarnings();  // identical warnings are printed once, so earlier tests must not have given these
     testing::internal::CaptureStderr();
     logError("file \"\x1b[2J\x07\" is\n\tdamaged\x7f");
     logWarning({"a\rb.pbrt", 1, 2}, "unknown \x1b[31m");

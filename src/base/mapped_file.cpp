@@ -16,7 +16,7 @@ namespace drc {
 
 MappedFile::MappedFile(const std::string& path) {
     const auto fail = [&](const std::string& message) { throw Error(SourceLocation{path}, message); };
-    // Without O_NONBLOCK opening a pipe would wait for its writer.
+    // Without O_NONBLOCK, opening a pipe would block until some program opens it for writing.
     const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0) fail(fmt::format("cannot open: {}", std::strerror(errno)));
     struct stat info = {};

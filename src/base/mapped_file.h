@@ -1,4 +1,4 @@
-// A file's bytes, mapped into memory for reading: what is not looked at is not read.
+// A file mapped into memory for reading. Only the pages that are accessed are read from disk.
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,7 +7,7 @@ namespace drc {
 
 class MappedFile {
   public:
-    // Throws Error, one line that begins with the file's name, if it cannot be opened or is no regular file.
+    // Throws Error, in one line that begins with the path, if the file cannot be opened or is not a regular file.
     explicit MappedFile(const std::string& path);
     ~MappedFile();
     MappedFile(MappedFile&& other) noexcept;
@@ -15,7 +15,7 @@ class MappedFile {
     MappedFile& operator=(const MappedFile&) = delete;
     MappedFile& operator=(MappedFile&&) = delete;
 
-    // Those that the file had when it was opened; gone with this object.
+    // The contents, of the length that the file had when it was opened. Valid while this object lives.
     std::string_view bytes() const { return bytes_; }
 
   private:

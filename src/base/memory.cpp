@@ -15,25 +15,28 @@ namespace drc {
 namespace {
 
 constexpr uint64_t kUnlimited = std::numeric_limits<uint64_t>::max();
-// Asking the system takes some 50 us, so it is not asked for each small claim, but for all since it was last asked when
-// they come to so much: a file may have a million things that are small.
+// Asking the system takes about 50 us, too long for every one of a million small objects of a file. Claims up to
+// kSmallClaim are therefore summed, and checked when their sum reaches kSmallClaims.
 constexpr double kSmallClaim = 1 << 20, kSmallClaims = 64 << 20;
-// Kept for what nobody asks for: the picture's encoding, Embree's and the libraries' own.
+// Share of the available memory that claims may use. The rest is for allocations that are not claimed: image encoding,
+// Embree's and other libraries' own.
 constexpr double kShare = 0.9;
 
-// Of what all claims hold back. Asking and claiming are one step: two threads must not both be given what is left.
+// Guards heldBack and smallClaims. Checking and claiming are one step, so that two threads are not both granted the
+// same memory.
 std::mutex claimMutex;
 uint64_t heldBack = 0;
-double smallClaims = 0;  // since the system was last asked
+double smallClaims = 0;  // sum of the small claims since the system was last asked
 
-// The first number of a file; none if there is no such file or it begins with a word ("max").
+// The number that a file begins with. None if there is no such file or it begins with a word, as "max" in control
+// groups.
 std::optional<uint64_t> numberIn(const std::string& path) {
     std::ifstream in(path);
     uint64_t value = 0;
     return in >> value ? std::optional(value) : std::nullopt;
 }
 
-// Of a line "name:   value kB".
+// The value of a line "name:   value kB" in a file such as /proc/meminfo, in bytes.
 std::optional<uint64_t> kilobytesOf(const std::string& path, const std::string& name) {
     std::ifstream in(path);
     std::string word;
@@ -50,7 +53,8 @@ uint64_t leftOf(std::optional<uint64_t> limit, std::optional<uint64_t> used) {
     return *limit > *used ? *limit - *used : 0;
 }
 
-// Of the process's own group; containers see theirs as the root. Version 2 and, after it, version 1.
+// What the limits of the process's control group leave, for control groups of version 2 and version 1. Inside a
+// container the process's own group appears as the root, so both paths are tried.
 uint64_t leftInControlGroup() {
     std::string line, own;
     std::ifstream groups("/proc/self/cgroup");

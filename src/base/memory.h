@@ -1,36 +1,37 @@
-// Memory that is asked for before it is taken, so that a file which wants more than there is gets an error, and the
-// system does not end the program: Linux grants what it does not have, and kills whoever then uses it.
+// Checks large allocations against the available memory in advance, so that a file which asks for too much gets an
+// error message. Linux grants allocations that it cannot back and kills the process when the pages are first touched,
+// so std::bad_alloc is no protection.
 #pragma once
 #include <cstdint>
 #include <string>
 
 namespace drc {
 
-// Bytes that this process can still take: what the system has free or could free, within the limits of its control
-// group and of `ulimit -v`.
+// Bytes that this process can still use: what the system has free or can reclaim, within the limits of the process's
+// control group and of `ulimit -v`.
 uint64_t availableMemory();
 
-// Holds back the memory of something large for as long as it lives: while that is being made. Claims of several threads
-// add up.
+// Reserves memory for a large object while it is being built. The reservations of all threads add up.
 class MemoryClaim {
   public:
-    // Throws Error "what needs N of memory, and M are available" if it is more than that. Small claims pass, until many
-    // of them come to something large together.
+    // Throws Error "<what> needs <N> of memory, and <M> are available" if there is less than `bytes`. Small claims are
+    // accepted without asking the system, until together they become large.
     MemoryClaim(double bytes, const std::string& what);
     ~MemoryClaim();
     MemoryClaim(const MemoryClaim&) = delete;
     MemoryClaim& operator=(const MemoryClaim&) = delete;
 
-    // So many of its bytes, in all, have been written to. The system has them no longer, and only the others are held
-    // back from now on: whoever does not say so has what it made counted twice, and others are refused what is there.
+    // Says that `bytes` of the claim, in total, have been allocated and written to. The system no longer reports those
+    // as available, so only the remainder stays reserved. Without this call they would be counted twice, and other
+    // claims would be refused memory that exists.
     void taken(double bytes);
 
   private:
-    uint64_t bytes_ = 0;  // as claimed
-    uint64_t held_ = 0;   // of them, what has not been written to
+    uint64_t bytes_ = 0;  // the whole claim
+    uint64_t held_ = 0;   // the part of it that has not been written to yet
 };
 
-// "1.5 GiB", for messages.
+// A size for messages: "1.5 GiB" or "12 MiB".
 std::string sizeText(double bytes);
 
 }  // namespace drc

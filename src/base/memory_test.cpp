@@ -37,7 +37,7 @@ TEST(Memory, LimitOfTheAddressSpaceCounts) {
 TEST(Memory, ClaimsBeyondTheMachineAreRefused) {
     EXPECT_THAT(errorOfClaim(1e18), HasSubstr("the test needs about 931322574.6 GiB of memory, and "));
     EXPECT_EQ(errorOfClaim(4 << 20), "");
-    EXPECT_NE(errorOfClaim(double(availableMemory())), "");  // a part is kept back
+    EXPECT_NE(errorOfClaim(double(availableMemory())), "");  // a share of it is kept back
 }
 
 TEST(Memory, ClaimsAddUpWhileTheyLive) {
@@ -49,7 +49,7 @@ TEST(Memory, ClaimsAddUpWhileTheyLive) {
     EXPECT_EQ(errorOfClaim(most), "");
 }
 
-// A part of what there is, and when that has been made another of the same size: both fit.
+// A claim of 100 of 256 MiB, then, once that has been written to, another of the same size: both fit.
 TEST(Memory, WhatHasBeenTakenCountsOnce) {
     const AddressSpaceLimit limit(256 * kMiB);
     constexpr size_t kPart = 100 * kMiB;
@@ -70,7 +70,7 @@ TEST(Memory, ClaimsAreReleasedOnceHoweverTheyAreTaken) {
         claim.taken(20.0 * kMiB);
         EXPECT_NE(errorOfClaim(160.0 * kMiB), "");
         claim.taken(80.0 * kMiB);
-        claim.taken(60.0 * kMiB);  // no less than before
+        claim.taken(60.0 * kMiB);  // taken() never shrinks
         EXPECT_EQ(errorOfClaim(160.0 * kMiB), "");
         EXPECT_NE(errorOfClaim(222.0 * kMiB), "");
         claim.taken(1e18);
@@ -87,10 +87,10 @@ TEST(Memory, ManySmallClaimsAreALargeOne) {
         ++claims;
     }
     EXPECT_THAT(error, HasSubstr("the test, with what came before it, needs about 6"));
-    EXPECT_LE(claims, 72);  // fewer if other tests claimed before
+    EXPECT_LE(claims, 72);  // fewer if earlier tests left small claims
 }
 
-// In so many rounds two that do not wait for each other mostly meet at least once.
+// Two threads that do not exclude each other would collide at least once in this many rounds.
 TEST(Memory, OfTwoThreadsOneAloneGetsWhatIsLeft) {
     int passed = 0;
     for (int round = 0; round < 300; ++round) {

@@ -1,4 +1,4 @@
-// For tests of what happens where memory is short.
+// A limit on this process's memory, for tests of what happens when memory is short.
 #pragma once
 #include <sys/resource.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 namespace drc {
 
-// While it lives the process may take so many bytes more.
+// While an object of this class lives, the process can allocate only the given number of bytes more.
 class AddressSpaceLimit {
   public:
     explicit AddressSpaceLimit(uint64_t more) {

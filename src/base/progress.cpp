@@ -31,7 +31,7 @@ Progress::Progress(std::string title, int64_t total, ProgressMode mode, std::ost
       out_(out ? out : &std::cerr),
       start_(Clock::now()) {
     if (mode_ == ProgressMode::Auto) mode_ = !out && isatty(STDERR_FILENO) ? ProgressMode::Bar : ProgressMode::Lines;
-    // A job shorter than the interval prints no line until its end.
+    // A job shorter than the interval prints only its final line.
     if (mode_ == ProgressMode::Lines) nextDraw_ = kLineInterval;
 }
 
@@ -59,7 +59,7 @@ void Progress::maybeDraw() {
     const int64_t now = (Clock::now() - start_) / std::chrono::nanoseconds(1);
     int64_t due = nextDraw_.load(std::memory_order_relaxed);
     if (now < due) return;
-    // One thread wins the right to draw; the others go on with their work.
+    // One thread wins the right to draw; the others continue without waiting.
     const int64_t interval = mode_ == ProgressMode::Bar ? kBarInterval : kLineInterval;
     if (!nextDraw_.compare_exchange_strong(due, now + interval, std::memory_order_relaxed)) return;
     const std::lock_guard lock(mutex_);
@@ -79,7 +79,7 @@ void Progress::draw(bool last) {
     if (!note_.empty()) text += "  " + note_;
     if (mode_ == ProgressMode::Bar) {
         const size_t length = text.size();
-        if (length < lastLength_) text.append(lastLength_ - length, ' ');  // wipes the longer text before it
+        if (length < lastLength_) text.append(lastLength_ - length, ' ');  // overwrites the rest of a longer line
         lastLength_ = length;
         *out_ << '\r' << text << (last ? "\n" : "") << std::flush;
     } else {

@@ -1,4 +1,4 @@
-// Shows how far a long job is, on standard error.
+// Progress display for long jobs, on standard error.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -10,30 +10,32 @@
 namespace drc {
 
 enum class ProgressMode {
-    Auto,   // a bar if standard error is a terminal, else a line every 10 seconds
-    Bar,    // a bar wherever it goes
+    Auto,   // a bar if standard error is a terminal, otherwise a line every 10 seconds
+    Bar,    // a bar, even if standard error is no terminal
     Lines,  // a line every 10 seconds
     Quiet,  // nothing
 };
 
-// "59s", "12m05s", "3h07m": for people.
+// A duration for people: "59s", "12m05s", "3h07m".
 std::string formatDuration(double seconds);
 
 class Progress {
   public:
     // total: in units of the caller's choice (passes, tiles, milliseconds of a budget). out: standard error if null.
+    // title is printed before the bar.
     Progress(std::string title, int64_t total, ProgressMode mode = ProgressMode::Auto, std::ostream* out = nullptr);
-    ~Progress();  // finishes
+    ~Progress();  // calls finish()
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // From any thread, as often as wanted: it draws at most ten times a second.
+    // Safe from any thread and cheap enough to call often: the display is updated at most ten times a second.
     void add(int64_t done = 1);
-    // Sets what is done so far; for jobs that measure it instead of counting. It may not go back.
+    // Sets the amount done so far, for jobs that measure it instead of counting. Smaller values than the present one
+    // are ignored.
     void set(int64_t done);
-    // Replaces what follows the bar, as "pass 3".
+    // Sets the text that follows the bar, such as "pass 3".
     void setNote(const std::string& note);
-    // Draws the last state and ends the line. What was not reached stays visible: an interrupted job shows no 100 %.
+    // Draws the final state and ends the line. An interrupted job keeps showing how far it came rather than 100 %.
     void finish();
 
     int64_t done() const { return done_.load(std::memory_order_relaxed); }
@@ -50,7 +52,7 @@ class Progress {
     Clock::time_point start_;
     std::atomic<int64_t> done_{0};
     std::atomic<int64_t> nextDraw_{0};  // nanoseconds since start_
-    std::mutex mutex_;                  // guards what follows, note_ and *out_
+    std::mutex mutex_;                  // guards the members below, note_ and *out_
     size_t lastLength_ = 0;
     bool finished_ = false;
 };

@@ -33,7 +33,7 @@ TEST(Progress, CountsFromManyThreadsAndDrawsSeldom) {
     const std::string text = out.str();
     EXPECT_THAT(text, HasSubstr("render [==============================] 100%"));
     EXPECT_THAT(text, EndsWith("\n"));
-    // 10000 updates in far less than 10 s.
+    // 10000 updates take far less than 10 s, so at most a hundred may be drawn.
     EXPECT_LT(std::count(text.begin(), text.end(), '\r'), 100);
 }
 
@@ -42,7 +42,7 @@ TEST(Progress, ShowsWhereAnInterruptedJobStopped) {
     Progress progress("render", 4, ProgressMode::Bar, &out);
     progress.setNote("pass 3");
     progress.set(3);
-    progress.set(2);  // never back
+    progress.set(2);  // must not go back
     progress.finish();
     progress.finish();
     EXPECT_THAT(out.str(), HasSubstr(" 75%"));

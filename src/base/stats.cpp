@@ -18,7 +18,7 @@ std::vector<std::string> split(const std::string& name) {
     return parts;
 }
 
-// 1234567 -> "1,234,567"
+// Groups digits by thousands: 1234567 -> "1,234,567".
 std::string grouped(int64_t n) {
     const std::string digits = fmt::format("{}", n);
     const size_t sign = n < 0 ? 1 : 0;

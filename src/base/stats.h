@@ -1,4 +1,4 @@
-// Named counters and timers that threads may add to at any time, and their report.
+// Named counters and timers that any thread may add to at any time, and a report of them.
 #pragma once
 #include <array>
 #include <atomic>
@@ -10,7 +10,7 @@
 
 namespace drc {
 
-// A sum kept in several cache lines, so that threads which add often do not wait for each other.
+// A sum spread over several cache lines, so that threads which add often do not contend for one.
 class Counter {
   public:
     void add(int64_t n = 1) { shards_[shard()].value.fetch_add(n, std::memory_order_relaxed); }
@@ -25,7 +25,7 @@ class Counter {
     std::array<Shard, kShards> shards_;
 };
 
-// Time spent, summed over all threads (so it may exceed the clock on the wall), and how often.
+// Accumulated time and number of calls. The time is summed over all threads, so it may exceed the wall-clock time.
 class Timer {
   public:
     void add(std::chrono::nanoseconds t) {
@@ -39,7 +39,7 @@ class Timer {
     Counter nanoseconds_, calls_;
 };
 
-// Adds the time from its making to its end.
+// Adds the time between its construction and its destruction to a Timer.
 class ScopedTimer {
   public:
     explicit ScopedTimer(Timer& timer) : timer_(timer), start_(std::chrono::steady_clock::now()) {}
@@ -52,28 +52,28 @@ class ScopedTimer {
     std::chrono::steady_clock::time_point start_;
 };
 
-// A name is a path: "cache/maps/captured" is printed below "cache" and "maps". Looking a name up takes a lock: in hot
-// loops keep the reference, which stays valid as long as the Stats.
+// A name is a path: "cache/maps/captured" is reported below "cache" and "maps". Looking up a name takes a lock, so hot
+// loops should keep the reference, which stays valid as long as the Stats object.
 class Stats {
   public:
     Counter& counter(const std::string& name);
     Timer& timer(const std::string& name);
 
     void add(const std::string& name, int64_t n = 1) { counter(name).add(n); }
-    // 0 for a counter that does not exist.
+    // The counter's value; 0 if there is no such counter.
     int64_t count(const std::string& name) const;
-    // 0 for a timer that does not exist.
+    // The timer's seconds; 0 if there is no such timer.
     double seconds(const std::string& name) const;
 
-    // A table with aligned columns, sorted by name; times in seconds. Empty if nothing was counted.
+    // A table with aligned columns, sorted by name, times in seconds. Empty if nothing was counted.
     std::string report() const;
-    // {"cache": {"maps": {"captured": 12, "time": {"seconds": 0.5, "calls": 12}}}}. A name that is both a value and a
-    // group keeps its value under "total" in the group.
+    // The same as JSON: {"cache": {"maps": {"captured": 12, "time": {"seconds": 0.5, "calls": 12}}}}. A name that is
+    // both a value and a group stores its value under "total" in the group.
     std::string json() const;
 
   private:
     mutable std::mutex mutex_;
-    std::map<std::string, Counter> counters_;  // a map: its elements never move
+    std::map<std::string, Counter> counters_;  // std::map, because its elements never move
     std::map<std::string, Timer> timers_;
 };
 

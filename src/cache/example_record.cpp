@@ -18,10 +18,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "records are little endian");
 
-// Level 19 makes records 3 to 5 % smaller and takes eighty times as long.
+// Level 19 makes records 3 to 5 % smaller, but takes eighty times as long.
 constexpr int kCompressionLevel = 3;
 constexpr float kSnorm = 32767, kUnorm = 255;
-constexpr int kHalfExponent = 14;  // the largest half is just below 2^16; rounding up must not reach it
+constexpr int kHalfExponent = 14;  // the largest half is just below 2^16, and rounding up must not reach it
 
 bool allFinite(std::span<const float> values) {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
@@ -31,7 +31,7 @@ bool isLight(std::span<const float> values) {
     return allFinite(values) && std::all_of(values.begin(), values.end(), [](float v) { return v >= 0; });
 }
 
-// A power of two: what is a half in other units stays what it is.
+// Unit in which values are stored as halves. It is a power of two, so that scaling alone does not round.
 float unitOf(std::span<const float> values) {
     float largest = 0;
     for (const float v : values) largest = std::max(largest, v);
@@ -52,7 +52,7 @@ class Packer {
     void words(std::span<const float> values, const F& word) {
         for (const float v : values) number(uint16_t(word(v)));
     }
-    // Negative values, which only distances have, mean that there is none, in whatever unit.
+    // Negative values occur only in distances, where they mean that nothing was hit. They are stored as -1 in any unit.
     void halves(std::span<const float> values) {
         const float unit = unitOf(values);
         number(unit);
@@ -115,7 +115,7 @@ void packSite(const TrainingExample& example, Packer& to) {
     to.vec(map.frame.s);
 }
 
-// Undone by unpackExample.
+// The inverse of unpackExample().
 std::string packExample(const TrainingExample& example) {
     Packer to;
     packSite(example, to);
@@ -174,10 +174,11 @@ bool isSound(const TrainingExample& example) {
 }
 
 std::string encodeExample(const TrainingExample& example, const MapLayout& layout) {
-    if (!isSound(example)) throw Error("an example with light that is negative, infinite or missing cannot be stored");
+    if (!isSound(example))
+        throw Error("the example cannot be stored: it has negative or non-finite radiance, or a black target");
     const std::string plain = packExample(example);
     if (plain.size() != exampleBytes(layout, int(example.inputs.size())))
-        throw Error("an example's maps have another size than its shard's");
+        throw Error("the example's maps differ in size from those of its shard");
     struct Free {
         void operator()(ZSTD_CCtx* c) const { ZSTD_freeCCtx(c); }
     };
@@ -195,7 +196,7 @@ void decodeExample(std::string_view record, const MapLayout& layout, int inputs,
                    TrainingExample& example) {
     const size_t size = exampleBytes(layout, inputs);
     if (ZSTD_getFrameContentSize(record.data(), record.size()) != size)
-        throw Error("a record that is damaged, or of another size than its shard says");
+        throw Error("the record is damaged, or its maps differ in size from those of its shard");
     struct Free {
         void operator()(ZSTD_DCtx* c) const { ZSTD_freeDCtx(c); }
     };
@@ -203,9 +204,9 @@ void decodeExample(std::string_view record, const MapLayout& layout, int inputs,
     thread_local std::string plain;
     plain.resize(size);
     const size_t got = ZSTD_decompressDCtx(context.get(), plain.data(), size, record.data(), record.size());
-    if (ZSTD_isError(got) || got != size) throw Error("a damaged record");
+    if (ZSTD_isError(got) || got != size) throw Error("the record is damaged");
     unpackExample(plain, layout, inputs, first, count, example);
-    if (!isSound(example)) throw Error("an example with light that is negative, infinite or missing");
+    if (!isSound(example)) throw Error("the record has negative or non-finite radiance, or a black target");
 }
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// One example for the network to learn from, and its bytes as a record of a shard (example_shard.h).
+// A training example, and its encoding as a record of a shard (example_shard.h).
 #pragma once
 #include <optional>
 #include <string>
@@ -10,29 +10,30 @@
 namespace drc {
 
 struct TrainingExample {
-    int viewpoint = 0;          // its number among those asked for
-    Vec2 film{0.f};             // where the camera's ray went through the film, pixels
-    int bounces = 0;            // mirrors and faces of smooth glass between the camera and the map
-    std::optional<float> time;  // of the map's rays; none: each its own, while the shutter was open
-    // Independent one-sample realisations of the map. All have one origin and frame.
+    int viewpoint = 0;          // index among the viewpoints requested
+    Vec2 film{0.f};             // film position of the camera ray, pixels
+    int bounces = 0;            // specular vertices between the camera and the map: mirrors and faces of smooth glass
+    std::optional<float> time;  // time of the map's rays; if unset, every ray has its own within the shutter interval
+    // Independent realisations of the map, with one sample per texel. They have the same origin and frame.
     std::vector<CapturedMap> inputs;
-    std::vector<float> target;  // [3][N*N], as CapturedMap::radiance, with many samples
-    // [3][N*N], as CapturedMap::deviation: how far the target may be from converged. Empty if that is not known.
+    std::vector<float> target;  // [3][N*N], as CapturedMap::radiance, estimated with many samples per texel
+    // [3][N*N], as CapturedMap::deviation: standard deviation of the target. Empty if unknown.
     std::vector<float> targetDeviation;
 };
 
-// Whether all numbers are what a capture yields (finite, light not negative) and the target is not black.
+// Whether all values can come from a capture (finite, radiance not negative) and the target is not black.
 bool isSound(const TrainingExample& example);
 
-// A zstd frame with a checksum of its content. Light and distances are stored as halves, each map's in units of a power
-// of two of its own, which puts its largest value just below the largest half: values keep 11 bits down to 2^-29 of
-// that one, and vanish below 2^-39. Normals have 16 bits a component, albedos 8. A missing deviation is written as
-// zero. The same example gives the same bytes. Throws Error if the example is not sound.
+// Encodes an example as a zstd frame with a checksum of its content. Radiance and distances are stored as halves,
+// scaled for each map by a power of two that puts its largest value just below the largest half: values down to 2^-29
+// of the largest keep 11 bits, and values below 2^-39 of it become zero. Normals are stored with 16 bits per component,
+// albedos with 8. An unknown deviation is stored as zero. Equal examples give equal bytes. Throws Error if the example
+// is not sound.
 std::string encodeExample(const TrainingExample& example, const MapLayout& layout);
 
-// The inputs [first, first + count) of the `inputs` that the record has, and all else; `example`'s buffers are reused.
-// Allocates no more than such an example needs, whatever the record claims. Throws Error, without a file's name, if the
-// record is damaged, or holds what no capture yields.
+// Decodes the inputs [first, first + count) of the `inputs` that the record has, and everything else. Reuses the
+// buffers of `example`, and never allocates more than such an example needs, whatever the record claims. Throws Error,
+// without a file name, if the record is damaged or contains values that no capture gives.
 void decodeExample(std::string_view record, const MapLayout& layout, int inputs, int first, int count,
                    TrainingExample& example);
 

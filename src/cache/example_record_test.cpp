@@ -25,7 +25,7 @@ void expectClose(const std::vector<float>& a, const std::vector<float>& b, float
     for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], relative * std::abs(b[i]) + absolute) << i;
 }
 
-constexpr float kHalf = 1.f / 2048;  // half of a half's last digit
+constexpr float kHalf = 1.f / 2048;  // largest relative rounding error of a half
 
 TEST(ExampleRecord, KeepsAnExample) {
     for (unsigned seed : {1u, 2u}) {
@@ -67,7 +67,7 @@ TEST(ExampleRecord, AnInputAloneIsTheSameAsAmongAll) {
     }
 }
 
-// Halves alone end at 65504 and lose all digits below 1e-7.
+// Unscaled halves would overflow at 65504 and lose all precision below 1e-7.
 TEST(ExampleRecord, UnitsDoNotMatter) {
     const TrainingExample plain = randomExample(kLayout, 1, 3);
     for (const float unit : {1e-36f, 1e-20f, 1e-6f, 1e6f, 1e20f, 3e37f}) {
@@ -89,7 +89,7 @@ TEST(ExampleRecord, WhatIsFaintBesideAnOutlierStays) {
     for (float& v : example.target) v = 1;
     example.target[7] = 0x1p29f;
     expectClose(restored(example).target, example.target, kHalf);
-    example.target[7] = 0x1p37f;  // few digits are left, but light it is
+    example.target[7] = 0x1p37f;  // small against the largest value: stored with few bits, but not lost
     for (const float v : restored(example).target) EXPECT_GT(v, 0.5f);
 }
 
@@ -153,7 +153,7 @@ TEST(ExampleRecord, DamageIsNoticed) {
             std::string damaged = record;
             damaged[i] = char(damaged[i] ^ 1 << bit);
             if (!decodes(damaged)) continue;
-            // A few bits of a frame mean nothing.
+            // A flipped bit that zstd ignores must not change the content.
             EXPECT_EQ(example.target, good.target) << i;
             EXPECT_EQ(example.inputs[0].radiance, good.inputs[0].radiance) << i;
             EXPECT_EQ(example.inputs[1].distance, good.inputs[1].distance) << i;

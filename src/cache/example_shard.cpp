@@ -38,7 +38,8 @@ void ExampleShard::read() {
     for (size_t i = 0; i < records.size(); ++i) {
         const ShardRecord& record = records[i];
         damaged_ += !sound[i];
-        // A record that is not where the last one ended, or of another viewpoint: something is missing before it.
+        // If a record does not begin where the last one ended, or has another viewpoint's number, something before it
+        // is missing.
         leading = leading && sound[i] && record.begin == leadingBytes_ + kRecordHeaderBytes &&
                   record.viewpoint == uint32_t(leading_);
         if (leading) leadingBytes_ = record.end();

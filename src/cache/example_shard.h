@@ -8,18 +8,19 @@
 
 namespace drc {
 
-// The file stays mapped; examples are unpacked when asked for, so that a data set may be larger than memory. The file
-// may grow meanwhile, as when `drc reference` still writes it: what came later is not seen.
+// The file is mapped and examples are decoded on request, so a data set may be larger than memory. The file may grow
+// while it is open, as when `drc reference` is still writing it; what is appended later is not seen.
 class ExampleShard final : public ExampleSource {
   public:
-    // Checks every record, on all threads. Those that are damaged are left out, see damage(); the sound ones before
-    // and after them are there. Throws Error if the header is none.
+    // Checks all records, on all threads. Damaged records are skipped and reported by damage(); the sound ones before
+    // and after them are available. Throws Error if the header is invalid.
     explicit ExampleShard(const std::string& path);
 
     const ShardHeader& header() const { return header_; }
-    // Whether every viewpoint is done.
+    // Whether the shard contains all its viewpoints.
     bool finished() const { return finished_; }
-    // Of the records before any damage, in the order of viewpoints: how many, and where the last one ends.
+    // The sound records in viewpoint order that precede any damage: their number, and the offset at which the last one
+    // ends. Writing can continue there.
     int leadingRecords() const { return leading_; }
     size_t leadingBytes() const { return leadingBytes_; }
 
@@ -28,21 +29,21 @@ class ExampleShard final : public ExampleSource {
 
   private:
     void read();
-    // All records that say where they are.
+    // Finds all records that have an intact header.
     std::vector<ShardRecord> scan();
     bool isSoundRecord(const ShardRecord& record) const;
 
     MappedFile file_;
-    std::string_view bytes_;  // all of it
+    std::string_view bytes_;  // the whole file
     ShardHeader header_;
     std::vector<ShardRecord> examples_;
     size_t leadingBytes_ = 0;
     int leading_ = 0;
-    int damaged_ = 0;  // places
+    int damaged_ = 0;  // number of damaged places
     bool finished_ = false;
 };
 
-// At little cost, by its last bytes; false if there is no such file, or it cannot be read.
+// Whether a shard is complete. Reads only its last bytes. False if there is no such file or it cannot be read.
 bool isFinishedShard(const std::string& path);
 
 }  // namespace drc

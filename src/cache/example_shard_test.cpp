@@ -29,14 +29,14 @@ class ExampleShards : public FolderTest {
         header_.viewpoints = kViewpoints;
         header_.settings = 0xfedcba9876543210;
     }
-    // Viewpoint 2 gives none.
+    // The record of a viewpoint; viewpoint 2 gives no example.
     static std::string record(int viewpoint) {
         if (viewpoint == 2) return "";
         TrainingExample example = randomExample(kLayout, kInputs, unsigned(viewpoint));
         example.viewpoint = viewpoint;
         return encodeExample(example, kLayout);
     }
-    // What is missing of the shard, or so many viewpoints of it.
+    // Writes the missing part of the shard, but no more than `most` viewpoints.
     void write(int most = kViewpoints) const {
         ExampleShardWriter writer(path_, header_);
         for (int i = 0; i < most && !writer.finished(); ++i) writer.append(record(writer.next()));
@@ -106,7 +106,7 @@ TEST_F(ExampleShards, AreLoadedByManyThreads) {
     EXPECT_EQ(wrong, 0);
 }
 
-// Wherever a program was killed: what was written before can be used, and going on gives the very same file.
+// Wherever a writer was killed, what it had written can be read, and continuing gives exactly the same file.
 TEST_F(ExampleShards, GoOnAfterAnInterruptionAtAnyByte) {
     write();
     const std::string whole = readFile(path_);
@@ -135,7 +135,7 @@ TEST_F(ExampleShards, GoOnAfterGarbageAtTheEnd) {
     const std::string whole = readFile(path_);
     std::filesystem::remove(path_);
     write(4);
-    std::ofstream(path_, std::ios::binary | std::ios::app) << std::string(5000, '\0');  // as after a loss of power
+    std::ofstream(path_, std::ios::binary | std::ios::app) << std::string(5000, '\0');  // as a power failure may leave
     write();
     EXPECT_TRUE(readFile(path_) == whole);
 }
@@ -207,7 +207,7 @@ TEST_F(ExampleShards, OfOtherKindsAreRefusedAndNotWrittenTo) {
     EXPECT_THAT(openError(), HasSubstr("header is damaged"));
 }
 
-// One byte is wrong, anywhere behind the header: at most one example is lost, and never a wrong one found.
+// With one wrong byte anywhere after the header, at most one example is lost, and no wrong one is read.
 TEST_F(ExampleShards, LoseNoMoreThanWhatIsDamaged) {
     write();
     const std::string whole = readFile(path_);

@@ -1,4 +1,4 @@
-// Writes a shard of examples (shard_format.h), or what is missing of it.
+// Writes a shard of training examples (shard_format.h), or continues an unfinished one.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -8,25 +8,25 @@
 
 namespace drc {
 
-// While it lives, no other writer can have the same file.
+// Holds a lock on the file, so that no other writer can open it.
 class ExampleShardWriter {
   public:
-    // A file that is there is continued after its last sound record in the order of viewpoints: one that was half
-    // written when the program ended is cut off. A finished one is left as it is. Throws Error that begins with the
-    // path if the file is something else, was made with other settings (it says which), is being written by another
-    // program, or cannot be written.
+    // An existing file is continued after its last sound record in viewpoint order; a record that was only partly
+    // written when a program ended is cut off. A complete shard is left as it is. Throws Error, beginning with the
+    // path, if the file is something else, was made with other settings (the message names the first that differs), is
+    // being written by another program, or cannot be written.
     ExampleShardWriter(const std::string& path, const ShardHeader& header);
     ~ExampleShardWriter();
     ExampleShardWriter(const ExampleShardWriter&) = delete;
     ExampleShardWriter& operator=(const ExampleShardWriter&) = delete;
 
-    // The first viewpoint that is not done; all of them if it is finished.
+    // Index of the next viewpoint to write; the number of viewpoints if the shard is complete.
     int next() const { return next_; }
     bool finished() const { return finished_; }
 
-    // Viewpoint next(): what encodeExample made of it, or nothing if it gave no example. After the last one, the shard
-    // is finished and on the disk. Throws Error that begins with the path if it cannot be written; the file can be
-    // continued then.
+    // Appends viewpoint next(): the result of encodeExample(), or an empty string if the viewpoint gave no example.
+    // After the last viewpoint the shard is completed and flushed to disk. Throws Error, beginning with the path, if
+    // writing fails; the file can be continued after that.
     void append(std::string_view example);
 
   private:
@@ -39,7 +39,7 @@ class ExampleShardWriter {
     std::string path_;
     ShardHeader header_;
     int fd_ = -1;
-    uint64_t size_ = 0;  // of what is sound, bytes
+    uint64_t size_ = 0;  // size of the sound part of the file, bytes
     int next_ = 0;
     bool finished_ = false;
 };

@@ -30,7 +30,7 @@ std::vector<std::string> findExamples(const std::vector<std::string>& paths) {
         if (failed) throw Error(SourceLocation{path}, failed.message());
     }
     found.insert(found.end(), folders.begin(), folders.end());
-    // The order in which a folder is listed must not change the training.
+    // Training must not depend on the order in which the file system lists a folder.
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;

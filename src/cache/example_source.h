@@ -1,4 +1,4 @@
-// Where examples are read from: one scene's, wherever and however they are stored.
+// Interface for reading the training examples of one scene, whatever format they are stored in.
 #pragma once
 #include <memory>
 #include <string>
@@ -18,17 +18,17 @@ class ExampleSource {
     const std::string& path() const { return path_; }
     const std::string& scene() const { return scene_; }
     const MapLayout& layout() const { return layout_; }
-    int inputs() const { return inputs_; }   // realisations of each example, at least 1
-    int count() const { return count_; }     // examples that can be loaded
-    bool guides() const { return guides_; }  // whether CapturedMap::albedo and direct are there
-    // One line that begins with the path: what of it cannot be used. Empty if nothing is wrong.
+    int inputs() const { return inputs_; }   // realisations per example, at least 1
+    int count() const { return count_; }     // number of examples that can be loaded
+    bool guides() const { return guides_; }  // whether the maps have CapturedMap::albedo and CapturedMap::direct
+    // One line that begins with the path and says which examples cannot be used. Empty if there is no damage.
     const std::string& damage() const { return damage_; }
 
-    // Example `index` with the inputs [first, first + count), all of which exist. The buffers of `example` are reused;
-    // nothing else is kept, and any number of threads may load. Throws Error that begins with the path if the file is
-    // no longer what it was.
+    // Loads example `index` with the inputs [first, first + count), which must exist. Reuses the buffers of `example`.
+    // Any number of threads may load at the same time. Throws Error, beginning with the path, if the file has changed
+    // since it was opened.
     virtual void load(int index, int first, int count, TrainingExample& example) const = 0;
-    // 16 hexadecimal digits that tell one content from another. Not cryptographic.
+    // A 64-bit hash of the content, as 16 hexadecimal digits. Not cryptographic.
     virtual std::string contentHash() const = 0;
 
   protected:
@@ -38,13 +38,13 @@ class ExampleSource {
     bool guides_ = true;
 };
 
-// What openExamples can open, sorted by path: files as named; of folders, every shard and every folder of PFM files
-// (iispt_folder.h) in them, at any depth. Throws Error for a path
-// that does not exist.
+// Paths that openExamples() accepts, sorted: files as given, and from folders, at any depth, every shard and every
+// folder of PFM files (iispt_folder.h). Throws Error for a path that does not exist.
 std::vector<std::string> findExamples(const std::vector<std::string>& paths);
 
-// Reads everything once, to know what can be used; warns in one line if that is not all. Throws Error that begins with
-// the path if it holds no examples as `drc reference` writes them.
+// Opens a shard or a folder of PFM files and reads it through once to find out what can be used. Warns in one line if
+// part of it cannot. Throws Error, beginning with the path, if it does not contain examples as `drc reference` writes
+// them.
 std::unique_ptr<ExampleSource> openExamples(const std::string& path);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// For tests: examples of random numbers, and shards of them.
+// Random training examples and shards of them, for tests.
 #pragma once
 #include <filesystem>
 #include <random>
@@ -47,7 +47,7 @@ inline TrainingExample randomExample(const MapLayout& layout, int inputs, unsign
     return example;
 }
 
-// A finished shard of these.
+// Writes a complete shard of the given examples.
 inline void writeShard(const std::string& path, const std::string& scene, const MapLayout& layout,
                        const std::vector<TrainingExample>& examples) {
     std::filesystem::remove(path);

@@ -5,13 +5,13 @@
 namespace drc {
 namespace {
 
-// Cosine between two normals below which the part of a pixel's hemisphere that the map does not see counts: at this
-// one it is a twentieth of a per cent of the irradiance.
+// Cosine between map and pixel normal below which the part of the pixel's hemisphere that lies below the map's horizon
+// matters. At this cosine it contributes 0.05 % of the irradiance.
 constexpr float kParallel = 0.999f;
 
 struct Sides {
     const RadianceMap* front = nullptr;
-    const RadianceMap* back = nullptr;  // null: the pixel does not transmit
+    const RadianceMap* back = nullptr;  // null if the pixel does not transmit
     float pdf(const Vec3& d) const { return back ? 0.5f * (front->pdf(d) + back->pdf(d)) : front->pdf(d); }
 };
 
@@ -26,15 +26,17 @@ Rgb gather(const PrimaryHit& hit, const LobeMask& lobes, std::span<const Weighte
     float total = 0;
     for (const WeightedSite& s : sites) total += s.weight;
 
-    // The maps' density follows what a diffuse surface integrates: there the BSDF's own samples would add but noise.
-    // They are needed for glossy lobes, and for directions below the horizon of a map that is turned away, which the
-    // map's samples never take. What light comes from there, the map's horizon tells best.
+    // A map's sampling density is that of diffuse reflection of its radiance, so for purely diffuse surfaces BSDF
+    // samples would only add noise. BSDF samples are needed for glossy lobes, and for directions below the horizon of a
+    // map whose normal differs from the pixel's, which the map never samples. There the radiance at the map's horizon
+    // is the best available estimate.
     const bool glossy = hit.bsdf.has(LobeFlags::Glossy, lobes);
     const BsdfView view(hit.bsdf, at.wo, lobes);
     const auto contribution = [&](const Sides& sides, const Vec3& d, float pdf, const LobeValue& bsdf) {
         const RadianceMap* map = dot(d, normal) >= 0 ? sides.front : sides.back;
         if (map == nullptr) return Rgb(0.f);
-        // Directions between the shading and the geometric horizon, which paths never sample, are none of ours either.
+        // Directions between the shading and the geometric horizon have pdf 0. Path tracing never samples them, so they
+        // are left out here too.
         if (bsdf.pdf <= 0) return Rgb(0.f);
         return bsdf.f * map->radianceAt(at.p, d) * (absDot(d, shading) / pdf);
     };

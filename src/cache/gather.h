@@ -1,4 +1,4 @@
-// Indirect light of a pixel from the maps around it: multiple importance sampling between a map and the BSDF.
+// Gathers a pixel's indirect light from the radiance maps around it, by multiple importance sampling of map and BSDF.
 #pragma once
 #include <span>
 
@@ -9,14 +9,15 @@ namespace drc {
 
 struct WeightedSite {
     const MapSite* site = nullptr;
-    float weight = 0;  // > 0; need not be normalised
+    float weight = 0;  // > 0; weights need not sum to 1
 };
 
-// Estimate of the integral over the sphere of f R cos, f those lobes (the broad ones; others are traced: see
-// PathTracer::indirectNarrow), R the mean of the maps by weight.
-// samples: directions from the maps, each with one from the BSDF if that has a glossy lobe or the map is turned away
-// from the surface (balance heuristic). Sample s of pixel `stream` has the index firstIndex + s, so that passes
-// continue one sequence. `sites` must not be empty.
+// Estimates the integral of f L cos over the sphere, where f are the given lobes of the BSDF (the broad ones; glossy ones
+// are path-traced, see PathTracer::layers) and L is the weighted mean of the incoming radiance in the maps. samples:
+// number of directions drawn from the maps. If the BSDF has a rough microfacet lobe among them, or the map's normal
+// differs from the pixel's, each is combined with one direction drawn from the BSDF (balance heuristic). Sample s of pixel
+// `stream` uses the sample index firstIndex + s, so that later passes continue the same sequence. `sites` must not be
+// empty.
 Rgb gather(const PrimaryHit& hit, const LobeMask& lobes, std::span<const WeightedSite> sites, int samples,
            uint64_t stream, uint32_t firstIndex);
 

@@ -26,7 +26,7 @@ class IisptFolders : public FolderTest {
         header_.targetSamples = 16;
         header_.viewpoints = 3;
     }
-    // All normals face the origin, which is why they stay as they are.
+    // All normals face the origin, so that reading does not flip them.
     static TrainingExample example(unsigned seed, int x, int y) {
         TrainingExample e = randomExample(kLayout, 1, seed);
         e.film = Vec2(float(x) + 0.3f, float(y) + 0.9f);
@@ -86,7 +86,7 @@ TEST_F(IisptFolders, KeepWhatIsWritten) {
     EXPECT_EQ(findExamples({path(".")}).size(), 1u);
 }
 
-// As readers in other languages take it: the file's first row is the map's last one, colours stand together.
+// As programs in other languages read PFM: the file begins with the image's bottom row, and channels are interleaved.
 TEST_F(IisptFolders, HaveTheAuthorsOrderOfNumbers) {
     write();
     const TrainingExample e = example(1, 12, 5);

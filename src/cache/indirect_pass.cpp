@@ -17,13 +17,13 @@ constexpr float kSmallestFill = 2.5f;  // pixels
 // Of the coverage that asks for more maps: what a pixel needs at least, not to be left to the fallback.
 constexpr float kLeastShare = 0.25f;
 
-PixelSite pixelSite(const PrimaryHit& hit, const Vec2& film) {
+PixelSite pixelSite(const PrimaryHit& hit, const LobeMask& broad, const Vec2& film) {
     PixelSite site;
     site.p = hit.surface.p;
     site.n = faceForward(hit.surface.ng, hit.surface.wo);
     site.film = film;
     site.pixelSize = hit.surface.footprint;
-    site.transmits = hit.bsdf.hasWideTransmission();
+    site.transmits = hit.bsdf.has(LobeFlags::Transmission, broad);
     return site;
 }
 
@@ -75,7 +75,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
             uint8_t& n = counts[size_t(i)];
             const SpawnPoint from = hit.surface.spawnPoint();
             found[size_t(i)][n++] = {&site, false, from, time, hashCombine(stream, 2)};
-            if (hit.bsdf.hasWideTransmission())
+            if (hit.bsdf.has(LobeFlags::Transmission, tracer_.broad()))
                 found[size_t(i)][n++] = {&site, true, from, time, hashCombine(stream, 3)};
         }
     });
@@ -165,7 +165,7 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
                 float weight;
                 PrimaryHit hit;
                 if (!broadHit(x, y, state.pass * settings_.primarySamples, position, weight, hit)) continue;
-                pixel.site = pixelSite(hit, position);
+                pixel.site = pixelSite(hit, tracer_.broad(), position);
                 pixel.coverage = maps.coverage(band, pixel.site, 0);
             }
     });
@@ -217,7 +217,7 @@ void IndirectPass::gatherPixels(const PassMaps& maps, int band, const State& sta
                         add(x, y, sample, Rgb(0.f), weight);
                         continue;
                     }
-                    maps.findAround(band, pixelSite(hit, position), kLeastShare * settings_.minCoverage, around);
+                    maps.findAround(band, pixelSite(hit, tracer_.broad(), position), kLeastShare * settings_.minCoverage, around);
                     if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
                     const Rgb value = shade(hit, around, x, y, index);
                     add(x, y, sample, value * hit.throughput, weight);
@@ -272,7 +272,7 @@ bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* canc
                             return RadianceMap(captured[0], layout);
                         };
                         site.front = capture(site.n, 0);
-                        if (hit.bsdf.hasWideTransmission()) site.back = capture(-site.n, 1);
+                        if (hit.bsdf.has(LobeFlags::Transmission, tracer_.broad())) site.back = capture(-site.n, 1);
                         const WeightedSite one{&site, 1};
                         const Rgb value = shade(hit, {&one, 1}, x, y, index);
                         add(x, y, sample, value * hit.throughput, weight);

@@ -20,15 +20,16 @@ bool present(const PixelSite& pixel, const MapSite& site) {
 
 bool serves(const PixelSite& pixel, const MapSite& site) { return present(pixel, site) && dot(pixel.n, site.n) > 0; }
 
-// Distance off the plane of either, in units of half the map's reach: a depth edge, or a step.
-float step(const PixelSite& pixel, const MapSite& site) {
+// Distance of either point from the other's tangent plane, in units of half the map's radius. Large across depth edges
+// and steps.
+float planeOffset(const PixelSite& pixel, const MapSite& site) {
     const Vec3 d = site.p - pixel.p;
     return std::max(absDot(pixel.n, d), absDot(site.n, d)) / (0.5f * std::max(site.radius, 2.f) * pixel.pixelSize);
 }
 
-// Light changes over the distance at which the map sees surfaces; beyond that the parallax correction cannot know what
-// the map did not see.
-float split(const PixelSite& pixel, const MapSite& site) {
+// Weight for the parallax between map and pixel. Incoming radiance changes over the harmonic mean distance to the
+// surfaces that the map sees; farther away, parallax correction cannot know what was hidden from the map.
+float proximity(const PixelSite& pixel, const MapSite& site) {
     return 1 / (1 + 4 * sqr(length(site.p - pixel.p) / site.front.harmonicMeanDistance()));
 }
 
@@ -38,13 +39,13 @@ float presentWeight(const PixelSite& pixel, const MapSite& site) { return presen
 
 float geometryWeight(const PixelSite& pixel, const MapSite& site) {
     if (!serves(pixel, site)) return 0;
-    const float s = step(pixel, site);
-    return s < 1 ? sqr(dot(pixel.n, site.n)) * (1 - s) * split(pixel, site) : 0;
+    const float s = planeOffset(pixel, site);
+    return s < 1 ? sqr(dot(pixel.n, site.n)) * (1 - s) * proximity(pixel, site) : 0;
 }
 
 float relaxedWeight(const PixelSite& pixel, const MapSite& site) {
     if (!serves(pixel, site)) return 0;
-    return sqr(dot(pixel.n, site.n)) * split(pixel, site) / (1 + sqr(step(pixel, site)));
+    return sqr(dot(pixel.n, site.n)) * proximity(pixel, site) / (1 + sqr(planeOffset(pixel, site)));
 }
 
 }  // namespace drc

@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// A map that sees a surface at distance 10 all around, on the plane z = 0.
+// A map on the plane z = 0 that sees surfaces at the same distance, 10 by default, in all directions.
 MapSite siteAt(const Vec3& p, const Vec3& n, float seen = 10) {
     const MapLayout layout(Projection::EqualArea, 8);
     CapturedMap map;
@@ -70,7 +70,7 @@ TEST(Interpolation, NormalsAtRightAnglesOrMoreDoNotCount) {
 
 TEST(Interpolation, AMapBehindADepthEdgeDoesNotCount) {
     const PixelSite pixel = pixelAt(Vec3(0, 0, 0), kUp);
-    EXPECT_EQ(geometryWeight(pixel, siteAt(Vec3(0.05f, 0, 0.11f), kUp)), 0);  // reach: half of 20 pixels of 0.01
+    EXPECT_EQ(geometryWeight(pixel, siteAt(Vec3(0.05f, 0, 0.11f), kUp)), 0);  // half the radius: 10 pixels of 0.01
     EXPECT_EQ(geometryWeight(pixel, siteAt(Vec3(0.05f, 0, -0.11f), kUp)), 0);
     EXPECT_GT(geometryWeight(pixel, siteAt(Vec3(0.05f, 0, 0.03f), kUp)), 0.5f);
     EXPECT_GT(geometryWeight(pixel, siteAt(Vec3(0.5f, 0, 0), kUp)), 0.9f) << "far along the plane is no edge";

@@ -17,7 +17,7 @@ constexpr int kNormalsAside = 8;
 constexpr double kWhitePercentile = 0.99;
 constexpr double kIrradianceEpsilon = 0.01;
 
-// Solid angle of a texel as a share of the hemisphere.
+// Each texel's share of the hemisphere's solid angle.
 std::vector<double> texelWeights(const MapLayout& layout) {
     std::vector<double> weights;
     double sum = 0;
@@ -26,7 +26,7 @@ std::vector<double> texelWeights(const MapLayout& layout) {
     return weights;
 }
 
-// Luminance times `exposure`.
+// An image of the map's luminance, multiplied by `exposure`.
 Image greyPicture(std::span<const float> radiance, const MapLayout& layout, float exposure) {
     const auto texels = size_t(layout.texels());
     Image picture(layout.size(), layout.size(), {"Y"});
@@ -35,7 +35,7 @@ Image greyPicture(std::span<const float> radiance, const MapLayout& layout, floa
     return picture;
 }
 
-// Irradiance over pi at each normal: [normals][3].
+// Irradiance divided by pi for each normal: [normals][3].
 std::vector<double> irradiances(std::span<const float> radiance, const MapLayout& layout,
                                 std::span<const double> weights) {
     const MapLayout normals(Projection::EqualArea, kNormalsAside);
@@ -52,7 +52,7 @@ std::vector<double> irradiances(std::span<const float> radiance, const MapLayout
             const double w = weights[i] * std::max(0.f, dot(n, directions[i]));
             for (size_t c = 0; c < 3; ++c) sum[c] += w * radiance[c * texels + i];
         }
-        // The hemisphere's 2 pi, over pi.
+        // The sum is a mean over the hemisphere; times its solid angle 2 pi, over pi.
         for (const double s : sum) result.push_back(2 * s);
     }
     return result;

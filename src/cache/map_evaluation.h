@@ -1,4 +1,5 @@
-// How close an enhancer's maps come to converged ones: the measures of one map, and the examples they are taken over.
+// Compares the maps that map denoisers produce with converged ones: error measures for one map, and their evaluation
+// over a set of examples.
 #pragma once
 #include <span>
 #include <string>
@@ -9,44 +10,47 @@
 
 namespace drc {
 
-// Of one map against its target. Both are divided by the target's mean, so that bright and dark examples weigh alike.
+// Errors of one map against its target. Both are first divided by the target's mean, so that bright and dark examples
+// have equal weight.
 struct MapScores {
     double l1 = 0;          // mean absolute difference over the hemisphere and the three channels
-    double ssim = 0;        // see scoreMap; NaN if the map is smaller than SSIM's window
-    double irradiance = 0;  // relative squared error of the irradiance, mean over 64 normals and three channels
+    double ssim = 0;        // see scoreMap(); NaN if the map is smaller than SSIM's window
+    double irradiance = 0;  // relative squared error of the irradiance, averaged over 64 normals and three channels
 };
 
-// Mean over texels, weighted by solid angle, and channels. Planar [3][N*N], as all radiance here.
+// Mean radiance over the hemisphere (texels weighted by solid angle) and the channels. Maps are planar, [3][N*N], here
+// and below.
 double hemisphereMean(std::span<const float> radiance, const MapLayout& layout);
 
-// `radiance` scaled to the mean of `target`. A black map stays black.
+// `radiance` scaled so that its mean equals that of `target`. A black map stays black.
 std::vector<float> withMeanOf(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout);
 
-// What the target's luminances are multiplied by to be shown: its 99th percentile is white. Where less than a hundredth
-// of the map is lit, its brightest texel is. The target must not be black.
+// Exposure for viewing the target: the factor that maps its 99th percentile of luminance to white, or its brightest
+// texel if less than 1 % of the map is lit. The target must not be black.
 float exposureOf(std::span<const float> target, const MapLayout& layout);
 
 // The target's mean must be positive.
-// SSIM is that of `drc compare` between the luminances of the two maps, shown as grey pictures under one exposure
-// (exposureOf): what is brighter than white is clipped, the rest sRGB-encoded. The window is 11 x 11 texels.
-// Irradiance is sampled at the normals of an 8 x 8 equal-area map of the hemisphere; light below the map's horizon
-// counts as none. Its error is (e - t)^2 / (t^2 + 0.01), e and t irradiances over pi in units of the target's mean.
+// SSIM is computed as by `drc compare`, on the luminances of both maps as grey images under the target's exposure
+// (exposureOf): values above white are clipped, the rest is sRGB-encoded. The window is 11 x 11 texels. The irradiance
+// is computed for the normals of an 8 x 8 equal-area map of the hemisphere; directions below the map's horizon
+// contribute nothing. The error is (e - t)^2 / (t^2 + 0.01), where e and t are the irradiances of map and target
+// divided by pi, in units of the target's mean.
 MapScores scoreMap(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout);
 
-// Both ways to look at the energy of an example's maps.
+// An example's errors with and without its error of overall energy.
 struct ExampleScores {
-    MapScores asRendered;   // with the energy that the enhancer leaves it: that of the captured map
-    MapScores equalEnergy;  // with the target's mean: what is wrong with the shape alone
+    MapScores asRendered;   // with the energy of the map denoiser's output, which is that of the captured map
+    MapScores equalEnergy;  // scaled to the target's mean: the error of the shape alone
 };
 
 struct EvaluatedExample {
     int viewpoint = 0;                  // as TrainingExample::viewpoint
     Vec2 film{0.f};                     // as TrainingExample::film
-    std::vector<ExampleScores> scores;  // one an enhancer: the mean over realisations, which are not independent
+    std::vector<ExampleScores> scores;  // one per denoiser: the mean over realisations, which are not independent
 };
 
-// Runs the enhancers over the first `inputs` realisations of each example (at most those there are), eight maps at a
-// time on all threads. One entry an example, in the order of `examples`.
+// Runs the map denoisers on the first `inputs` realisations of each example (or on all, if there are fewer), in batches
+// of eight maps, on all threads. Returns one entry per example, in the order of `examples`.
 std::vector<EvaluatedExample> evaluateEnhancers(const ExampleSource& examples,
                                                 std::span<const Enhancer* const> enhancers, int inputs);
 

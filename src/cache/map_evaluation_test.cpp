@@ -32,14 +32,14 @@ const MapLayout kFull(Projection::EqualArea, 32);
 const MapLayout kLatLong(Projection::LatLong, 32);
 
 TEST(MapEvaluation, L1IsInUnitsOfTheTargetsMean) {
-    // Target: 2 everywhere. Map: one texel of four off by 4 in one channel of three. (4 / 2) / 12.
+    // The target is 2 everywhere. In the map one of four texels is off by 4 in one of three channels: (4 / 2) / 12.
     Radiance target(12, 2.f), map(12, 2.f);
     map[5] = 6;
     EXPECT_NEAR(scoreMap(map, target, kSmall).l1, 2.0 / 12, 1e-7);
 }
 
 TEST(MapEvaluation, L1WeighsTexelsBySolidAngle) {
-    // A row of a latlong map is worth (cos top - cos bottom) / 2 of the hemisphere.
+    // A row of a latlong map covers the share (cos top - cos bottom) / 2 of the hemisphere.
     const MapLayout layout(Projection::LatLong, 4);
     Radiance target(48, 1.f), map(48, 1.f);
     for (size_t c = 0; c < 3; ++c)
@@ -83,7 +83,8 @@ TEST(MapEvaluation, ABlackMapStaysBlackAndIsWrongByTheTarget) {
 }
 
 TEST(MapEvaluation, UniformErrorOfTheIrradianceFollowsFromItsFormula) {
-    // Uniform light of 1: a normal tilted by theta receives (1 + cos theta) / 2 of pi. The map has twice the light.
+    // Under uniform light of radiance 1, a normal tilted by theta receives the irradiance pi (1 + cos theta) / 2. The
+    // map has twice the light.
     const Radiance target(size_t(3 * kFull.texels()), 1.f);
     double expected = 0;
     const MapLayout normals(Projection::EqualArea, 8);
@@ -114,13 +115,13 @@ TEST(MapEvaluation, ADarkMapWithOneLitTexelHasAnExposure) {
     EXPECT_NEAR(scoreMap(target, target, kFull).ssim, 1, 1e-9);
 }
 
-// Of two examples with three inputs each.
+// Two examples with three realisations each.
 TEST(MapEvaluation, EachInputMeetsItsOwnTarget) {
     const TemporaryFolder folder;
     const std::string path = folder.path("test.examples");
     std::vector<TrainingExample> examples{randomExample(kFull, 3, 1), randomExample(kFull, 3, 2)};
     for (unsigned i = 0; i < 6; ++i) examples[i / 3].inputs[i % 3].radiance = noise(kFull, i);
-    // The first example's target is its second input, the second's is its first.
+    // The target of the first example is its second realisation, that of the second example its first.
     examples[0].target = noise(kFull, 1);
     examples[1].target = noise(kFull, 3);
     writeShard(path, "test", kFull, examples);
@@ -137,12 +138,12 @@ TEST(MapEvaluation, EachInputMeetsItsOwnTarget) {
     EXPECT_EQ(first[1].film, examples[1].film);
     const double a = scoreMap(noise(kFull, 0), noise(kFull, 1), kFull).l1;
     const double b = scoreMap(noise(kFull, 2), noise(kFull, 1), kFull).l1;
-    constexpr double kHalf = 1.0 / 2048;  // examples are stored as halves
+    constexpr double kHalf = 1.0 / 2048;  // relative rounding error of the halves in which examples are stored
     EXPECT_NEAR(first[0].scores[0].asRendered.l1, a, a * kHalf);
     EXPECT_NEAR(all[0].scores[0].asRendered.l1, (a + b) / 3, a * kHalf);
 }
 
-// Each enhancer sees the captured map, not what the one before it left.
+// Each map denoiser must get the captured map, not the output of the one before it.
 TEST(MapEvaluation, EnhancersDoNotSeeEachOther) {
     const TemporaryFolder folder;
     const std::string path = folder.path("test.examples");

@@ -1,5 +1,5 @@
-// Where the maps of a pass stand on the film: a grid whose spacing shrinks from pass to pass, and maps that fill in
-// where the grid's do not serve.
+// Where the radiance maps of a map pass are placed on the film: a regular grid whose spacing shrinks from pass to pass,
+// and buckets for the additional maps that are placed where the grid's do not serve.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace drc {
 
-// The paper's spacing: 100 pixels for a frame of 720 lines, scaled to other sizes, shrinking so that each pass
-// has 1.257 times the maps of the one before.
-inline constexpr float kFirstSpacing = 100.f / 720.f;  // of the frame's height
+// The paper's spacing: 100 pixels at a film height of 720, proportional to the height, shrinking so that each pass
+// has 1.257 times as many maps as the pass before.
+inline constexpr float kFirstSpacing = 100.f / 720.f;  // as a share of the film's height
 inline constexpr float kSpacingFactor = 0.891859f;
 
-// Spacing in pixels of pass 0, 1, 2, ...; at least 1.
+// Grid spacing of pass 0, 1, 2, ... in pixels; at least 1.
 float passSpacing(int pass, int filmHeight, float firstSpacing = kFirstSpacing);
 
-// The number of whole passes that the paper's unit of quality amounts to: a task is a square of ten by ten cells, and
-// passes are done until `tasks` tasks are.
+// Number of whole passes that do at least `tasks` tasks. Tasks are the paper's unit of quality: a task is a square of
+// ten by ten grid cells.
 int passesForTasks(int tasks, int width, int height);
 
-// A grid of points that covers a region of the film with one cell to spare, so that every pixel lies in a cell.
+// A grid of points that covers a region of the film and extends one cell beyond it, so that every pixel lies in a cell.
 class MapGrid {
   public:
-    // offset in [0,1)^2, in cells.
+    // spacing in pixels; offset in [0,1)^2, in cells.
     MapGrid(const PixelRegion& region, float spacing, const Vec2& offset);
     int columns() const { return columns_; }
     int rows() const { return rows_; }
@@ -32,10 +32,10 @@ class MapGrid {
     Vec2 point(int index) const {
         return Vec2(origin_.x + spacing_ * float(index % columns_), origin_.y + spacing_ * float(index / columns_));
     }
-    // Index of the upper left corner of the cell that a film position lies in; its other corners are index + 1,
-    // index + columns(), index + columns() + 1.
+    // Index of the upper left corner of the cell that contains a film position. The cell's other corners are index + 1,
+    // index + columns() and index + columns() + 1.
     int cell(const Vec2& film) const;
-    // Film position of a row of points.
+    // The y coordinate of a row of grid points, in pixels.
     float rowAt(int row) const { return origin_.y + spacing_ * float(row); }
 
   private:
@@ -44,8 +44,8 @@ class MapGrid {
     int columns_, rows_;
 };
 
-// Buckets over a region of the film for points of one reach: finds all points within `reach` of a position, and some
-// beyond.
+// A uniform hash of points on a region of the film. Finds all points within `reach` pixels of a position, and possibly
+// some beyond, which the caller has to reject.
 class FilmBuckets {
   public:
     FilmBuckets(const PixelRegion& region, float reach);

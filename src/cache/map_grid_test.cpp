@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// The published schedule at 1280x720: 2, 4, 6, 10, 16, 22 tasks after one to six passes; 256 tasks end in pass 18.
+// The paper's schedule at 1280x720: one to six passes do 2, 4, 6, 10, 16 and 22 tasks, and task 256 falls into pass 18.
 TEST(MapGrid, TasksAreThePapers) {
     const int expected[][2] = {{1, 1},  {2, 1},  {3, 2},   {6, 3},    {10, 4},
                                {16, 5}, {17, 6}, {54, 10}, {126, 14}, {256, 18}};

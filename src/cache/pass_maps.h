@@ -1,6 +1,6 @@
-// The maps of one pass, and which of them serve a pixel: those at the corners of its cell of the grid, and those that
-// fill in around it where the grid's do not. They come in bands of the film from top to bottom, so that no more than a
-// few bands' maps need to be in memory, however many the pass has.
+// The radiance maps of one map pass, and which of them serve a pixel: the four at the corners of the grid cell that the
+// pixel lies in, and additional maps nearby, placed where the grid's maps do not serve. The film is processed in bands
+// from top to bottom, so that only the maps of a few bands are in memory at a time, however many the pass has.
 #pragma once
 #include <functional>
 #include <span>
@@ -13,33 +13,36 @@ namespace drc {
 
 class PassMaps {
   public:
-    // margin: how far from its pixel's centre a camera sample may lie on the film, in pixels (the filter's radius).
-    // bandMaps: of the grid, that a band should have at least.
+    // margin: largest distance on the film of a camera sample from its pixel's centre, in pixels (the filter's radius).
+    // bandMaps: number of grid maps that a band should have at least.
     PassMaps(const MapGrid& grid, const PixelRegion& region, float margin,
              Interpolation interpolation = Interpolation::Geometry, int bandMaps = kBandMaps);
 
-    // Pixels of a band are served by its maps, those of the band above and those that fill in in the band below, and by
-    // no others: whatever the pass, a band can be gathered when the next one is whole, and be released after that one.
+    // The pixels of a band use only the band's own maps, those of the band above, and the additional maps of the band
+    // below. A band can therefore be gathered once the next band's maps are complete, and released once the next band
+    // has been gathered.
     int bandCount() const { return int(bands_.size()); }
     PixelRegion pixels(int band) const;
 
-    // Level 0 is the grid; each further one holds maps that reach `radius` pixels about the given points of the film,
-    // which are those of samples of the band's pixels. Sites have their film position and reach; the caller captures
-    // their maps. Spans are good until the band's next addLevel, or its release.
+    // Level 0 is the grid. Each further level holds maps with a radius of influence of `radius` pixels around the given
+    // film positions, which must be those of samples of the band's pixels. The sites returned have their film position
+    // and radius set; the caller captures their maps. The spans are valid until the next addLevel() of the band or its
+    // release().
     std::span<MapSite> addGrid(int band);
-    // Points of the grid in this band and those above it.
+    // Number of grid points in this band and all bands above it.
     int pointsThrough(int band) const { return band + 1 == bandCount() ? grid_.count() : firstPoint(band + 1); }
     std::span<MapSite> addLevel(int band, float radius, std::span<const Vec2> points);
-    // Forgets the band's maps.
+    // Frees the band's maps.
     void release(int band) { bands_[size_t(band)] = {}; }
 
-    // Sum of the weights of a level's maps for a sample of the band's pixels: 0 where none serves it.
+    // Sum of the weights of a level's maps for a sample of one of the band's pixels; 0 if none serves it.
     float coverage(int band, const PixelSite& pixel, size_t level) const;
-    // The maps of all levels that serve it, all weights > 0. Where their weights' sum is below `least`, those that
-    // stand aside serve as well, for want of better ones; empty, where these do not reach it either.
+    // Sets `result` to the maps of all levels that serve a sample, with weights > 0. If the sum of the weights is below
+    // `least`, the maps are weighted anew by relaxedWeight(), which admits maps off the pixel's tangent plane. If that
+    // does not reach `least` either, `result` is empty.
     void findAround(int band, const PixelSite& pixel, float least, std::vector<WeightedSite>& result) const;
 
-    // Enough to keep many cores busy, and few to keep.
+    // Enough maps to keep many cores busy, and few enough to keep in memory.
     static constexpr int kBandMaps = 256;
 
   private:
@@ -54,8 +57,8 @@ class PassMaps {
         std::vector<Fill> fills;
     };
     Weight weight() const;
-    // A band has the grid's cells of the rows from firstRow(band) to before firstRow(band + 1), and the points below
-    // them; the first band also those above.
+    // A band owns the rows of grid cells from firstRow(band) up to, but not including, firstRow(band + 1), and the
+    // points at their lower corners. The first band also owns the topmost row of points.
     int firstRow(int band) const;
     int firstPoint(int band) const { return band == 0 ? 0 : (firstRow(band) + 1) * grid_.columns(); }
     int firstPixelRow(int band) const;
@@ -68,12 +71,13 @@ class PassMaps {
     float margin_;
     Interpolation interpolation_;
     std::vector<Band> bands_;
-    std::vector<int> bandOfRow_;  // of the grid's points
+    std::vector<int> bandOfRow_;  // the band that owns each row of grid points
 };
 
-// Where a level of maps fills in: of each block of about `radius` pixels in which a fair share of the pixels is
-// `lacking`, the one of them whose `order` is least; at most `most` points, those of the blocks that lack most first.
-// lacking, order, film: functions of a pixel (x, y).
+// Where to place additional maps. Divides the region into blocks of about `radius` pixels, and chooses from each block
+// with a sufficient share of `lacking` pixels the lacking pixel with the lowest `order`. Returns the film positions of
+// at most `most` pixels, those of the blocks with most lacking pixels first. lacking, order, film: functions of a pixel
+// (x, y); `film` gives the position of the pixel's sample.
 std::vector<Vec2> fillPoints(const PixelRegion& region, float radius, size_t most,
                              const std::function<bool(int x, int y)>& lacking,
                              const std::function<uint64_t(int x, int y)>& order,

@@ -13,7 +13,8 @@ const PixelRegion kRegion{0, 0, 64, 48};
 const Vec3 kUp(0, 0, 1);
 constexpr float kMargin = 2;
 
-// Places a map at a site on the plane z = height, a unit of the world a pixel, that sees surfaces at distance 10.
+// Captures a map for a site on the plane z = height, where a pixel is one world unit wide. It sees surfaces at
+// distance 10.
 void place(MapSite& site, float height = 0) {
     const MapLayout layout(Projection::EqualArea, 4);
     CapturedMap map;
@@ -71,7 +72,7 @@ TEST(PassMaps, MapsThatFillInServeWhatTheGridDoesNot) {
     for (MapSite& site : level) place(site, 1000);
     EXPECT_GT(maps.coverage(0, high, 1), 0.3f);
     maps.findAround(0, high, 0.1f, around);
-    ASSERT_EQ(around.size(), 1u);  // the other is out of reach
+    ASSERT_EQ(around.size(), 1u);  // the other is beyond its radius
     EXPECT_EQ(around[0].site->film.x, 28);
     EXPECT_EQ(around[0].site->radius, 10);
 }
@@ -80,7 +81,7 @@ TEST(PassMaps, MapsAsideServeOnlyForWantOfBetterOnes) {
     PassMaps maps(MapGrid(kRegion, 20, Vec2(0.5f, 0.5f)), kRegion, kMargin);
     for (MapSite& site : maps.addGrid(0)) place(site);
     std::vector<WeightedSite> around;
-    // Off the maps' plane by as much as they see half the way to.
+    // The pixel is off the maps' plane by 8, which leaves them a small relaxed weight.
     const PixelSite aside = pixelAt(Vec2(30, 20), 8);
     const float strict = maps.coverage(0, aside, 0);
     maps.findAround(0, aside, strict, around);
@@ -92,7 +93,7 @@ TEST(PassMaps, MapsAsideServeOnlyForWantOfBetterOnes) {
     EXPECT_GT(relaxed, strict);
 }
 
-// A wall's maps count for the floor, which is what normals are there to prevent.
+// By distance alone, maps on a wall serve the floor. Preventing this is the purpose of the normals.
 TEST(PassMaps, ByDistanceAloneNormalsDoNotMatter) {
     PixelSite wall = pixelAt(Vec2(30, 20), 500);
     wall.n = Vec3(1, 0, 0);
@@ -101,13 +102,13 @@ TEST(PassMaps, ByDistanceAloneNormalsDoNotMatter) {
         for (MapSite& site : maps.addGrid(0)) place(site);
         std::vector<WeightedSite> around;
         maps.findAround(0, wall, 0.1f, around);
-        // At a third of the way between rows of the grid, and on one of its columns.
+        // A third of the way between two rows of the grid, exactly on a column.
         EXPECT_EQ(around.size(), interpolation == Interpolation::Distance ? 2u : 0u);
         EXPECT_NEAR(maps.coverage(0, wall, 0), interpolation == Interpolation::Distance ? 1 : 0, 1e-5);
     }
 }
 
-// What serves a pixel, as numbers to compare.
+// The maps that serve a pixel and their weights, as comparable numbers.
 std::vector<std::array<float, 4>> served(const PassMaps& maps, int band, const PixelSite& pixel) {
     std::vector<WeightedSite> around;
     maps.findAround(band, pixel, 0.01f, around);
@@ -117,7 +118,7 @@ std::vector<std::array<float, 4>> served(const PassMaps& maps, int band, const P
     return result;
 }
 
-// A sample of the pixel, from one end of the filter to the other.
+// A film position of a sample of the pixel, anywhere within the filter's support.
 Vec2 sampleOf(int x, int y) {
     const uint64_t random = hashCombine(uint64_t(x), uint64_t(y));
     const auto offset = [](uint64_t r) { return kMargin * (float(r % 5) / 2 - 1); };
@@ -167,7 +168,7 @@ TEST(PassMaps, BandsThatComeAndGoServeAsAllAtOnce) {
 }
 
 TEST(FillPoints, LieAmongTheLackingTheWorstBlocksFirst) {
-    // All pixels with x < 20 lack, a fifth of those with x < 40, none of the others.
+    // All pixels with x < 20 lack maps, a fifth of those with x < 40, and none of the others.
     const auto lacking = [](int x, int y) { return x < 20 ? true : x < 40 && y % 10 < 2; };
     const auto order = [](int x, int y) { return uint64_t((x * 7919 + y * 104729) % 1009); };
     const auto film = [](int x, int y) { return Vec2(float(x) + 0.5f, float(y) + 0.5f); };
@@ -187,7 +188,7 @@ TEST(FillPoints, PassesOverBlocksThatHardlyLack) {
     const auto order = [](int, int) { return uint64_t(1); };
     const auto film = [](int x, int y) { return Vec2(float(x), float(y)); };
     EXPECT_TRUE(fillPoints({0, 0, 40, 40}, 10, 100, lacking, order, film).empty());
-    EXPECT_EQ(fillPoints({0, 0, 40, 40}, 3, 100, lacking, order, film).size(), 1u);  // one of nine is enough
+    EXPECT_EQ(fillPoints({0, 0, 40, 40}, 3, 100, lacking, order, film).size(), 1u);  // one pixel of nine is enough
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Vec3 MapLayout::direction(int column, int row, const Vec2& u) const {
     const float n = float(size_);
     if (projection_ == Projection::EqualArea)
         return squareToHemisphere(Vec2((float(column) + u.x) / n, (float(row) + u.y) / n));
-    // Uniform in solid angle within the texel: linear in cos theta.
+    // Linear in cos theta, so that it is uniform in solid angle within the texel.
     const float top = std::cos(kPi * float(row) / n), bottom = std::cos(kPi * float(row + 1) / n);
     const float y = lerp(u.y, top, bottom);
     const float sinTheta = safeSqrt(1 - y * y);

@@ -1,5 +1,6 @@
-// How the N x N texels of a radiance map cover the hemisphere. Directions are unit vectors in the map's frame, z along
-// the normal. Column u and row v run from 0 to N; texel (column, row) covers [column, column+1) x [row, row+1).
+// How the N x N texels of a radiance map cover the hemisphere. Directions are unit vectors in the map's frame, whose z
+// axis is the surface normal. u runs along columns and v along rows, both from 0 to N; texel (column, row) covers
+// [column, column + 1) x [row, row + 1).
 #pragma once
 #include <string>
 
@@ -8,36 +9,38 @@
 namespace drc {
 
 enum class Projection {
-    // Concentric square-to-disk, lifted so that every texel has the solid angle 2 pi / N^2. u grows with x, v with y.
+    // Concentric mapping of the square to the disk, lifted to the hemisphere. Every texel has the solid angle 2 pi /
+    // N^2; u increases with x and v with y.
     EqualArea,
-    // The paper's: theta = pi v / N from the y axis, phi = pi u / N from the x axis; the normal is at the centre.
+    // The paper's: theta = pi v / N from the y axis and phi = pi u / N from the x axis; the normal is at the centre of
+    // the map.
     LatLong,
 };
 
-const char* projectionName(Projection p);                // "equal-area", "latlong"
-Projection projectionFromName(const std::string& name);  // throws Error
+const char* projectionName(Projection p);                // "equal-area" or "latlong"
+Projection projectionFromName(const std::string& name);  // throws Error for any other name
 
 class MapLayout {
   public:
-    // size: a power of two; throws Error.
+    // size: texels along a side. Throws Error unless it is a power of two.
     MapLayout(Projection projection, int size);
 
     Projection projection() const { return projection_; }
     int size() const { return size_; }
     int texels() const { return size_ * size_; }
 
-    // Direction uniform in solid angle over a texel, u in [0,1)^2; u = (0.5, 0.5) is its centre.
+    // Direction of the point u in [0,1)^2 of a texel, uniform in solid angle; u = (0.5, 0.5) is the texel's centre.
     Vec3 direction(int column, int row, const Vec2& u) const;
-    // Continuous texel coordinates (u, v) of a direction, each in [0, N]. A direction below the horizon gets the
-    // coordinates of the horizon below which it lies.
+    // Continuous texel coordinates (u, v) of a direction, each in [0, N]. Directions below the horizon are clamped to
+    // the horizon.
     Vec2 coordinates(const Vec3& d) const;
-    // Index row * N + column of the texel that a direction falls in.
+    // Index row * N + column of the texel that contains a direction.
     int texel(const Vec3& d) const {
         const Vec2 c = coordinates(d);
         const int column = std::clamp(int(c.x), 0, size_ - 1), row = std::clamp(int(c.y), 0, size_ - 1);
         return row * size_ + column;
     }
-    // Steradians.
+    // Solid angle of the texels of a row, in steradians.
     float solidAngle(int row) const;
     // Of a texel, on average.
     float meanSolidAngle() const { return 2 * kPi / float(texels()); }

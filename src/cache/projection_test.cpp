@@ -36,7 +36,7 @@ TEST_P(EveryProjection, SolidAnglesSumToTheHemisphere) {
     }
 }
 
-// Directions uniform over the hemisphere fall into a texel in proportion to its solid angle.
+// Uniformly distributed directions must fall into each texel in proportion to its solid angle.
 TEST_P(EveryProjection, SolidAngleIsThatOfTheTexel) {
     const int n = 8, samples = 400000;
     const MapLayout layout(GetParam(), n);
@@ -53,11 +53,12 @@ TEST_P(EveryProjection, SolidAngleIsThatOfTheTexel) {
             const double expected = samples * layout.solidAngle(row) / (2 * std::numbers::pi);
             chiSquare += sqr(float(counts[size_t(row * n + column)] - expected)) / expected;
         }
-    // 63 degrees of freedom: mean 63, standard deviation 11.2; five of them.
+    // Chi-square with 63 degrees of freedom has the mean 63 and the standard deviation 11.2; five of those are allowed.
     EXPECT_LT(chiSquare, 63 + 5 * 11.2);
 }
 
-// The mean of the sampled directions' cosine over all texels, weighted by solid angle, is that of the hemisphere: 1/2.
+// Over all texels, the mean cosine of the sampled directions weighted by solid angle must be that of the hemisphere,
+// 1/2.
 TEST_P(EveryProjection, DirectionsAreUniformInsideATexel) {
     const MapLayout layout(GetParam(), 4);
     double sum = 0;
@@ -81,7 +82,7 @@ TEST_P(EveryProjection, BelowTheHorizonIsTheHorizon) {
             const int texel = layout.texel(d);
             return layout.direction(texel % 32, texel / 32, Vec2(0.5f, 0.5f));
         };
-        // Within two texels of each other.
+        // The two centres are within two texels of each other.
         EXPECT_GT(dot(centre(above), centre(below)), std::cos(0.2f)) << phi;
     }
 }

@@ -5,17 +5,18 @@
 namespace drc {
 namespace {
 
-// Shares of the sampling density that ignore luminance: a texel that the map holds for black may be lit where another
-// point looks through it. Of the second the cosine is ignored too, for pixels whose normal is not the map's.
+// Shares of the sampling density that ignore luminance, because a texel that is black in the map may be lit for another
+// point that looks through it. The first is proportional to the cosine. The second is uniform, for pixels whose normal
+// differs from the map's.
 constexpr float kCosineShare = 0.1f, kUniformShare = 0.1f;
-// Parts of [0,1) whose place in the cumulative density is known, so that none is searched for from the beginning
-// (Chen and Asau, "On Generating Random Variates from an Empirical Distribution", 1974).
+// Size of the guide table with the starting points for searches of the cumulative density (Chen and Asau, "On
+// Generating Random Variates from an Empirical Distribution", 1974).
 constexpr size_t kGuide = 256;
-// Distances that differ by less than this share are taken for those of one surface.
+// Distances whose relative difference is less than this are taken to belong to one surface.
 constexpr float kSameSurface = 0.25f;
-// Shifts of the origin by less than this share of what the map sees are not worth a search.
+// For offsets from the map's origin below this share of the harmonic mean distance, ray marching is not worth its cost.
 constexpr float kNegligibleOffset = 0.01f;
-// From half the shift to 64 times it: the direction then differs from the ray's by less than a fifth of a texel.
+// The march covers 0.5 to 64 times the offset. At that distance, parallax amounts to less than a fifth of a texel.
 constexpr int kMarchSteps = 8;
 
 }  // namespace
@@ -31,7 +32,8 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
     float maxRadiance = 0, maxDistance = 0;
     for (const float r : captured.radiance) maxRadiance = std::max(maxRadiance, r);
     for (const float d : captured.distance) maxDistance = std::max(maxDistance, d);
-    // Half floats are precise within 2^-14 ... 2^15: the brightest texel is put high, so that dark ones keep theirs.
+    // Half floats have full precision from 2^-14 to 2^15. Scaling the brightest texel to 2^14 leaves most of that range
+    // to the dark ones.
     scale_ = maxRadiance > 0 ? maxRadiance / 16384.f : 1.f;
     distanceScale_ = maxDistance > 0 ? maxDistance / 1024.f : 1.f;
 
@@ -57,7 +59,7 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
     }
     harmonicMeanDistance_ = inverseDistance > 0 ? float(weight / inverseDistance) : kInfinity;
 
-    // What a texel gives on the mean: lookups interpolate, and beside a bright texel a dark one is half bright.
+    // Mean over the texel of the bilinearly interpolated luminance. Beside a bright texel, a dark one is partly bright.
     const auto luminanceOf = [&](int row, int column) { return luminance(texel(row * n + column)); };
     const auto meanLuminance = [&](int row, int column) {
         const auto line = [&](int r) {
@@ -104,14 +106,16 @@ Rgb RadianceMap::radianceAt(const Vec3& x, const Vec3& d) const {
     const Vec3 offset = frame_.toLocal(x - origin_);
     const Vec3 direction = frame_.toLocal(d);
     const float b = dot(offset, direction), offset2 = lengthSquared(offset);
-    // Where the ray from x meets the sphere of that radius about the origin; not positive: x lies outside.
+    // Distance at which the ray from x leaves the sphere of the given radius around the map's origin; 0 if x lies
+    // outside it.
     const auto meet = [&](float radius) {
         const float c = offset2 - sqr(radius);
         return c < 0 ? std::sqrt(b * b - c) - b : 0.f;
     };
     const auto towards = [&](float t) { return normalize(offset + direction * t); };
 
-    // Mostly x and the origin see one smooth surface, and its distance there leads to the point.
+    // In most cases x and the origin see the same smooth surface, and its distance in the direction d leads to the
+    // point that x sees.
     const float first = distance(direction);
     float t = meet(first);
     if (t > 0 && first < kInfinity) {
@@ -120,7 +124,7 @@ Rgb RadianceMap::radianceAt(const Vec3& x, const Vec3& d) const {
         if (refined > 0 && std::abs(second - first) < kSameSurface * first) return lookup(towards(refined));
     }
     if (offset2 < sqr(kNegligibleOffset * harmonicMeanDistance_)) return lookup(direction);
-    // Otherwise along the ray until the map holds something nearer than the ray's point.
+    // Otherwise march along the ray until the map has a surface in front of the ray's point.
     float before = 0;
     t = 0.5f * std::sqrt(offset2);
     for (int i = 0; i < kMarchSteps; ++i, before = t, t *= 2) {

@@ -12,7 +12,7 @@ class RadianceMapOf : public testing::TestWithParam<Projection> {};
 INSTANTIATE_TEST_SUITE_P(RadianceMap, RadianceMapOf, testing::Values(Projection::EqualArea, Projection::LatLong),
                          [](const auto& i) { return i.param == Projection::EqualArea ? "EqualArea" : "LatLong"; });
 
-// A map whose texels are functions of the direction from its origin (world space).
+// A map whose texels are given functions of the world-space direction from its origin.
 RadianceMap makeMap(const MapLayout& layout, const Vec3& origin, const Vec3& n,
                     const std::function<Rgb(Vec3)>& radiance, const std::function<float(Vec3)>& distance) {
     CapturedMap m;
@@ -43,7 +43,7 @@ TEST_P(RadianceMapOf, ConstantRadianceIsExactEverywhere) {
     std::mt19937 rng(3);
     std::normal_distribution<float> g;
     for (int i = 0; i < 500; ++i) {
-        const Vec3 d = normalize(Vec3(g(rng), g(rng), g(rng)));  // below the horizon too
+        const Vec3 d = normalize(Vec3(g(rng), g(rng), g(rng)));  // also below the horizon
         const Vec3 x = Vec3(1, 2, 3) + Vec3(g(rng), g(rng), g(rng)) * 0.5f;
         for (const Rgb& r : {map.radiance(d), map.radianceAt(x, d)}) {
             EXPECT_NEAR(r.x, 0.7f, 0.7f * 1e-3f);
@@ -57,12 +57,12 @@ TEST_P(RadianceMapOf, SamplesFollowThePdf) {
     const MapLayout layout(GetParam(), 32);
     const RadianceMap map = makeMap(
         layout, Vec3(0, 0, 0), Vec3(0, 0, 1), [](Vec3 d) { return Rgb(d.x > 0.5f ? 10.f : 0.1f + d.z); }, far);
-    // E[g / pdf] is the integral of g, for any g: here 1 (the hemisphere's solid angle) and x^2.
+    // The expectation of g / pdf is the integral of g for any g: here of 1 (giving the solid angle 2 pi) and of x^2.
     std::mt19937 rng(4);
     std::uniform_real_distribution<float> u(0, 1);
     double solidAngle = 0, xx = 0, solidAngle2 = 0, xx2 = 0;
     const int n = 200000;
-    int elsewhere = 0;  // rounded into the next texel
+    int elsewhere = 0;  // number of samples that rounding moved into the next texel
     for (int i = 0; i < n; ++i) {
         const auto s = map.sample(Vec2(u(rng), u(rng)));
         ASSERT_GT(s.pdf, 0);
@@ -86,8 +86,8 @@ TEST_P(RadianceMapOf, BrightTexelsAreSampledMore) {
     EXPECT_GT(map.pdf(normalize(Vec3(1, 0, 0.5f))), 10 * map.pdf(normalize(Vec3(-1, 0, 0.5f))));
 }
 
-// Lookups interpolate: around a spot of light they give more than the dark texels there hold, and a density by what
-// those hold would make each such sample count for many.
+// Lookups interpolate, so around a small light they return more than the dark texels there contain. A density taken
+// from the texel values alone would give those samples large weights.
 TEST_P(RadianceMapOf, SamplesBesideASmallLightCountNoMoreThanOthers) {
     const MapLayout layout(GetParam(), 32);
     const Vec3 towards = normalize(Vec3(0.2f, 0.3f, 0.9f));
@@ -104,11 +104,11 @@ TEST_P(RadianceMapOf, SamplesBesideASmallLightCountNoMoreThanOthers) {
         sum += value / kSamples, squares += value * value / kSamples;
     }
     RecordProperty("variance", std::to_string(squares / (sum * sum) - 1));
-    EXPECT_LT(squares / (sum * sum) - 1, 1.5);  // by what the texels hold: 49 and 41
+    EXPECT_LT(squares / (sum * sum) - 1, 1.5);  // 49 and 41 with a density from the texel values alone
 }
 
-// The map stands on the floor of a room whose far wall (x = 2) is striped; from a point half a unit away, the same
-// stripe lies in another direction.
+// The map is on the floor of a room whose far wall (x = 2) is striped. From a point half a unit away, the same stripe
+// is seen in another direction.
 TEST_P(RadianceMapOf, ParallaxFindsTheSurfaceThatTheOtherPointSees) {
     const MapLayout layout(GetParam(), 64);
     // A box [-2,2]^2 x [0,3].
@@ -141,8 +141,8 @@ TEST_P(RadianceMapOf, ParallaxFindsTheSurfaceThatTheOtherPointSees) {
     EXPECT_LT(corrected, 0.25 * uncorrected);
 }
 
-// A low point by a wall sees, almost along the floor and under an open sky, a bright stretch of the floor that the map,
-// higher up the wall, sees well below the horizon; in that very direction the map sees the sky.
+// A low point beside a wall sees, almost along the floor and below an open sky, a bright stretch of floor. The map,
+// higher on the wall, sees that stretch well below the horizon, and the sky in the point's direction.
 TEST_P(RadianceMapOf, ParallaxFindsWhatTheMapSeesInQuiteAnotherDirection) {
     const MapLayout layout(GetParam(), 64);
     const Vec3 origin(0, 0, 0.3f), x(0, 0, 0.1f);  // on the wall x = 0, facing +x; the floor is z = 0
@@ -155,7 +155,7 @@ TEST_P(RadianceMapOf, ParallaxFindsWhatTheMapSeesInQuiteAnotherDirection) {
     const RadianceMap map = makeMap(
         layout, origin, Vec3(1, 0, 0), [&](Vec3 d) { return seen(origin, d); },
         [&](Vec3 d) { return distance(origin, d); });
-    double truth = 0, corrected = 0, uncorrected = 0;  // irradiance at x
+    double truth = 0, corrected = 0, uncorrected = 0;  // irradiances at x
     const MapLayout fine(Projection::EqualArea, 256);
     const Frame frame = Frame::fromNormal(Vec3(1, 0, 0));
     for (int i = 0; i < fine.texels(); ++i) {
@@ -165,7 +165,7 @@ TEST_P(RadianceMapOf, ParallaxFindsWhatTheMapSeesInQuiteAnotherDirection) {
         uncorrected += map.radiance(d).x * d.x;
     }
     EXPECT_NEAR(corrected / truth, 1, 0.12);
-    EXPECT_GT(std::abs(uncorrected / truth - 1), 0.2);  // or there was nothing to find
+    EXPECT_GT(std::abs(uncorrected / truth - 1), 0.2);  // otherwise the test would show nothing
 }
 
 TEST(RadianceMap, HarmonicMeanDistanceOfASphereIsItsRadius) {

@@ -42,7 +42,7 @@ int wholeNumber(const Json& json, const char* key, int least, int most) {
 
 std::string word(const Json& json, const char* key) {
     const auto found = json.find(key);
-    if (found == json.end() || !found->is_string()) throw Error(fmt::format("its header's '{}' is no text", key));
+    if (found == json.end() || !found->is_string()) throw Error(fmt::format("its header's '{}' is not a string", key));
     return found->get<std::string>();
 }
 

@@ -5,18 +5,18 @@
 namespace drc {
 namespace {
 
-// Longest subpath, with all its mirrors and glass.
+// Maximum number of vertices of a subpath, specular ones included.
 constexpr size_t kMostVertices = 192;
 
-// Density of a surface's point, from one per solid angle at another point.
+// Converts a pdf per solid angle at `from` to one per area at the surface point `to`.
 float perArea(float perSolidAngle, const Vec3& from, const SurfaceInteraction& to) {
     const Vec3 d = to.p - from;
     const float squared = lengthSquared(d);
     return perSolidAngle * absDot(to.ng, d) / (squared * std::sqrt(squared));
 }
 
-// Where a surface's shading normal is not its geometric one, light that comes and what is seen do not take the same
-// cosines (Veach 1997, section 5.3).
+// Correction for shading normals in light transport: where the shading normal differs from the geometric normal, light
+// paths and camera paths use different cosines (Veach 1997, section 5.3).
 float shadingOfLight(const Bsdf& bsdf, const SurfaceInteraction& at) {
     const float cosine = absDot(at.ng, at.wo);
     return cosine > 0 ? absDot(bsdf.frame().n, at.wo) / cosine : 0;
@@ -24,29 +24,30 @@ float shadingOfLight(const Bsdf& bsdf, const SurfaceInteraction& at) {
 
 }  // namespace
 
-// A surface that a subpath goes on from.
+// A subpath vertex on a surface.
 struct BidirectionalTracer::Vertex {
     SurfaceInteraction hit;
     Bsdf bsdf;
-    Rgb throughput{1.f};  // up to this vertex, without its BSDF
-    float own = 0;        // density, from the subpath's own end
-    float reverse = 0;    // density from the other end, once the subpath went on twice
+    Rgb throughput{1.f};  // of the subpath up to this vertex, without its BSDF
+    float own = 0;        // pdf per area from the subpath's own end
+    float reverse = 0;    // pdf per area from the opposite end; known once the subpath is two vertices longer
     bool specular = false;
-    int scattered = 0;  // non-specular vertices before this one
+    int scattered = 0;  // number of non-specular vertices before this one
 };
 
 struct BidirectionalTracer::LightEnd {
     Vec3 p{0.f}, ng{0.f};
-    Vec3 d{0.f};  // the way that light goes
+    Vec3 d{0.f};  // direction of the emitted light
     bool infinite = false, delta = false;
-    EmissionDensity density;  // origin: times the probability of the light
-    float chosen = 0;         // see Ends
+    EmissionDensity density;  // `origin` includes the probability of choosing the light
+    float chosen = 0;         // see Ends::chosen
 
-    // Density of this point (or direction), from one per solid angle at another point.
+    // Pdf per area of the light's point (or per solid angle of its direction), given one per solid angle at another
+    // point.
     float from(const Vec3& other, float perSolidAngle) const {
         return infinite ? perSolidAngle : perSolidAngle * absDot(ng, d) / lengthSquared(p - other);
     }
-    // Density of the vertex that light goes to.
+    // Pdf per area of the first vertex of a path that starts at the light.
     float to(const SurfaceInteraction& next) const {
         return infinite ? density.leaving * absDot(next.ng, d) : perArea(density.leaving, p, next);
     }
@@ -56,9 +57,9 @@ struct BidirectionalTracer::Paths {
     std::vector<Vertex> camera, light;
     Vec3 lens{0.f};
     bool lensCanBeJoined = false;
-    LightEnd end;             // of `light`
-    float endFromCamera = 0;  // its density from the first vertex of `light`, once that went on
-    // Scratch of the weights.
+    LightEnd end;             // the start of `light`
+    float endFromCamera = 0;  // its pdf from the first vertex of `light`, once the subpath continued
+    // Scratch memory for the MIS weights.
     std::vector<Node> nodes;
     Ends ends;
 
@@ -68,21 +69,22 @@ struct BidirectionalTracer::Paths {
     }
 };
 
-// From a vertex to the next.
+// The continuation of a subpath from one vertex to the next.
 struct BidirectionalTracer::Step {
     Ray ray;
     Rgb throughput;
     float pdf = 0, reverse = 0;  // per solid angle; 1 for specular lobes
     float eta = 1;
 
-    // Density-proportional to what the BSDF sends on. False: nothing. Marks the vertex if by a specular lobe.
+    // Samples the BSDF. False if the path ends. Marks the vertex as specular if a specular lobe was sampled.
     bool sample(Vertex& at, float uLobe, const Vec2& u, TransportMode mode) {
         const BsdfView view(at.bsdf, at.hit.wo, LobeFlags::All, mode);
         const auto s = view.sample(uLobe, u);
         if (!s || !(s->pdf > 0)) return false;
         const float cosine =
             mode == TransportMode::Radiance ? absDot(s->wi, at.bsdf.frame().n) : absDot(s->wi, at.hit.ng);
-        // What a light path brings is what the camera's would find there: not every BSDF is reciprocal.
+        // Since not every BSDF is reciprocal, light paths evaluate it with the directions that a camera path would
+        // have.
         const bool turned = mode == TransportMode::Importance && !s->isSpecular();
         throughput =
             at.throughput * (turned ? at.bsdf.f(s->wi, at.hit.wo, LobeFlags::NonSpecular) : s->f) * (cosine / s->pdf);
@@ -94,7 +96,7 @@ struct BidirectionalTracer::Step {
         ray = at.hit.spawnRay(s->wi, spreadAfter(*s, at.hit.coneSpread));
         return true;
     }
-    // Russian roulette. importance: what the throughput is worth.
+    // Russian roulette. importance: a scalar measure of the throughput.
     bool survives(float importance, float u) {
         const float survival = std::min(0.95f, importance);
         if (u >= survival) return false;
@@ -121,7 +123,7 @@ BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Accel& accel,
 
 float BidirectionalTracer::weight(std::span<const Node> nodes, size_t s, const Ends& ends) {
     const size_t n = nodes.size();
-    // From 1, the vertex next to the lens, to n, the light.
+    // Nodes count from 1, the vertex next to the lens, to n, the point on the light.
     const auto node = [&](size_t i) -> const Node& { return nodes[i - 1]; };
     const auto possible = [&](size_t other) {
         const size_t t = n + 1 - other;
@@ -129,12 +131,12 @@ float BidirectionalTracer::weight(std::span<const Node> nodes, size_t s, const E
         if (t == 1 ? other < 2 || !ends.lensCanBeJoined : node(t - 1).specular) return false;
         return other == 1 || !node(t).specular;
     };
-    // What densities of nodes leave out.
+    // Factors of a strategy's pdf that are not part of the nodes' densities.
     const auto besides = [&](size_t other) {
         return (other == 1 ? double(ends.chosen) : 1.0) * (other == n ? ends.lightPaths : 1.0);
     };
-    // Paths from the camera never take a direction above the geometric horizon but below the shading one, other than
-    // straight to a light. What they leave out there is left out here too.
+    // Camera paths never sample directions above the geometric but below the shading horizon, except straight
+    // towards a light. Paths that contain one are left out here too, so that all strategies agree.
     for (size_t i = 2; i < n; ++i)
         if (!(node(i).fromCamera > 0)) return 0;
     const double own = besides(s);

@@ -10,7 +10,7 @@ namespace {
 using Node = BidirectionalTracer::Node;
 using Ends = BidirectionalTracer::Ends;
 
-// Over all ways that can make a path, which is every s that the path allows.
+// Sum of the MIS weights over all strategies, that is, over every s that the path allows. It must be 1.
 double sumOfWeights(const std::vector<Node>& nodes, const Ends& ends) {
     const size_t n = nodes.size();
     const auto canJoin = [&](size_t s) {
@@ -34,32 +34,32 @@ TEST(Bdpt, WeightsOfAllWaysToMakeAPathAddUpToOne) {
         nodes.back().specular = false;
         const Ends ends{std::exp2(exponent(random)), random() % 4 != 0, random() % 4 != 0, 100};
         const double sum = sumOfWeights(nodes, ends);
-        // A path that no way can make: a delta light behind mirrors alone, say.
+        // Some paths cannot be made by any strategy, such as those to a delta light by mirrors alone.
         if (sum == 0) continue;
         ASSERT_NEAR(sum, 1, 1e-4) << "path " << i;
     }
 }
 
 TEST(Bdpt, WeightsFollowThePowerHeuristic) {
-    // Lens, a point, a light: the light is met with density 3, or chosen with twice its own of 2.
+    // Lens, one vertex, light: the light is hit with pdf 3, or sampled with twice its own pdf of 2.
     const std::vector<Node> nodes{{5, 7, false}, {3, 2, false}};
     const Ends ends{2, true, false, 100};
     EXPECT_NEAR(BidirectionalTracer::weight(nodes, 0, ends), 9. / (9 + 16), 1e-6);
     EXPECT_NEAR(BidirectionalTracer::weight(nodes, 1, ends), 16. / (9 + 16), 1e-6);
-    // And by 100 light paths, which come to the point with density 2 * 7 for the camera's 5.
+    // In addition, 100 light paths reach the vertex with pdf 2 * 7, against 5 from the camera.
     const Ends joined{2, true, true, 100};
     const double byLight = 100. * 2 * 7 / 5;
     EXPECT_NEAR(BidirectionalTracer::weight(nodes, 2, joined), byLight * byLight / (9 + 16 + byLight * byLight), 1e-6);
 }
 
 TEST(Bdpt, WhatASpecularVertexHidesCountsForNothing) {
-    // Behind a mirror a light can only be met.
+    // Seen in a mirror, a light can only be hit.
     const std::vector<Node> nodes{{5, 7, true}, {3, 2, false}};
     EXPECT_EQ(BidirectionalTracer::weight(nodes, 0, {2, true, true, 100}), 1);
 }
 
 TEST(Bdpt, WhatPathsFromTheCameraNeverTakeIsLeftOut) {
-    // But for the light itself, which can be chosen.
+    // The light at its end can still be sampled.
     const std::vector<Node> hidden{{5, 7, false}, {0, 1, false}, {3, 2, false}}, direct{{5, 7, false}, {0, 2, false}};
     const Ends ends{2, true, true, 100};
     for (const size_t s : {0, 1, 2, 3}) EXPECT_EQ(BidirectionalTracer::weight(hidden, s, ends), 0);

@@ -11,14 +11,14 @@ namespace drc {
 namespace {
 
 constexpr int kOne = 1 << 16;
-// Of all samples, the part that is not guided.
+// Share of the samples that are drawn without guiding.
 constexpr double kUnguided = 0.25;
-// What is known of a block before anything was tried weighs as this many tries.
+// Weight of the prior estimate of a block's rate, in samples.
 constexpr double kPriorTries = 1;
-// By then the guide knows what it can, and counting would only cost time.
-constexpr int kSweepsToLearn = 64;
+// After this many sample passes, learning gains nothing more and counting would only cost time.
+constexpr int kPassesToLearn = 64;
 
-// cumulative[i]: sum of the weights before i, of 2^16, with at least one for each.
+// cumulative[i]: sum of the weights before i, in units of 2^-16 of their total, with at least one unit for each.
 template <size_t N>
 void accumulate(const std::array<double, N>& weights, std::array<uint16_t, N>& cumulative) {
     double total = 0, sum = 0;
@@ -31,8 +31,8 @@ void accumulate(const std::array<double, N>& weights, std::array<uint16_t, N>& c
 
 struct Cell {
     int index;
-    float local;  // in [0, 1)
-    int mass;     // of 2^16
+    float local;  // position within the chosen interval, in [0, 1)
+    int mass;     // probability, in units of 2^-16
 };
 
 template <size_t N>
@@ -40,7 +40,7 @@ int massOf(const std::array<uint16_t, N>& cumulative, int i) {
     return (i + 1 < int(N) ? cumulative[size_t(i) + 1] : kOne) - cumulative[size_t(i)];
 }
 
-// How many of the numbers are at most x, in [0, 2^16): all are compared side by side, without a branch on any.
+// Number of entries that are at most x, in [0, 2^16). All are compared in SIMD registers, without branches.
 int countUpTo(const std::array<uint16_t, 8>& numbers, int x) {
     const __m128i n = _mm_loadu_si128(reinterpret_cast<const __m128i*>(numbers.data()));
     const __m128i most = _mm_set1_epi16(int16_t(x));
@@ -54,7 +54,7 @@ int countUpTo(const std::array<uint16_t, 16>& numbers, int x) {
     return std::popcount(unsigned(_mm256_movemask_epi8(upTo))) / 2;
 }
 
-// u in [0, 1). The first of the cumulative numbers is zero.
+// u in [0, 1). The first cumulative number must be zero.
 template <size_t N>
 Cell choose(const std::array<uint16_t, N>& cumulative, float u) {
     const float x = u * float(kOne);
@@ -81,14 +81,15 @@ EnvironmentGuide::EnvironmentGuide(const Light& light, float size)
 int EnvironmentGuide::group(const Vec3& p, const Vec3& n) const {
     const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
     const int axis = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-    // Moved at random by up to half a voxel, or else the voxels would show as squares of more and of less noise. The
-    // point's own digits serve as random numbers: the same point is always of the same group.
+    // Points are jittered by up to half a voxel; otherwise the voxels would be visible as squares of different noise
+    // levels. The bits of the point's coordinates serve as random numbers, so that the same point always falls into the
+    // same group.
     const auto bits = [](float f) { return uint64_t(std::bit_cast<uint32_t>(f)); };
     const uint64_t random = mixBits(bits(p.x) ^ mixBits(bits(p.y) ^ mixBits(bits(p.z))));
     uint64_t key = uint64_t(2 * axis + (n[axis] < 0));
     for (int i = 0; i < 3; ++i) {
         const float jitter = float((random >> (20 * i)) & 0xfffff) * 0x1p-20f;
-        // Bounded, because what is beyond an integer's range must not become one.
+        // Clamped, because converting a float beyond an integer's range is undefined.
         const float voxel = std::clamp(std::floor(p[i] * perSize_ + jitter), -1e9f, 1e9f);
         key = mixBits(key ^ uint64_t(int64_t(voxel)));
     }
@@ -103,7 +104,7 @@ EnvironmentGuide::Guided EnvironmentGuide::sample(int group, const Vec2& u) cons
     g.u = Vec2((float(column.index) + column.local) / kColumns, (float(row.index) + row.local) / kRows);
     g.density = float(row.mass) * float(column.mass) * (kBlocks * 0x1p-32f);
     g.slot = group * kBlocks + row.index * kColumns + column.index;
-    __builtin_prefetch(&counts_[size_t(g.slot)], 1);  // for learn(), which comes after a ray
+    __builtin_prefetch(&counts_[size_t(g.slot)], 1);  // for learn(), which follows after a shadow ray
     return g;
 }
 
@@ -116,10 +117,10 @@ float EnvironmentGuide::density(int group, const Vec2& u) const {
 
 void EnvironmentGuide::update() {
     if (!learning_) return;
-    ++sweeps_;
-    if (sweeps_ >= kSweepsToLearn) learning_ = false;
-    // Ever more rarely, as there is ever less to learn.
-    if (!std::has_single_bit(unsigned(sweeps_))) return;
+    ++passes_;
+    if (passes_ >= kPassesToLearn) learning_ = false;
+    // Rebuilds the tables after passes 1, 2, 4, 8, ..., as there is less and less to learn.
+    if (!std::has_single_bit(unsigned(passes_))) return;
     parallelFor(0, kGroups, 256, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) rebuild(tables_[size_t(i)], &counts_[size_t(i) * kBlocks]);
     });
@@ -133,7 +134,7 @@ void EnvironmentGuide::rebuild(Table& table, const std::atomic<uint64_t>* counts
         arrivals += count / kArrival;
     }
     if (tries == 0) return;
-    // Never none: that nothing has arrived yet does not mean that nothing will.
+    // The rate is never zero: that no sample has arrived yet does not mean that none ever will.
     const double rate = (double(arrivals) + 0.5) / (double(tries) + 1);
     double total = 0;
     std::array<std::array<double, kColumns>, kRows> p;

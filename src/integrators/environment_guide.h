@@ -1,14 +1,15 @@
-// Learns, while a picture is rendered, from which parts of an environment light comes to the surfaces of a room: of the
-// sky that the scene's file describes, most rooms see what a few windows show.
+// Learns during rendering from which parts of an environment light actually reaches the surfaces of a room. Most rooms
+// see only what a few windows show of the sky.
 //
-// The random numbers that the light turns into directions are guided, not the directions: the unit square of its
-// sample(u) is divided into equal blocks, each with an equal part of the light's power however bright or small its
-// directions are (the primary sample space of Guo et al., "Primary Sample Space Path Guiding", EGSR 2018). Points are
-// grouped by position and by the way that they face; each group counts how often samples of a block arrived, and
-// chooses blocks in proportion to the root of that rate, which is what makes the variance of such samples least. A part
-// of all samples stays as it would be without a guide, so that no direction is ever left out.
+// Guiding is done in primary sample space (Guo et al., "Primary Sample Space Path Guiding", EGSR 2018): what is guided
+// are the random numbers that Light::sample(u) turns into directions. The unit square is divided into equal blocks,
+// each of which has an equal share of the light's power, however bright its directions are. Surface points are grouped
+// by position and normal. Each group counts how often samples of each block arrived unoccluded, and chooses blocks in
+// proportion to the square root of that rate, which minimises the variance. A share of the samples stays unguided, so
+// that no direction is ever excluded.
 //
-// The counts of one sweep guide the next ones: between two update()s the density is fixed, it is known exactly for
+// The counts of one sample pass guide the following ones. Between two calls of update() the density is fixed. It is
+// therefore known exactly for multiple importance sampling, and does not depend on the order in which threads count.
 // multiple importance sampling, and it does not depend on the order in which threads count.
 #pragma once
 #include <array>
@@ -24,41 +25,42 @@ class EnvironmentGuide {
   public:
     static constexpr int kRows = 8, kColumns = 16, kBlocks = kRows * kColumns;
 
-    // light: at infinity, and one whose samples can be inverted. size: edge of the voxels that points are grouped by,
-    // world units.
+    // light: a light at infinity that implements inverse(). size: edge length of the voxels by which points are
+    // grouped, in world units.
     EnvironmentGuide(const Light& light, float size);
 
     const Light* light() const { return &light_; }
-    // Of points about p that face n (unit).
+    // Group of the points near p with normals near n (unit).
     int group(const Vec3& p, const Vec3& n) const;
-    // Starts to fetch from memory what sample(group, ...) reads.
+    // Prefetches what sample(group, ...) reads.
     void prefetch(int group) const {
         const auto* const table = reinterpret_cast<const char*>(&tables_[size_t(group)]);
         for (size_t i = 0; i < sizeof(Table); i += 64) __builtin_prefetch(table + i);
     }
 
     struct Guided {
-        Vec2 u;             // for Light::sample
-        float density = 1;  // by which the light's own density is to be multiplied
-        int slot = 0;       // for learn()
+        Vec2 u;             // to be passed to Light::sample
+        float density = 1;  // factor by which the light's own pdf is to be multiplied
+        int slot = 0;       // to be passed to learn()
     };
-    // u: uniform in the unit square.
+    // u: uniform on the unit square.
     Guided sample(int group, const Vec2& u) const;
-    // Guided::density of a sample with this u.
+    // The factor Guided::density for a given u.
     float density(int group, const Vec2& u) const;
 
-    // Whether a sample brought light. From any thread.
+    // Records whether the sample was unoccluded. Thread-safe.
     void learn(int slot, bool arrived) {
         if (learning_) counts_[size_t(slot)].fetch_add(arrived ? kTry + kArrival : kTry, std::memory_order_relaxed);
     }
-    // Takes what was learned into use, at a sweep's end.
+    // Takes the counts into use. To be called at the end of each sample pass, while no other thread uses the guide.
     void update();
 
   private:
     static constexpr int kGroups = 1 << 14;
-    static constexpr uint64_t kTry = 1, kArrival = 1ull << 32;  // counted together: one write for each sample
-    // Cumulative probabilities in units of 2^-16: of the rows of blocks, and within each row; without the last, which
-    // is one.
+    static constexpr uint64_t kTry = 1,
+                              kArrival = 1ull << 32;  // two counts in one number, for a single atomic addition
+    // Cumulative probabilities in units of 2^-16, of the rows of blocks and within each row. The last entry, one, is
+    // not stored.
     struct Table {
         std::array<uint16_t, kRows> rows;
         std::array<std::array<uint16_t, kColumns>, kRows> columns;
@@ -68,7 +70,7 @@ class EnvironmentGuide {
     const Light& light_;
     float perSize_;
     bool learning_ = true;
-    int sweeps_ = 0;
+    int passes_ = 0;
     std::vector<Table> tables_;
     std::unique_ptr<std::atomic<uint64_t>[]> counts_;  // kGroups x kBlocks
 };

@@ -5,8 +5,8 @@
 namespace drc {
 namespace {
 
-// Share of the choice that ignores what lights could bring, so that none that matters is starved: of a few lights some
-// may be hidden from the point, and the sky from all of a room.
+// Share of the probability that ignores the lights' estimated contributions, so that no light is starved: the estimates
+// ignore visibility, and the most promising lights may be occluded.
 constexpr float kUniformShare = 0.1f;
 
 }  // namespace
@@ -49,7 +49,7 @@ void LightSampler::weigh(const Vec3& p, float (&probabilities)[kMaxWeighed]) con
     float sum = 0;
     for (size_t b = 0; b < bounds_.size(); ++b) sum += EightSums(probabilities + b * kBlock).total();
     const bool known = sum > 0 && std::isfinite(sum);
-    // All alike where nothing is known.
+    // Uniform if no light has a positive estimate.
     const float scale = known ? (1 - kUniformShare) / sum : 0, share = known ? 1 : 1 / kUniformShare;
     for (size_t i = 0; i < bounds_.size() * kBlock; ++i)
         probabilities[i] = share * uniform_[i] + scale * (known ? probabilities[i] : 0.f);
@@ -75,7 +75,7 @@ LightSampler::Choice LightSampler::sample(const Vec3& p, float u) const {
             if (i < (b + 1) * EightSums::kCount) return {lights_[i], probabilities[i]};
             before = sums.total();
         }
-        return {lights_.back(), probabilities[lights_.size() - 1]};  // by rounding
+        return {lights_.back(), probabilities[lights_.size() - 1]};  // reached only by rounding
     }
     const float distant = distantShare(p);
     if (u < distant) {

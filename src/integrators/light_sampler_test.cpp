@@ -10,18 +10,18 @@
 namespace drc {
 namespace {
 
-// count point lights of random strength in each of two rooms, ten metres apart; maybe a sky and a sun.
+// `count` point lights of random intensity in each of two rooms, ten metres apart; optionally with a sky and a sun.
 Scene twoRooms(int count, bool sky) {
     Scene scene;
     Pcg32 rng(6);
-    // Far apart in the list of lights: nothing may depend on its order.
+    // The lights of both rooms alternate, since nothing may depend on their order.
     for (int i = 0; i < 2 * count; ++i) {
         const Vec3 at(4 * rng.nextFloat() + (i % 2 ? 14.f : 0.f), 4 * rng.nextFloat(), 1 + 2 * rng.nextFloat());
         scene.lights.push_back(makePointLight(at, Rgb(0.5f + rng.nextFloat())));
         if (sky && i == 3) scene.lights.push_back(makeInfiniteLight(Transform(), Rgb(1.f)));
     }
     if (sky) scene.lights.push_back(makeDistantLight(Vec3(0, 0, 1), Rgb(1.f)));
-    auto mesh = std::make_shared<TriangleMesh>();  // for the scene's size
+    auto mesh = std::make_shared<TriangleMesh>();  // gives the scene an extent
     mesh->positions = {Vec3(0, 0, 0), Vec3(18, 0, 0), Vec3(0, 4, 3)};
     mesh->indices = {0, 1, 2};
     scene.primitives.push_back({mesh, nullptr, nullptr, nullptr, nullptr, nullptr});
@@ -96,7 +96,7 @@ TEST(LightSampler, TheOtherRoomsLightsAreRare) {
     }
 }
 
-// The irradiance in one of the rooms, against choosing by power alone.
+// Compares the variance of the irradiance in one of the rooms with that of choosing lights by power alone.
 TEST(LightSampler, LessNoiseThanByPower) {
     const Scene scene = twoRooms(500, false);
     const LightSampler sampler(scene);

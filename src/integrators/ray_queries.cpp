@@ -14,15 +14,15 @@ bool nextSurface(const Accel& accel, Ray& ray, const Accel::Found& found, Surfac
         ray = hit.spawnRay(ray.d);
         if (!accel.intersect(ray, hit)) return false;
     }
-    // Not false, or those who ask would take the sky for what lies behind.
+    // Not false, since the caller would then take the sky for what lies behind.
     return true;
 }
 
 bool shadowed(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time) {
     const Vec3 o = from.towards(d);
     if (std::isinf(distance)) return accel.occluded(o, d, kInfinity, time);
-    // From the origin as it was moved, and short of the end, whose own surface must not hide it: by a share of the
-    // distance, and by what rounding can move its position.
+    // The segment ends short of the target, so that the target's own surface does not occlude it: by a share of the
+    // distance, and by the rounding error of the target's position.
     const Vec3 target = from.p + d * distance;
     const Vec3 left = target - o;
     const float way = length(left);

@@ -1,28 +1,30 @@
-// What paths of all kinds have in common: how they get to the next surface that matters, where they end at the latest,
-// and whether anything stands between two points.
+// Ray queries shared by all path-based integrators: the next surface along a path, the maximum lengths of chains, and
+// visibility between two points.
 #pragma once
 #include "accel/accel.h"
 
 namespace drc {
 
-// Rows of surfaces without material, or emitters without a body, end here.
+// Maximum number of consecutive surfaces without material, or emitters without material, that a ray passes through.
 constexpr int kMaxPassThrough = 256;
-// Chains of mirrors and glass end here.
+// Maximum number of consecutive specular vertices.
 constexpr int kMaxSpecularChain = 64;
 
-// Cone of a path after a non-specular bounce. Wider ones would save a little memory traffic, but what textures average
-// over must not leave the surfaces that they are on: a leaf whose picture stands on white would be too bright.
+// Spread of the ray cone after a non-specular bounce. A wider cone would save a little memory traffic, but texture
+// filtering must not reach beyond the object: a leaf cut out of an image with a white background would become too
+// bright.
 constexpr float kDiffuseSpread = 0.005f;
 inline float spreadAfter(const BsdfSample& s, float spread) {
     return s.isSpecular() ? spread : std::max(spread, kDiffuseSpread);
 }
 
-// Nearest surface that has a material or emits; passes through the others, though not through any number of them: then
-// it is one of those. False: the ray escapes. The ray becomes the last part of its way.
+// The nearest surface along the ray that has a material or emits. The ray passes through other surfaces, but at most
+// kMaxPassThrough of them; then the last of them is returned. False if the ray escapes. `ray` becomes the last segment.
 bool nextSurface(const Accel& accel, Ray& ray, SurfaceInteraction& hit);
 bool nextSurface(const Accel& accel, Ray& ray, const Accel::Found& found, SurfaceInteraction& hit);
 
-// Whether anything stands between a point on a surface and another, `distance` away along d (unit). Infinity: outside.
+// Whether anything blocks the segment from a surface point along d (unit) to `distance`, which is infinity for lights
+// at infinity.
 bool shadowed(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
 
 }  // namespace drc

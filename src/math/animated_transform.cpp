@@ -19,7 +19,7 @@ Matrix linearPart(const Transform& t) {
     return m;
 }
 
-// The matrix product of column vectors' matrices, a after b. Imath multiplies in the other order.
+// Product of the matrices of column vectors: first b, then a. Imath's operator* multiplies in the other order.
 Matrix product(const Matrix& a, const Matrix& b) {
     Matrix r(0, 0, 0, 0, 0, 0, 0, 0, 0);
     for (int i = 0; i < 3; ++i)
@@ -28,8 +28,9 @@ Matrix product(const Matrix& a, const Matrix& b) {
     return r;
 }
 
-// The rotation nearest to m, or a rotation with a reflection where m has one: the mean of a matrix and its inverse
-// transpose, again and again (Shoemake and Duff, "Matrix Animation and Polar Decomposition", 1992).
+// The orthogonal factor of the polar decomposition of m: a rotation, or a rotation with a reflection if m mirrors.
+// Found by repeatedly averaging the matrix with its inverse transpose (Shoemake and Duff, "Matrix Animation and Polar
+// Decomposition", 1992).
 Matrix polarRotation(Matrix m) {
     constexpr int kMost = 100;
     for (int i = 0; i < kMost; ++i) {
@@ -44,11 +45,11 @@ Matrix polarRotation(Matrix m) {
     return m;
 }
 
-// translation * rotation * stretch
+// The decomposition of an affine transform into translation * rotation * stretch.
 struct Pose {
     Imath::V3d translation;
     Imath::Quatd rotation;
-    Matrix stretch;  // symmetric; its eigenvalues are negative where the pose mirrors
+    Matrix stretch;  // symmetric; with negative eigenvalues if the transform mirrors
 
     explicit Pose(const Transform& t) {
         for (int i = 0; i < 3; ++i) translation[i] = t.at(i, 3);
@@ -90,7 +91,7 @@ using Factor = std::variant<Transform, PoseToPose>;
 
 struct AnimatedTransform::Motion {
     Transform end;
-    std::vector<Factor> factors;  // the leftmost first
+    std::vector<Factor> factors;  // in the order of the product, the leftmost first
 };
 
 AnimatedTransform::AnimatedTransform(const Transform& start, const Transform& end) : start_(start) {

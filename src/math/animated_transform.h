@@ -1,4 +1,4 @@
-// A transformation that changes with time, from one at time 0 to another at time 1 (PBR 3e, section 2.9).
+// A transform that moves between one at time 0 and another at time 1 (PBR 3e, section 2.9).
 #pragma once
 #include <memory>
 
@@ -6,30 +6,33 @@
 
 namespace drc {
 
-// Between its ends translation, rotation (along the shorter way) and what remains, which is stretch, are interpolated
-// apart from each other, so that things turn without shrinking. Before and after, the ends hold. What mirrors at both
-// ends mirrors all the time.
+// Both ends are decomposed into translation, rotation and stretch (polar decomposition), which are interpolated
+// separately, the rotation along the shorter arc, so that rotating objects do not shrink on the way. Before time 0 and
+// after time 1 the ends hold. If both ends mirror, so does every transform between.
 class AnimatedTransform {
   public:
     AnimatedTransform() = default;
-    // One that stands still: anything that can move can do that. Costs no more than the transformation itself.
+    // A transform that stands still converts implicitly, since anything that may move may also stand still. It costs no
+    // more than a Transform.
     AnimatedTransform(const Transform& still) : start_(still) {}  // NOLINT(google-explicit-constructor)
-    // Stands still if both are the same.
+    // Stands still if both ends are the same.
     AnimatedTransform(const Transform& start, const Transform& end);
 
     bool isAnimated() const { return motion_ != nullptr; }
     const Transform& start() const { return start_; }
     const Transform& end() const;
     Transform at(float time) const;
-    // a * b is at all times what both are then, one after the other: it is not interpolated from its own ends.
+    // At every time t the product of a.at(t) and b.at(t). It is not the interpolation between the products at both
+    // ends.
     friend AnimatedTransform operator*(const AnimatedTransform& a, const AnimatedTransform& b);
-    // From the inverse of one end to that of the other, interpolated anew: what pbrt makes of a camera's.
+    // Interpolates between the inverses of both ends, as pbrt does for a camera. This is not the inverse of at(t)
+    // between the ends.
     AnimatedTransform inverse() const { return {start_.inverse(), end().inverse()}; }
 
-    // Moments, from the start to the end in equal steps, that stand for the motion where translation, rotation and
-    // stretch along the axes of its own space are interpolated between them: 1 if it stands still, 2 if it is such an
-    // interpolation itself, or kMostSteps. Half a turn of half a turn strays from itself by less than a thousandth of
-    // its radius between those.
+    // Number of equally spaced times, both ends included, at which to sample the motion for Embree, which interpolates
+    // translation, rotation and stretch between them: 1 if the transform stands still, 2 if it is itself such an
+    // interpolation, otherwise (a product of motions) kMostSteps. With kMostSteps, half a turn composed with another
+    // half turn deviates by less than a thousandth of its radius.
     static constexpr unsigned kMostSteps = 65;
     unsigned steps() const;
 
@@ -37,7 +40,7 @@ class AnimatedTransform {
     struct Motion;
 
     Transform start_;
-    std::shared_ptr<const Motion> motion_;  // null: stands still
+    std::shared_ptr<const Motion> motion_;  // null if it stands still
 };
 
 }  // namespace drc

@@ -32,7 +32,7 @@ TEST(AnimatedTransform, EndsAreExactAndHold) {
     EXPECT_TRUE(t.isAnimated());
     for (const float before : {-1.f, 0.f}) EXPECT_TRUE(t.at(before) == a);
     for (const float after : {1.f, 7.f}) EXPECT_TRUE(t.at(after) == b);
-    // No jump on the way.
+    // The motion starts without a jump.
     expectSame(t.at(1e-6f), a, 1e-4f);
     expectSame(t.at(1 - 1e-6f), b, 1e-4f);
 }
@@ -67,7 +67,7 @@ TEST(AnimatedTransform, StretchesAlongAnyDirection) {
     const AnimatedTransform t(Transform(), stretch);
     expectSame(t.at(0.5f), turn * Transform::scale(2, 1, 1) * turn.inverse());
     EXPECT_EQ(t.steps(), AnimatedTransform::kMostSteps);
-    // Turned as well: neither changes the other.
+    // With a rotation added, neither part changes the other.
     const AnimatedTransform both(Transform(), Transform::rotate(90, kAxis) * stretch);
     expectSame(both.at(0.5f), Transform::rotate(45, kAxis) * turn * Transform::scale(2, 1, 1) * turn.inverse());
 }
@@ -87,7 +87,8 @@ TEST(AnimatedTransform, InverseIsOfTheEnds) {
     const AnimatedTransform t = AnimatedTransform(a, b).inverse();
     expectSame(t.start(), a.inverse());
     expectSame(t.end(), b.inverse());
-    // Not the inverse of what is between the ends: the inverse's own translation stays what it is at both of them.
+    // The result is not the inverse of at(0.5): the inverses of both ends have the same translation, which must be kept
+    // between.
     EXPECT_LT(length(t.at(0.5f).point(Vec3(0, 0, 0)) - Vec3(-1, -2, -3)), 1e-5f);
 }
 

@@ -7,7 +7,7 @@ double usable(float f) { return f > 0 && std::isfinite(f) ? static_cast<double>(
 
 float belowOne(double x) { return std::min(static_cast<float>(x), kOneMinusEpsilon); }
 
-// f's integral over [0,1), and from where to where each of its cells holds it: 0, ..., 1.
+// Sets `integral` to the integral of f over [0,1) and returns its normalised cumulative table: 0, ..., 1.
 std::vector<double> cumulative(std::span<const float> f, double& integral) {
     const size_t n = std::max<size_t>(1, f.size());
     std::vector<double> cdf(n + 1, 0.0);
@@ -31,7 +31,7 @@ Distribution1D::Distribution1D(std::span<const float> f) : cdf_(cumulative(f, in
 }
 
 int Distribution1D::find(float u) const {
-    // The cell whose upper end is the first beyond u has a positive width, so that empty cells are never chosen.
+    // The first cell whose upper bound exceeds u has positive width, so that cells of zero weight are never chosen.
     const double x = std::clamp(u, 0.f, kOneMinusEpsilon);
     int i = guide_[static_cast<size_t>(x * size())];
     while (cdf_[i + 1] <= x) ++i;
@@ -45,7 +45,7 @@ Sample1D Distribution1D::sampleContinuous(float u) const {
     r.local = s.uRemapped;
     r.pdf = static_cast<float>(mass(s.index) * size());
     r.x = belowOne((s.index + static_cast<double>(s.uRemapped)) / size());
-    // Rounding to float may leave the cell; the next one can have another density, even zero.
+    // Rounding to float may move x into the next cell, whose density may differ or even be zero.
     while (r.x > 0 && cell(r.x) > s.index) r.x = std::nextafter(r.x, 0.f);
     while (cell(r.x) < s.index) r.x = std::nextafter(r.x, 1.f);
     return r;
@@ -92,7 +92,7 @@ double Distribution2D::append(std::span<const float> f) {
 Distribution2D::Chosen Distribution2D::choose(const Entry* table, int cells, float u) {
     const float x = std::clamp(u, 0.f, kOneMinusEpsilon);
     int i = table[std::min(static_cast<int>(x * static_cast<float>(cells)), cells - 1)].guide;
-    // The lower end of x's part may by rounding lie just above x.
+    // By rounding, the guide's entry may lie just above x.
     while (i > 0 && table[i].cdf > x) --i;
     while (table[i + 1].cdf <= x) ++i;
     const float m = mass(table, i);

@@ -1,9 +1,8 @@
-// Tabulated distributions to sample from: piecewise constant over [0,1) and [0,1)^2, and discrete (PBR 3e, section
-// 13.3.1 and 13.6.7).
+// Tabulated distributions: piecewise constant over [0,1) and over [0,1)^2, and discrete (PBR 3e, sections 13.3.1
+// and 13.6.7).
 //
-// Each function below that samples returns the density or probability with which it did so, and pdf() agrees with it
-// exactly: both are read off the same cumulative table. A table of zeros is sampled uniformly. Negative and non-finite
-// values count as zero.
+// Sampling returns the density or probability of the sample, and pdf() agrees with it exactly, since both are computed
+// from the same cumulative table. A table of zeros is sampled uniformly. Negative and non-finite values count as zero.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -16,30 +15,30 @@ namespace drc {
 struct Sample1D {
     float x = 0;  // in [0,1)
     float pdf = 0;
-    int index = 0;    // of the table's cell that x lies in
-    float local = 0;  // x within that cell, in [0,1), with all the precision that u left
+    int index = 0;    // of the table's cell that contains x
+    float local = 0;  // position within that cell, in [0,1), at the full precision that u leaves
 };
 
 struct DiscreteSample {
     int index = 0;
     float probability = 0;
-    float uRemapped = 0;  // uniform in [0,1) given index: what is left of the random number
+    float uRemapped = 0;  // the unused part of the random number: uniform in [0,1) given index
 };
 
 struct Sample2D {
-    int x = 0, y = 0;  // the table's cell that was chosen
-    Vec2 local;        // in [0,1)^2, uniform within that cell
-    float pdf = 0;     // over [0,1)^2
+    int x = 0, y = 0;  // the chosen cell of the table
+    Vec2 local;        // position within that cell, uniform in [0,1)^2
+    float pdf = 0;     // with respect to area on [0,1)^2
 };
 
 class Distribution1D {
   public:
     Distribution1D() : Distribution1D(std::span<const float>()) {}
-    // An empty table is one cell.
+    // f: the value of each cell. An empty table counts as a single cell.
     explicit Distribution1D(std::span<const float> f);
 
     int size() const { return static_cast<int>(cdf_.size()) - 1; }
-    // Integral over [0,1) of the tabulated function: the mean of its values.
+    // Integral over [0,1) of the tabulated function, which is the mean of its values.
     double integral() const { return integral_; }
     Sample1D sampleContinuous(float u) const;
     DiscreteSample sampleDiscrete(float u) const;
@@ -53,30 +52,31 @@ class Distribution1D {
 
     double integral_ = 0;
     std::vector<double> cdf_;  // size() + 1 values, from 0 to 1
-    // For each of size() equal parts of [0,1): the cell that its lower end falls in, where a search can start
-    // (Chen and Asau, "On Generating Random Variates from an Empirical Distribution", 1974).
+    // guide_[i] is the cell that contains i / size(), where the search for u in [i, i+1) / size() starts (Chen and
+    // Asau, "On Generating Random Variates from an Empirical Distribution", 1974).
     std::vector<int> guide_;
 };
 
 class Distribution2D {
   public:
     Distribution2D() : Distribution2D({}, 0, 0) {}
-    // f: row-major, width x height; x runs along a row. An empty table is one cell.
+    // f: row-major, width x height; x runs along a row. An empty table counts as a single cell.
     Distribution2D(std::span<const float> f, int width, int height);
 
     int width() const { return width_; }
     int height() const { return height_; }
     double integral() const { return integral_; }
     Sample2D sample(const Vec2& u) const;
-    // The u that is sampled as this point of this cell.
+    // The random number u that sampling maps to this point of this cell.
     Vec2 inverse(int x, int y, const Vec2& local) const;
     float pdf(int x, int y) const { return mass(marginal(), y) * mass(row(y), x) * float(width_ * height_); }
 
   private:
-    // A table of n cells has n + 1 of them. Cumulative table and guide in one, because a sample costs the cache lines
-    // that it touches.
+    // A table of n cells has n + 1 entries. The cumulative table and the guide are interleaved, because the cost of a
+    // sample is the number of cache lines that it touches.
     struct Entry {
-        float cdf;  // in whole 2^-24, as random numbers are: a cell is chosen exactly as often as its density says
+        float cdf;  // a multiple of 2^-24, as random numbers are, so that each cell is chosen exactly as often as its
+                    // pdf says
         int guide;
     };
     struct Chosen {
@@ -92,7 +92,7 @@ class Distribution2D {
 
     int width_ = 1, height_ = 1;
     double integral_ = 0;
-    std::vector<Entry> entries_;  // the rows, and after them the table of rows
+    std::vector<Entry> entries_;  // the conditional tables of all rows, followed by the marginal table over rows
 };
 
 }  // namespace drc

@@ -57,7 +57,7 @@ TEST(Distribution1D, ZerosAndNonsense) {
 }
 
 TEST(Distribution1D, HugeRange) {
-    // A sun in a dim sky: the dim cells must stay reachable, and pdf must agree with sampling.
+    // A small sun in a dim sky: the dim cells must stay reachable, and pdf() must agree with sampling.
     std::vector<float> f(4096, 1.f);
     f[100] = 1e9f;
     const Distribution1D d(f);

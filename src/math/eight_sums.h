@@ -1,4 +1,5 @@
-// Eight weights added up side by side, to choose one of them without a branch on each, which no processor predicts.
+// Prefix sums of eight weights in SIMD registers, to choose one of them in proportion to its weight without a branch
+// per weight, which would be mispredicted.
 #pragma once
 #include <immintrin.h>
 
@@ -10,32 +11,33 @@ class EightSums {
   public:
     static constexpr int kCount = 8;
 
-    // weights: not negative. offset: the sum of what comes before them.
+    // weights: eight, none negative. offset: the sum of the weights before them.
     explicit EightSums(const float* weights, float offset = 0) {
         __m256 s = _mm256_loadu_ps(weights);
-        weighty_ = maskOf(_mm256_cmp_ps(s, _mm256_setzero_ps(), _CMP_GT_OQ));
+        nonZero_ = maskOf(_mm256_cmp_ps(s, _mm256_setzero_ps(), _CMP_GT_OQ));
         s = _mm256_add_ps(s, shiftedUp<4>(s));
         s = _mm256_add_ps(s, shiftedUp<8>(s));
-        // So far the sums of four and four: the first four's last belongs to all of the others.
+        // These are prefix sums within each half. The total of the first half is still missing from the second.
         const __m256 firstHalf = _mm256_permute2f128_ps(s, s, 0x08);
         s = _mm256_add_ps(s, _mm256_permute_ps(firstHalf, 0xff));
         sums_[0] = offset;
         _mm256_storeu_ps(sums_ + 1, _mm256_add_ps(s, _mm256_set1_ps(offset)));
     }
-    // Of the offset and the first i weights, i in [0, 8].
+    // Sum of the offset and the first i weights, i in [0, 8].
     float before(int i) const { return sums_[i]; }
     float total() const { return sums_[kCount]; }
-    // The weight whose part of the sum holds target; 8: target is beyond all of them. Never one of zero: the sums are
-    // added in different orders, and by rounding one of them may grow where nothing was added.
+    // Index of the weight whose interval of the prefix sums contains target; 8 if target lies beyond them all. A weight
+    // of zero is never chosen, although the sums are added in different orders and rounding may make one grow where
+    // nothing was added.
     int find(float target) const {
         const __m256 below = _mm256_cmp_ps(_mm256_loadu_ps(sums_ + 1), _mm256_set1_ps(target), _CMP_LE_OQ);
         const int count = std::popcount(maskOf(below));
         if (count == kCount) return kCount;
-        const unsigned upTo = weighty_ & ((2u << count) - 1);
-        return upTo != 0 ? int(std::bit_width(upTo)) - 1 : std::countr_zero(weighty_ | 1u << kCount);
+        const unsigned upTo = nonZero_ & ((2u << count) - 1);
+        return upTo != 0 ? int(std::bit_width(upTo)) - 1 : std::countr_zero(nonZero_ | 1u << kCount);
     }
-    // The last that is not zero; -1: all are.
-    int last() const { return int(std::bit_width(weighty_)) - 1; }
+    // Index of the last weight that is not zero; -1 if all are zero.
+    int last() const { return int(std::bit_width(nonZero_)) - 1; }
 
   private:
     template <int kBytes>
@@ -44,7 +46,7 @@ class EightSums {
     }
     static unsigned maskOf(__m256 comparison) { return unsigned(_mm256_movemask_ps(comparison)); }
 
-    unsigned weighty_;  // bit i: weight i is not zero
+    unsigned nonZero_;  // bit i is set if weight i is not zero
     float sums_[kCount + 1];
 };
 

@@ -28,7 +28,7 @@ TEST(EightSums, FindsTheWeightThatHoldsTheTarget) {
     const EightSums sums(weights);
     EXPECT_EQ(sums.find(0), 0);
     EXPECT_EQ(sums.find(0.999f), 0);
-    EXPECT_EQ(sums.find(1), 2);  // never one without weight
+    EXPECT_EQ(sums.find(1), 2);  // a weight of zero is never chosen
     EXPECT_EQ(sums.find(2.999f), 2);
     EXPECT_EQ(sums.find(3), 5);
     EXPECT_EQ(sums.find(6.5f), 6);
@@ -43,8 +43,8 @@ TEST(EightSums, FirstWeightsMayBeZero) {
     EXPECT_EQ(sums.last(), 2);
 }
 
-// (a + b) + c and a + (b + c) are not the same, and sums behind the last weight must not make it look as if there were
-// another.
+// Floating-point addition is not associative, so prefix sums after the last non-zero weight may differ from the total.
+// That must not look like another weight.
 TEST(EightSums, RoundingNeverFindsAWeightOfZero) {
     Pcg32 rng(5);
     int unequal = 0;

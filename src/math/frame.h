@@ -1,4 +1,4 @@
-// An orthonormal basis (s, t, n), right-handed, and the change of coordinates to and from it.
+// A right-handed orthonormal basis (s, t, n), and the change of coordinates to and from it.
 #pragma once
 #include "math/vec.h"
 
@@ -9,15 +9,16 @@ struct Frame {
 
     Frame() = default;
     Frame(const Vec3& s_, const Vec3& t_, const Vec3& n_) : s(s_), t(t_), n(n_) {}
-    // Any basis about the unit vector n, without a branch that a small change of n can flip
-    // (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017).
+    // An arbitrary basis around the unit vector n. It is continuous in n except at n.z = 0 (Duff et al., "Building an
+    // Orthonormal Basis, Revisited", JCGT 2017).
     static Frame fromNormal(const Vec3& n) {
         const float sign = std::copysign(1.f, n.z);
         const float a = -1 / (sign + n.z);
         const float b = n.x * n.y * a;
         return Frame(Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n);
     }
-    // A basis about n whose s is as near as possible to the tangent dpdu; any if they are parallel.
+    // The basis around n whose s is as close as possible to the tangent dpdu; an arbitrary one if dpdu is parallel to
+    // n.
     static Frame fromNormalAndTangent(const Vec3& n, const Vec3& dpdu) {
         const Vec3 s = dpdu - n * dot(n, dpdu);
         const float l2 = lengthSquared(s);

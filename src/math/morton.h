@@ -1,5 +1,5 @@
-// The Morton (Z) curve over a square grid: cells that are close in the order are close on the square, so that
-// well-distributed numbers along the one are well distributed over the other.
+// The Morton (Z) curve over a square grid. Cells that are close along the curve are close on the grid, so that
+// well-distributed numbers along the curve give well-distributed cells.
 #pragma once
 #include <cstdint>
 
@@ -9,7 +9,7 @@ struct GridCell {
     int column, row;
 };
 
-// The bits of both interleaved. Columns and rows below 2^16; the indices of a grid of 2^k x 2^k are 0 ... 4^k - 1.
+// Interleaves the bits of column and row, both below 2^16. The indices of a grid of 2^k x 2^k cells are 0 ... 4^k - 1.
 inline uint32_t mortonIndex(GridCell cell) {
     const auto spread = [](uint32_t v) {
         v = (v | (v << 8)) & 0x00ff00ffu;

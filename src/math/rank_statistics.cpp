@@ -14,8 +14,9 @@ bool hasNaN(std::span<const double> values) {
     return std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
 }
 
-// Calls use(index, rank) for the elements of a sorted range: ranks count from 1, and elements that are `equal` get the
-// mean of theirs. Returns the sum of t^3 - t over the sets of t equal ones, by which variances shrink.
+// Calls use(index, rank) for the elements of a sorted range. Ranks count from 1, and tied elements (those that are
+// `equal`) get their mean rank. Returns the sum of t^3 - t over all groups of t tied elements, the correction by which
+// ties reduce the variance.
 template <typename Equal, typename Use>
 double shareRanks(size_t count, const Equal& equal, const Use& use) {
     double ties = 0;
@@ -28,7 +29,7 @@ double shareRanks(size_t count, const Equal& equal, const Use& use) {
     return ties;
 }
 
-// What is denormal has few digits.
+// Denormal numbers have few significant digits, so p-values below kSmallestP are reported as 0.
 double boundedP(double p) { return p < kSmallestP ? 0 : p; }
 
 double quantile(std::span<const double> sorted, double share) {
@@ -72,7 +73,7 @@ PairedComparison compareSmaller(std::span<const double> a, std::span<const doubl
 }
 
 KruskalWallis kruskalWallis(std::span<const std::vector<double>> samples) {
-    std::vector<std::pair<double, size_t>> pooled;  // value, sample
+    std::vector<std::pair<double, size_t>> pooled;  // value, index of its sample
     KruskalWallis result;
     for (size_t s = 0; s < samples.size(); ++s) {
         if (hasNaN(samples[s])) result.h = result.p = kNaN;
@@ -90,7 +91,8 @@ KruskalWallis kruskalWallis(std::span<const std::vector<double>> samples) {
     const auto n = double(pooled.size());
     const double left = 1 - ties / (n * n * n - n);
     if (left <= 0) return result;
-    // Of each sample's mean rank from the mean of all: the usual form subtracts two large numbers.
+    // Sum of squared deviations of each sample's mean rank from the overall mean. The usual formula subtracts two large
+    // numbers.
     double spread = 0;
     for (size_t s = 0; s < samples.size(); ++s) {
         if (samples[s].empty()) continue;
@@ -105,8 +107,8 @@ KruskalWallis kruskalWallis(std::span<const std::vector<double>> samples) {
 
 double chiSquareUpperTail(double x, int degreesOfFreedom) {
     if (!(x > 0)) return std::isnan(x) ? kNaN : 1;
-    // Q(a, h), the upper regularised incomplete gamma function, from Q(a + 1, h) = Q(a, h) + h^a e^-h / Gamma(a + 1)
-    // (DLMF 8.8.6): sums of positive terms, exact however far out.
+    // Q(a, h), the upper regularised incomplete gamma function, by the recurrence Q(a + 1, h) = Q(a, h) + h^a e^-h /
+    // Gamma(a + 1) (DLMF 8.8.6). All terms are positive, so it stays accurate far into the tail.
     const double h = x / 2, want = degreesOfFreedom / 2.0;
     double a = degreesOfFreedom % 2 ? 0.5 : 1;
     double q = degreesOfFreedom % 2 ? std::erfc(std::sqrt(h)) : std::exp(-h);

@@ -7,7 +7,7 @@
 namespace drc {
 namespace {
 
-// Values as SciPy 1.x computes them unless a source is named.
+// The expected values are those of SciPy 1.x unless another source is named.
 
 TEST(RankStatistics, QuartilesAreLinearBetweenSortedValues) {
     const Summary s = summarise(std::vector<double>{7, 1, 3, 12, 5, 9});
@@ -25,8 +25,8 @@ TEST(RankStatistics, QuartilesAreLinearBetweenSortedValues) {
 }
 
 TEST(RankStatistics, WilcoxonAgreesWithAKnownExample) {
-    // Darwin's maize: differences of height of 15 pairs. The smaller sum of ranks is 24, expected 60 with the variance
-    // 310: z = -2.0447.
+    // Darwin's maize: differences in height of 15 pairs. The smaller rank sum is 24; its expectation is 60 and its
+    // variance 310, so z = -2.0447.
     const std::vector<double> difference{6, 8, 14, 16, 23, 24, 28, 29, 41, -48, 49, 56, 60, -67, 75}, zero(15, 0.0);
     const PairedComparison result = compareSmaller(zero, difference);
     EXPECT_NEAR(result.p, 0.0409, 1e-4);
@@ -35,7 +35,7 @@ TEST(RankStatistics, WilcoxonAgreesWithAKnownExample) {
 }
 
 TEST(RankStatistics, WilcoxonSharesRanksOfTiesAndLeavesOutEqualPairs) {
-    // With differences of one size it is the sign test: z = (4 - 1) / sqrt(5).
+    // If all differences have one size, the test becomes the sign test: z = (4 - 1) / sqrt(5).
     const std::vector<double> a(7, 0.0), b{1, 1, -1, 0, 1, 1, 0};
     EXPECT_NEAR(compareSmaller(a, b).p, std::erfc(3 / std::sqrt(5.0) / std::sqrt(2.0)), 1e-12);
     EXPECT_NEAR(compareSmaller(a, b).better, 4.0 / 7, 1e-12);
@@ -50,7 +50,7 @@ TEST(RankStatistics, WilcoxonOfSixtyPairs) {
     EXPECT_NEAR(compareSmaller(zero, difference).p, 0.2647081919479235, 1e-12);
 }
 
-// Of test statistics from tables of the distribution, and far beyond them.
+// Compares with published tables of the chi-square distribution, and with values far beyond them.
 TEST(RankStatistics, ChiSquareTail) {
     EXPECT_NEAR(chiSquareUpperTail(3.841458820694124, 1), 0.05, 1e-14);
     EXPECT_NEAR(chiSquareUpperTail(5.991464547107979, 2), 0.05, 1e-14);
@@ -83,7 +83,7 @@ TEST(RankStatistics, KruskalWallisCorrectsForTies) {
     const Samples two{samples[0], samples[2]};
     EXPECT_NEAR(kruskalWallis(two).p, 0.029228829459242267, 1e-12);
     EXPECT_EQ(kruskalWallis(two).degreesOfFreedom, 1);
-    // The order of samples does not matter, nor an increasing function of the values.
+    // Neither the order of the samples nor a monotonically increasing function of the values matters.
     Samples turned{samples[2], samples[0], samples[1]};
     for (auto& sample : turned)
         for (double& v : sample) v = std::exp(3 * v);
@@ -106,7 +106,7 @@ TEST(RankStatistics, KruskalWallisKnowsItsLimits) {
     EXPECT_EQ(kruskalWallis(Samples{{1, 2}, {}}).p, 1);
     EXPECT_EQ(kruskalWallis(Samples{}).p, 1);
     EXPECT_TRUE(std::isnan(kruskalWallis(Samples{{1, NAN}, {2, 3}}).p));
-    // Two samples of 2000 that do not overlap: h = 2999.25, and p is far below any double.
+    // Two samples of 2000 values that do not overlap: h = 2999.25, whose p is far below the smallest double.
     Samples apart(2);
     for (int i = 0; i < 2000; ++i) {
         apart[0].push_back(i);

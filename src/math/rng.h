@@ -1,4 +1,4 @@
-// Pseudo-random numbers and hashes. Everything here is a fixed function of its arguments, the same on every machine.
+// Pseudo-random numbers and hashes. All functions are deterministic and give the same results on every machine.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace drc {
 
-// Uniform in [0, 1), from the upper 24 bits of x.
+// Maps the upper 24 bits of x to a uniform float in [0, 1).
 constexpr float uniformFloat(uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
 
-// A bijection of 64 bits in which every input bit changes every output bit with probability near 1/2 (Stafford's
-// variant 13 of the MurmurHash3 finaliser).
+// A bijection of 64-bit numbers in which flipping any input bit flips every output bit with a probability near 1/2
+// (Stafford's variant 13 of the MurmurHash3 finaliser).
 constexpr uint64_t mixBits(uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
@@ -23,7 +23,7 @@ namespace detail {
 template <typename T>
 constexpr uint64_t hashBits(T v) {
     if constexpr (std::is_floating_point_v<T>) {
-        // Equal numbers hash alike: -0 is 0.
+        // Adding 0.0 turns -0 into 0, so that equal numbers have equal hashes.
         return std::bit_cast<uint64_t>(static_cast<double>(v) + 0.0);
     } else if constexpr (std::is_enum_v<T>) {
         return static_cast<uint64_t>(static_cast<std::underlying_type_t<T>>(v));
@@ -34,8 +34,8 @@ constexpr uint64_t hashBits(T v) {
 }
 }  // namespace detail
 
-// 64-bit hash of any number of integers, enums or floating-point numbers; the order matters. A negative integer hashes
-// as its 64-bit sign extension, so that the width of the type makes no difference.
+// 64-bit hash of any number of integers, enums or floating-point numbers; their order matters. Negative integers are
+// sign-extended to 64 bits, so that the type's width makes no difference.
 template <typename... Args>
 constexpr uint64_t hash(Args... args) {
     uint64_t h = mixBits(sizeof...(Args));
@@ -43,7 +43,7 @@ constexpr uint64_t hash(Args... args) {
     return h;
 }
 
-// The same with 32 bits.
+// The same, with 32 bits.
 template <typename... Args>
 constexpr uint32_t hash32(Args... args) {
     return static_cast<uint32_t>(hash(args...) >> 32);
@@ -64,7 +64,7 @@ class Pcg32 {
         state_ = old * kMultiplier + inc_;
         return std::rotr(static_cast<uint32_t>(((old >> 18) ^ old) >> 27), static_cast<int>(old >> 59));
     }
-    // Uniform in [0, bound), without bias. bound > 0.
+    // Uniform in [0, bound), without modulo bias. bound > 0.
     constexpr uint32_t nextUint(uint32_t bound) {
         const uint32_t threshold = (~bound + 1u) % bound;
         for (;;) {
@@ -78,9 +78,9 @@ class Pcg32 {
         const float x = nextFloat();
         return Vec2(x, nextFloat());
     }
-    // As if nextUint had been called delta times; negative steps go back.
+    // Skips delta numbers, as if nextUint had been called that often. A negative delta goes back.
     constexpr void advance(int64_t delta) {
-        // x -> m x + c composed with itself by repeated squaring.
+        // Composes the affine map x -> m x + c with itself delta times, by repeated squaring.
         uint64_t m = kMultiplier, c = inc_, mTotal = 1, cTotal = 0;
         for (uint64_t d = static_cast<uint64_t>(delta); d > 0; d >>= 1) {
             if (d & 1) {

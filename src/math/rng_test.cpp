@@ -34,7 +34,7 @@ TEST(Pcg32, FloatsAreUniformBelowOne) {
         sum += x;
         sumSquares += double(x) * x;
     }
-    // Four standard deviations of the means.
+    // The tolerance is four standard deviations of the mean.
     EXPECT_NEAR(sum / n, 0.5, 4 * std::sqrt(1 / 12.0 / n));
     EXPECT_NEAR(sumSquares / n, 1 / 3.0, 4 * std::sqrt(4 / 45.0 / n));
 }
@@ -60,7 +60,7 @@ TEST(Hash, DependsOnEveryArgumentAndTheirOrder) {
 }
 
 TEST(Hash, Avalanche) {
-    // Each input bit flips each output bit half of the time.
+    // Flipping an input bit must flip each output bit half of the time.
     const int n = 4096;
     for (int in = 0; in < 32; ++in) {
         int flips[64] = {};

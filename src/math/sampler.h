@@ -1,7 +1,7 @@
 // Owen-scrambled Sobol samples, padded: every request for one or two numbers draws from a (0,2)-sequence of its own,
-// shuffled and scrambled by hashing (Burley, "Practical Hash-based Owen Scrambling", JCGT 2020). A stream (a pixel, a
-// radiance map) has its own scrambles; within a stream, sample indices 0, 1, 2, ... are well distributed for every
-// power-of-two count. The same seed, stream and index always give the same numbers, whichever thread asks.
+// shuffled and scrambled by hashing (Burley, "Practical Hash-based Owen Scrambling", JCGT 2020). Each stream (a pixel,
+// a radiance map) has its own scrambling; within a stream, sample indices 0, 1, 2, ... are well distributed for every
+// power-of-two count. The same seed, stream and index always give the same numbers, on whichever thread.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@ inline uint64_t hashCombine(uint64_t a, uint64_t b) { return mixBits(a ^ (mixBit
 
 namespace detail {
 
-// Eight numbers side by side; the functions below take one or eight.
+// Eight numbers in a SIMD register. The functions below work on one number or on eight.
 using Uint8 = uint32_t __attribute__((vector_size(32)));
 using Int8 = int32_t __attribute__((vector_size(32)));
 using Float8 = float __attribute__((vector_size(32)));
@@ -29,7 +29,8 @@ inline U reverseBits(U x) {
     return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-// A hash in which every bit depends only on lower bits: on a bit-reversed number it is a nested uniform scramble.
+// Laine and Karras's hash, in which every output bit depends only on the input bits up to its own. Applied to a
+// bit-reversed number, it is a nested uniform (Owen) scramble.
 template <class U>
 inline U laineKarras(U x, U seed) {
     x ^= x * 0x3d20adeau;
@@ -40,9 +41,10 @@ inline U laineKarras(U x, U seed) {
     return x;
 }
 
-// Second dimension of the Sobol sequence. Its generator matrix is Pascal's triangle modulo 2, where entry (i, j) is odd
-// if the bits of i are a subset of those of j (Lucas): a sum over supersets, done for each of the five bits at once.
-// The result is bit-reversed, least significant digit first.
+// Second dimension of the Sobol sequence. Its generator matrix is Pascal's triangle modulo 2, whose entry (i, j) is odd
+// exactly if the bits of i are a subset of those of j (Lucas's theorem). The matrix product is therefore an XOR over
+// supersets, computed for one of the five index bits at a time. The result is bit-reversed, least significant digit
+// first.
 template <class U>
 inline U sobolSecondDimensionReversed(U v) {
     v ^= v >> 16;
@@ -66,7 +68,7 @@ class Sampler {
         reversedIndex_ = detail::reverseBits(index);
         dimension_ = 0;
     }
-    // Numbers in [0, 1).
+    // One number in [0, 1).
     float get1D() {
         const uint64_t h = mixBits(stream_ + 0x9e3779b97f4a7c15ull * ++dimension_);
         return radicalInverse(shuffled(h), uint32_t(h >> 32));
@@ -78,9 +80,10 @@ class Sampler {
         const uint32_t y = detail::laineKarras(detail::sobolSecondDimensionReversed(i), uint32_t(h2));
         return Vec2(radicalInverse(i, uint32_t(h >> 32)), detail::toUnit(detail::reverseBits(y)));
     }
-    // Four pairs at once, each like one of get2D: side by side they take little longer than one.
+    // Four pairs, each like one from get2D(). Computing them side by side in SIMD registers takes little longer than
+    // computing one.
     std::array<Vec2, 4> getFour2D() {
-        // Twelve seeds: to shuffle the indices of four sequences, and to scramble two coordinates of each.
+        // Twelve 32-bit seeds: four to shuffle the indices of four sequences, eight to scramble their two coordinates.
         uint64_t h[6];
         for (uint64_t& seeds : h) seeds = mixBits(stream_ + 0x9e3779b97f4a7c15ull * ++dimension_);
         const auto low = [&](int k) { return uint32_t(h[k]); };
@@ -89,22 +92,23 @@ class Sampler {
         const detail::Uint8 scramble = {low(4), high(4), low(5), high(5), high(0), high(1), high(2), high(3)};
         const detail::Uint8 index = detail::Uint8{} + reversedIndex_;
         const detail::Uint8 shuffled = detail::reverseBits(detail::laineKarras(index, shuffle));
-        // Four first coordinates, then four second ones.
+        // Lanes 0 to 3 compute the first coordinates, lanes 4 to 7 the second.
         constexpr detail::Uint8 kFirst = {~0u, ~0u, ~0u, ~0u, 0, 0, 0, 0};
         const detail::Uint8 digits = (shuffled & kFirst) | (detail::sobolSecondDimensionReversed(shuffled) & ~kFirst);
         const detail::Uint8 bits = detail::reverseBits(detail::laineKarras(digits, scramble));
         const detail::Float8 u = __builtin_convertvector(detail::Int8(bits >> 8), detail::Float8) * 0x1p-24f;
         return {Vec2(u[0], u[4]), Vec2(u[1], u[5]), Vec2(u[2], u[6]), Vec2(u[3], u[7])};
     }
-    // A sampler for a sub-problem, independent of this one and of other splits.
+    // A sampler for a sub-problem, independent of this one and of other calls of split.
     Sampler split(uint32_t index) { return Sampler(hashCombine(stream_, 0x51ed270b0a1f39c1ull + dimension_++), index); }
 
   private:
-    // A nested uniform scramble reverses the bits, hashes and reverses again; reversals that meet are left out.
+    // A nested uniform scramble reverses the bits, hashes and reverses again. Pairs of reversals that cancel are left
+    // out.
     uint32_t shuffled(uint64_t h) const {
         return detail::reverseBits(detail::laineKarras(reversedIndex_, uint32_t(h)));
     }
-    // First dimension: the index's own bits reversed, and then scrambled.
+    // First dimension of the Sobol sequence: the index with its bits reversed, then scrambled.
     static float radicalInverse(uint32_t i, uint32_t seed) {
         return detail::toUnit(detail::reverseBits(detail::laineKarras(i, seed)));
     }

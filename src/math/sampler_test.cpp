@@ -8,7 +8,7 @@
 namespace drc {
 namespace {
 
-// In a (0,2)-sequence the first 2^k points put exactly one into every elementary interval of area 2^-k.
+// The first 2^k points of a (0,2)-sequence put exactly one point into every elementary interval of area 2^-k.
 template <class Get>
 void expectNets(int pairs, Get get) {
     for (const int k : {4, 8, 10}) {
@@ -76,7 +76,7 @@ TEST(Sampler, StreamsAndDimensionsAreUncorrelated) {
         acrossStreams += (p.x - 0.5) * (q.x - 0.5);
         acrossDimensions += (p.x - 0.5) * (r.x - 0.5);
     }
-    // Standard deviation of the mean of independent products is 1 / (12 sqrt(n)).
+    // For independent samples, the standard deviation of the mean of the product would be 1 / (12 sqrt(n)).
     const double bound = 4.0 / (12 * std::sqrt(double(n)));
     EXPECT_LT(std::abs(acrossStreams / n), bound);
     EXPECT_LT(std::abs(acrossDimensions / n), bound);

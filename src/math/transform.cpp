@@ -16,7 +16,7 @@ Imath::M44d product(const Imath::M44d& a, const Imath::M44d& b) {
 Transform::Transform(const std::array<double, 16>& rowMajor) {
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) m_[i][j] = rowMajor[4 * i + j];
-    // Gauss-Jordan with pivoting; Imath reports a singular matrix by returning the identity.
+    // Gauss-Jordan elimination with pivoting. Imath reports a singular matrix by returning the identity.
     const double determinant = m_.determinant();
     invertible_ = determinant != 0 && std::isfinite(determinant);
     inv_ = invertible_ ? m_.gjInverse() : Imath::M44d(0.0);

@@ -1,4 +1,4 @@
-// Vectors and colours. Imath's types under the names that the renderer uses.
+// Vectors and colours: Imath's types under the names that the renderer uses.
 #pragma once
 #include <Imath/ImathColor.h>
 #include <Imath/ImathVec.h>
@@ -12,13 +12,13 @@ namespace drc {
 
 using Vec2 = Imath::V2f;
 using Vec3 = Imath::V3f;
-// Linear RGB with Rec. 709 primaries: reflectance, radiance or irradiance as the context says.
+// Linear RGB with Rec. 709 primaries. The context says whether it is reflectance, radiance or irradiance.
 using Rgb = Imath::Color3<float>;
 
 inline constexpr float kPi = std::numbers::pi_v<float>;
 inline constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Largest float below one, for random numbers in [0, 1).
+// Largest float below one, to clamp random numbers to [0, 1).
 inline constexpr float kOneMinusEpsilon = 0x1.fffffep-1f;
 
 inline float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -26,12 +26,12 @@ inline float absDot(const Vec3& a, const Vec3& b) { return std::abs(dot(a, b)); 
 inline Vec3 cross(const Vec3& a, const Vec3& b) { return a.cross(b); }
 inline float lengthSquared(const Vec3& v) { return dot(v, v); }
 inline float length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-// A zero vector stays zero.
+// Normalises v; a zero vector stays zero.
 inline Vec3 normalize(const Vec3& v) {
     const float l = length(v);
     return l > 0 ? v * (1 / l) : v;
 }
-// v, turned into the hemisphere about n.
+// v or -v, whichever lies in the hemisphere around n.
 inline Vec3 faceForward(const Vec3& v, const Vec3& n) { return dot(v, n) < 0 ? -v : v; }
 
 inline float sqr(float x) { return x * x; }

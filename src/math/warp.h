@@ -1,7 +1,7 @@
-// Maps of the unit square to disks, hemispheres, spheres, cones and triangles, with their densities (PBR 3e, sections
-// 13.5 and 13.6), and the equal-area map between square and hemisphere that radiance maps are laid out in.
+// Mappings from the unit square to disks, hemispheres, spheres, cones and triangles, with their densities (PBR 3e,
+// sections 13.5 and 13.6), and the equal-area mapping between square and hemisphere that radiance maps use.
 //
-// Directions are unit vectors about +z. Square coordinates lie in [0,1]^2. Densities are per solid angle.
+// Directions are unit vectors around +z. Square coordinates lie in [0,1]^2. Densities are per solid angle.
 #pragma once
 #include <cmath>
 
@@ -13,8 +13,8 @@ struct SinCos {
     float sin, cos;
 };
 
-// Of pi / 4 x for x in [-1, 1], within 1e-7: Chebyshev fits, inlined where a call to the library costs more than the
-// rest of a map of the square.
+// Sine and cosine of pi / 4 x for x in [-1, 1], within 1e-7. These are Chebyshev fits, since a call to the math library
+// would cost more than the rest of the mapping.
 inline SinCos sinCosInOctants(float x) {
     const float z = x * x;
     const float s = x * (0.785398161f + z * (-0.0807454348f + z * (0.00249000696f + z * -3.59543993e-05f)));
@@ -22,7 +22,7 @@ inline SinCos sinCosInOctants(float x) {
     return {s, c};
 }
 
-// Of 2 pi x for x in [0, 1].
+// Sine and cosine of 2 pi x for x in [0, 1].
 inline SinCos sinCosOfTurn(float x) {
     const int quarter = static_cast<int>(4 * x + 0.5f);
     const SinCos r = sinCosInOctants(2 * (4 * x - static_cast<float>(quarter)));
@@ -31,9 +31,9 @@ inline SinCos sinCosOfTurn(float x) {
     return {quarter & 2 ? -s : s, (quarter + 1) & 2 ? -c : c};
 }
 
-// Area-preserving up to a constant: concentric squares become concentric circles (Shirley and Chiu 1997; PBR 13.6.2).
-// Both wedges are treated alike, so that the symmetries of the square hold for the disk bit by bit, and without a
-// branch, which no processor could predict.
+// Concentric mapping, area-preserving up to a constant factor: concentric squares become concentric circles (Shirley
+// and Chiu 1997; PBR 13.6.2). Both wedges are computed by the same expressions, so that the symmetries of the square
+// hold bit for bit on the disk, and without a branch, which would often be mispredicted.
 inline Vec2 squareToDisk(const Vec2& u) {
     const float a = 2 * u.x - 1, b = 2 * u.y - 1;
     const bool wide = std::abs(a) > std::abs(b);
@@ -43,8 +43,8 @@ inline Vec2 squareToDisk(const Vec2& u) {
     return wide ? Vec2(along, across) : Vec2(across, along);
 }
 
-// 4 / pi atan(x) for x in [-1, 1], within 3e-7: a Chebyshev fit of the even function atan(x) / x, a third of
-// std::atan's time.
+// 4 / pi atan(x) for x in [-1, 1], within 3e-7. A Chebyshev fit of the even function atan(x) / x, in a third of the
+// time of std::atan.
 inline float atanInOctants(float x) {
     const float z = x * x;
     float p = -0.0059444668f;
@@ -54,8 +54,8 @@ inline float atanInOctants(float x) {
     return p * x;
 }
 
-// The square's point whose direction from the centre is that of (x, y) and whose distance (in the maximum norm, edge
-// at 1) is r: what the inverses below have in common.
+// The point of the square at distance r from the centre in the maximum norm (1 at the edge), in the direction of (x,
+// y). Shared by the inverse mappings below.
 inline Vec2 radiusAndDirectionToSquare(float r, float x, float y) {
     if (r == 0 || (x == 0 && y == 0)) return Vec2(0.5f, 0.5f);
     float a, b;
@@ -69,36 +69,37 @@ inline Vec2 radiusAndDirectionToSquare(float r, float x, float y) {
     return Vec2(std::clamp(0.5f * (a + 1), 0.f, 1.f), std::clamp(0.5f * (b + 1), 0.f, 1.f));
 }
 
-// Inverse of squareToDisk; points outside the disk go to the square's edge.
+// Inverse of squareToDisk. Points outside the disk are clamped to the square's edge.
 inline Vec2 diskToSquare(const Vec2& p) {
     return radiusAndDirectionToSquare(std::min(1.f, std::sqrt(p.x * p.x + p.y * p.y)), p.x, p.y);
 }
 
-// Equal-area map to the hemisphere z >= 0: the concentric disk, lifted by z = 1 - r^2. A region of area A of the square
-// covers the solid angle 2 pi A. u grows with x and v with y, and each of the square's eight symmetries is the
-// corresponding symmetry of the hemisphere.
+// Equal-area mapping to the hemisphere z >= 0: the concentric mapping to the disk, lifted by z = 1 - r^2. A region of
+// area A in the square covers the solid angle 2 pi A. u increases with x and v with y, and each of the eight symmetries
+// of the square becomes the corresponding symmetry of the hemisphere.
 inline Vec3 squareToHemisphere(const Vec2& uv) {
     const Vec2 d = squareToDisk(uv);
-    // r is known exactly in the square, which keeps z accurate near the horizon.
+    // r is known exactly on the square, which keeps z accurate near the horizon.
     const float r = std::max(std::abs(2 * uv.x - 1), std::abs(2 * uv.y - 1));
     const float lift = safeSqrt(2 - r * r);
     return Vec3(d.x * lift, d.y * lift, (1 - r) * (1 + r));
 }
 
-// Inverse of squareToHemisphere; w is unit. Directions below the horizon go to the square's edge.
+// Inverse of squareToHemisphere; w must be unit. Directions below the horizon are clamped to the square's edge.
 inline Vec2 hemisphereToSquare(const Vec3& w) {
-    // sqrt(1 - z) without its cancellation near the pole.
+    // Equals sqrt(1 - z), without its cancellation near the pole.
     const float r = std::sqrt((w.x * w.x + w.y * w.y) / (1 + std::max(0.f, w.z)));
     return radiusAndDirectionToSquare(w.z <= 0 ? 1.f : std::min(1.f, r), w.x, w.y);
 }
 
-// Uniform in the unit disk.
+// Uniform on the unit disk.
 inline Vec2 sampleConcentricDisk(const Vec2& u) { return squareToDisk(u); }
 
 // Density proportional to cos theta (Malley's method, PBR 13.6.3).
 inline Vec3 sampleCosineHemisphere(const Vec2& u) {
     const Vec2 d = squareToDisk(u);
-    // As in squareToHemisphere: 1 - |d|^2 without rounding away the horizon.
+    // z = sqrt(1 - |d|^2), with |d| taken from the square as in squareToHemisphere, so that it stays accurate near the
+    // horizon.
     const float r = std::max(std::abs(2 * u.x - 1), std::abs(2 * u.y - 1));
     return Vec3(d.x, d.y, safeSqrt((1 - r) * (1 + r)));
 }
@@ -112,7 +113,7 @@ inline Vec3 sampleUniformHemisphere(const Vec2& u) {
 inline constexpr float uniformHemispherePdf() { return 0.5f * kInvPi; }
 
 inline Vec3 sampleUniformSphere(const Vec2& u) {
-    // sin theta = sqrt(1 - z^2) = 2 sqrt(u (1 - u)), without cancellation at the poles.
+    // sin theta = sqrt(1 - z^2) = 2 sqrt(u (1 - u)), which does not cancel at the poles.
     const float z = 1 - 2 * u.x, r = 2 * safeSqrt(u.x * (1 - u.x));
     const SinCos phi = sinCosOfTurn(u.y);
     return Vec3(r * phi.cos, r * phi.sin, z);
@@ -127,7 +128,7 @@ inline Vec3 sampleUniformCone(const Vec2& u, float cosThetaMax) {
 }
 inline float uniformConePdf(float cosThetaMax) { return 1 / (2 * kPi * (1 - cosThetaMax)); }
 
-// Barycentric coordinates (b0, b1) of a point uniform in a triangle; b2 = 1 - b0 - b1 (PBR 13.6.5).
+// Barycentric coordinates (b0, b1) of a point uniformly distributed on a triangle; b2 = 1 - b0 - b1 (PBR 13.6.5).
 inline Vec2 sampleUniformTriangle(const Vec2& u) {
     const float s = std::sqrt(u.x);
     return Vec2(1 - s, u.y * s);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kGrid = 256;
 
-// Mean of f over a grid of the unit square.
+// Mean of f over a regular grid on the unit square.
 double squareMean(const std::function<double(const Vec2&)>& f) {
     double sum = 0;
     for (int y = 0; y < kGrid; ++y)
@@ -52,7 +52,7 @@ TEST(Warp, DiskIsUniformAndInverts) {
 }
 
 TEST(Warp, EqualAreaHemisphereIsUniform) {
-    // Moments of the uniform distribution over the hemisphere.
+    // Compares moments with those of the uniform distribution over the hemisphere.
     EXPECT_NEAR(squareMean([](const Vec2& u) { return squareToHemisphere(u).z; }), 0.5, 1e-4);
     EXPECT_NEAR(squareMean([](const Vec2& u) { return sqr(squareToHemisphere(u).z); }), 1 / 3.0, 1e-4);
     EXPECT_NEAR(squareMean([](const Vec2& u) { return sqr(squareToHemisphere(u).x); }), 1 / 3.0, 1e-4);
@@ -61,7 +61,8 @@ TEST(Warp, EqualAreaHemisphereIsUniform) {
 }
 
 TEST(Warp, EqualAreaTexelsHaveEqualSolidAngle) {
-    // Jacobian |dw/du x dw/dv| by finite differences: 2 pi everywhere off the diagonals, where it is discontinuous.
+    // The Jacobian |dw/du x dw/dv| by finite differences. It must be 2 pi everywhere except on the diagonals, where it
+    // is discontinuous.
     const float h = 1.f / 512;
     for (int j = 0; j < 32; ++j)
         for (int i = 0; i < 32; ++i) {
@@ -79,7 +80,7 @@ TEST(Warp, EqualAreaInverse) {
         const Vec3 w = sampleUniformHemisphere(Vec2(uniformFloat(hash32(i, 0)), uniformFloat(hash32(i, 1))));
         EXPECT_NEAR(length(squareToHemisphere(hemisphereToSquare(w)) - w), 0, 1e-6);
     }
-    // Poles, edges, corners, and a little below the horizon.
+    // Poles, edges, corners, and directions slightly below the horizon.
     EXPECT_EQ(hemisphereToSquare(Vec3(0, 0, 1)), Vec2(0.5f, 0.5f));
     EXPECT_EQ(hemisphereToSquare(Vec3(1, 0, 0)), Vec2(1, 0.5f));
     EXPECT_EQ(hemisphereToSquare(Vec3(0, -1, 0)), Vec2(0.5f, 0));
@@ -90,7 +91,7 @@ TEST(Warp, EqualAreaInverse) {
 
 TEST(Warp, EqualAreaKeepsTheSquaresSymmetries) {
     for (int i = 0; i < 1000; ++i) {
-        // Multiples of 2^-10, so that 1 - u is exact; off the diagonals, where the two wedges meet.
+        // Multiples of 2^-10, so that 1 - u is exact. The diagonals, where the two wedges meet, are left out.
         const Vec2 u(float(hash32(i, 0) % 1024) / 1024, float(hash32(i, 1) % 1024) / 1024);
         if (std::abs(2 * u.x - 1) == std::abs(2 * u.y - 1)) continue;
         const Vec3 w = squareToHemisphere(u);
@@ -101,7 +102,7 @@ TEST(Warp, EqualAreaKeepsTheSquaresSymmetries) {
 }
 
 TEST(Warp, DensitiesMatch) {
-    // E[g(w) / pdf(w)] is the integral of g.
+    // The expectation of g(w) / pdf(w) is the integral of g.
     auto cosine = [](const Vec2& u) {
         const Vec3 w = sampleCosineHemisphere(u);
         return sqr(w.z) / cosineHemispherePdf(w.z);

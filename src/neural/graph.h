@@ -1,4 +1,4 @@
-// A chain of oneDNN primitives whose layouts are chosen, memory planned and arguments bound before the first run.
+// A sequence of oneDNN primitives. Memory layouts are chosen, buffers planned and arguments bound before the first run.
 #pragma once
 #include <dnnl.hpp>
 #include <vector>
@@ -7,31 +7,31 @@
 
 namespace drc {
 
-// Build with the layer functions, in the order of evaluation, then compile() once, then run() as often as wanted.
-// Not thread-safe; allocates nothing of its own in run(). dnnl::error leaves the layer functions if oneDNN cannot do
-// what is asked.
+// To be built with the layer functions in order of evaluation, then compiled once with compile(), then run any number
+// of times. Not thread-safe. run() makes no allocations of its own. The layer functions throw dnnl::error if oneDNN
+// does not support the request.
 class Graph {
   public:
     using TensorId = int;
     struct ConvOptions {
-        int firstIn = 0, countIn = 0;  // which of the weight's input channels `source` holds; countIn 0: all
+        int firstIn = 0, countIn = 0;  // the input channels of the weight that `source` provides; countIn 0: all
         bool bias = true;
-        float slope = 1;      // of the activation max(x, slope x); 0: ReLU, 1: none
-        TensorId addTo = -1;  // add to this tensor, in place, before the activation, and return it
-        bool affine = true;   // apply the convolution's scale and shift, if it has them
-        // Keep the result in float, whatever the type of intermediate results is.
+        float slope = 1;      // of the activation max(x, slope x): 0 is ReLU, 1 is none
+        TensorId addTo = -1;  // if set, the result is added to this tensor in place, before the activation
+        bool affine = true;   // apply the scale and shift of the convolution, if it has them
+        // Keep the result in float, whatever the precision of intermediate results is.
         bool inFloat = false;
     };
 
-    // The type of all intermediate results; weights are packed to it too. Sums and biases are float.
+    // type: of all intermediate results and of the packed weights. Sums and biases are float.
     Graph(PackedWeights& packed, dnnl::memory::data_type type);
 
-    // Float NCHW memory that is given to run().
+    // The network's input: float, NCHW; its memory is passed to run().
     TensorId input(int batch, int channels, int size);
     TensorId conv(TensorId source, const UNetWeights::Conv& conv, const ConvOptions& options);
     TensorId maxPool2(TensorId source);
     TensorId upsample2(TensorId source);  // bilinear, pixel centres at half-integers
-    // Marks the result; run() writes it as float NCHW.
+    // Declares a result to be the output, which run() writes as float NCHW.
     void output(TensorId source);
 
     void compile();

@@ -1,4 +1,4 @@
-// Where in one arena each intermediate result lives, so that results which are never alive together share memory and
+// Assigns intermediate results to offsets in one block of memory. Results with disjoint lifetimes share memory, so that
 // the working set stays in the cache.
 #pragma once
 #include <cstddef>
@@ -14,11 +14,11 @@ struct BufferUse {
 inline constexpr size_t kBufferAlignment = 64;
 
 struct MemoryPlan {
-    std::vector<size_t> offsets;  // one for each BufferUse, aligned to kBufferAlignment
-    size_t bytes = 0;             // of the whole arena
+    std::vector<size_t> offsets;  // one per BufferUse, aligned to kBufferAlignment
+    size_t bytes = 0;             // size of the whole block
 };
 
-// Largest first, each at the lowest offset that is free while it is alive.
+// Greedy: largest buffers first, each at the lowest offset that is free during its lifetime.
 MemoryPlan planMemory(const std::vector<BufferUse>& uses);
 
 }  // namespace drc

@@ -1,4 +1,5 @@
-// Weights in the layouts that oneDNN's convolutions ask for, made once and shared by all networks that run them.
+// Weights in the memory layouts that oneDNN's convolutions choose. Each layout is made once and shared by all networks
+// that use it.
 #pragma once
 #include <dnnl.hpp>
 #include <map>
@@ -12,9 +13,10 @@ namespace drc {
 
 class PackedWeights {
   public:
-    // Input channels [firstIn, firstIn + countIn) of a convolution's weight, in the layout and type of `wanted`.
+    // Input channels [firstIn, firstIn + countIn) of a convolution's weight, in the layout and data type of `wanted`.
     dnnl::memory weight(const UNetWeights::Conv& conv, int firstIn, int countIn, const dnnl::memory::desc& wanted);
-    // Arrays of a number a channel; they are the key, so they must be those of the weights.
+    // A per-channel array (bias, scale or shift). The address of `values` is the cache key, so it must be the array in
+    // the weights.
     dnnl::memory perChannel(const std::vector<float>& values, const dnnl::memory::desc& wanted);
 
   private:

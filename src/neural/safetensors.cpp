@@ -29,7 +29,8 @@ const char* typeName(DType type) {
 
 uint16_t toBf16(float value) {
     const uint32_t bits = std::bit_cast<uint32_t>(value);
-    if ((bits & 0x7fffffffu) > 0x7f800000u) return uint16_t(bits >> 16 | 0x40);  // a NaN must not round to infinity
+    if ((bits & 0x7fffffffu) > 0x7f800000u)
+        return uint16_t(bits >> 16 | 0x40);  // rounding must not turn a NaN into infinity
     return uint16_t((bits + 0x7fffu + (bits >> 16 & 1)) >> 16);
 }
 
@@ -38,7 +39,7 @@ uint16_t toBf16(float value) {
 size_t bytesPerElement(DType type) { return type == DType::F32 ? 4 : 2; }
 
 uint64_t hashBytes(const void* data, size_t size) {
-    // FNV-1a over words of 8 bytes instead of single bytes, with a shift so that high bits reach low ones.
+    // FNV-1a on words of 8 bytes rather than on bytes, with a shift that mixes high bits into low ones.
     constexpr uint64_t kPrime = 0x100000001b3;
     uint64_t h = 0xcbf29ce484222325 ^ size;
     const auto mix = [&h](uint64_t word) {

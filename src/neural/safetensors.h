@@ -1,5 +1,5 @@
-// Safetensors files: named arrays of numbers and a map of strings. The weights of the network are stored so. Layout: 8
-// bytes header length (little endian), a JSON header, the raw data.
+// Safetensors files, in which the network's weights are stored: named tensors and a map of strings. Layout: the
+// header's length as 8 bytes (little endian), a JSON header, the raw data.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ size_t bytesPerElement(DType type);
 
 using StringMap = std::map<std::string, std::string>;
 
-// One tensor of an open file, row-major. Valid as long as the SafetensorsFile it came from.
+// A tensor in an open file, row-major. Valid while the SafetensorsFile lives.
 struct TensorView {
     DType type = DType::F32;
     std::vector<int64_t> shape;
@@ -28,8 +28,9 @@ struct TensorView {
     std::vector<float> toFloat() const;
 };
 
-// A file mapped into memory. The constructor checks everything that a tensor's reader relies on and throws drc::Error,
-// one line that begins with the file's name, if the file is truncated, overlapping or otherwise not what it claims.
+// A memory-mapped file. The constructor checks everything that reading a tensor relies on. It throws drc::Error, one
+// line that begins with the file name, if the file is truncated, if tensors overlap, or if it is invalid in another
+// way.
 class SafetensorsFile {
   public:
     explicit SafetensorsFile(const std::string& path);
@@ -42,7 +43,7 @@ class SafetensorsFile {
     bool has(const std::string& name) const { return tensors_.count(name) != 0; }
     // Throws drc::Error if there is no such tensor.
     const TensorView& tensor(const std::string& name) const;
-    // 16 hexadecimal digits that tell one content from another. Not cryptographic.
+    // A 64-bit hash of the content, as 16 hexadecimal digits. Not cryptographic.
     std::string contentHash() const;
 
   private:
@@ -55,7 +56,7 @@ class SafetensorsFile {
     std::map<std::string, TensorView> tensors_;
 };
 
-// A tensor to write: `data` are floats, converted to `type` (rounded to nearest even).
+// A tensor to write. `data` are floats, which are converted to `type` with rounding to nearest even.
 struct TensorToWrite {
     std::string name;
     std::vector<int64_t> shape;
@@ -63,10 +64,10 @@ struct TensorToWrite {
     DType type = DType::F32;
 };
 
-// The file is written whole or not at all. Throws drc::Error if it cannot be written.
+// Writes the file whole or not at all. Throws drc::Error if it cannot be written.
 void writeSafetensors(const std::string& path, const std::vector<TensorToWrite>& tensors, const StringMap& metadata);
 
-// The hash behind contentHash, for any bytes.
+// The hash function of contentHash().
 uint64_t hashBytes(const void* data, size_t size);
 
 }  // namespace drc

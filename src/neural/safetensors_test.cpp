@@ -60,8 +60,8 @@ TEST_F(Safetensors, Bf16RoundsAndKeepsSpecialValues) {
     const std::vector<float> a{1.00390625f, 1.01171875f, inf, std::nanf(""), 3.4e38f};
     writeSafetensors(path_, {{"b", {5}, a.data(), DType::BF16}}, {});
     const auto b = SafetensorsFile(path_).tensor("b").toFloat();
-    EXPECT_EQ(b[0], 1.f);        // halfway: to even
-    EXPECT_EQ(b[1], 1.015625f);  // halfway: to even
+    EXPECT_EQ(b[0], 1.f);        // a tie, rounded to even
+    EXPECT_EQ(b[1], 1.015625f);  // a tie, rounded to even
     EXPECT_EQ(b[2], inf);
     EXPECT_TRUE(std::isnan(b[3]));
     EXPECT_EQ(b[4], inf);

@@ -9,22 +9,22 @@
 namespace drc {
 namespace {
 
-constexpr float kScale = 10.f;   // the mean maps to ln(1 + 1/kScale)
-constexpr float kOffset = 0.1f;  // which this brings near 0
+constexpr float kScale = 10.f;   // radiance equal to the mean is encoded as ln(1 + 1/kScale),
+constexpr float kOffset = 0.1f;  // which this shifts to about 0
 
 float radianceOrZero(float value) { return std::isfinite(value) && value > 0 ? value : 0.f; }
 
 constexpr float kAlbedoOffset = 0.05f;
-float unitOrZero(float value) { return value > 0 ? std::min(value, 1.f) : 0.f; }  // also takes NaN to 0
+float unitOrZero(float value) { return value > 0 ? std::min(value, 1.f) : 0.f; }  // also maps NaN to 0
 float offAlbedo(float albedo) { return unitOrZero(albedo) + kAlbedoOffset; }
 
-// 1/(10 m), or 0 for a mean so small that its inverse overflows: the map then counts as black.
+// 1/(10 m), or 0 if m is so small that its inverse overflows. The map then counts as black.
 float inverseScale(float mean) {
     return mean > std::numeric_limits<float>::min() * kScale && std::isfinite(mean) ? 1 / (kScale * mean) : 0.f;
 }
 
-// A texel can exceed the mean by at most the number of texels, but a foreign mean (a target scaled by its input's)
-// can be arbitrarily smaller.
+// A texel exceeds the mean of its own map by at most the number of texels, but another map's mean (a target is scaled
+// by the mean of its input) can be arbitrarily smaller.
 float logScale(float value, float inverse) {
     return std::log(1 + std::min(value * inverse, std::numeric_limits<float>::max()));
 }
@@ -72,7 +72,7 @@ float encodeInput(const MapView& map, float* planes) {
         normals[i] = std::isfinite(normal[i]) ? std::clamp(normal[i], -1.f, 1.f) : 0.f;
 
     float* distances = planes + 6 * texels;
-    // In units of the mean distance of what was hit: a scene in centimetres is the same scene in metres.
+    // Distances are divided by the mean distance of the hits, so that the units of the scene do not matter.
     double hitSum = 0;
     size_t hits = 0;
     for (size_t i = 0; i < texels; ++i)
@@ -89,7 +89,7 @@ float encodeInput(const MapView& map, float* planes) {
 Ablation parseAblation(const std::string& name) {
     for (const Ablation a : {Ablation::None, Ablation::Normals, Ablation::Distance, Ablation::Both})
         if (name == ablationName(a)) return a;
-    throw Error("an ablation is one of none, normals, distance and both, not '" + name + "'");
+    throw Error("the ablation must be none, normals, distance or both, not '" + name + "'");
 }
 
 std::string ablationName(Ablation ablation) {
@@ -110,7 +110,7 @@ void encodeTarget(const float* radiance, size_t count, float mean, float* encode
 void decodeOutput(const float* encoded, size_t count, float mean, float* radiance) {
     const float scale = kScale * radianceOrZero(mean);
     for (size_t i = 0; i < count; ++i) {
-        const float y = encoded[i] > 0 ? std::min(encoded[i], kMaxEncoded) : 0.f;  // also takes NaN to 0
+        const float y = encoded[i] > 0 ? std::min(encoded[i], kMaxEncoded) : 0.f;  // also maps NaN to 0
         radiance[i] = std::min(std::expm1(y) * scale, std::numeric_limits<float>::max());
     }
 }

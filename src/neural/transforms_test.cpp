@@ -37,7 +37,7 @@ TEST(Transforms, FollowTheFormulas) {
     EXPECT_FLOAT_EQ(planes[6 * kTexels + 7], -0.1f);
 }
 
-// With albedos the network sees the light that falls onto what the map sees: it does not depend on the albedos.
+// With albedos the network sees the light incident on the surfaces, which must not depend on their albedo.
 TEST(Transforms, AlbedoIsDividedOutAndComesBack) {
     std::mt19937 generator(2);
     std::exponential_distribution<float> random(2.f);

@@ -30,7 +30,7 @@ Graph::TensorId addConvOnSkip(Graph& graph, const Layer& layer, const std::vecto
     return graph.conv(values[size_t(layer.skip)], conv, options);
 }
 
-// A network of `shape` and these weights, for batches of `batch` maps.
+// Builds the network of `shape` with the given weights, for batches of `batch` maps.
 void buildNetwork(Graph& graph, const UNetShape& shape, const std::vector<UNetWeights::Conv>& convs, int batch) {
     auto conv = convs.begin();
     std::vector<Graph::TensorId> values{graph.input(batch, shape.inputs, shape.size)};
@@ -49,12 +49,14 @@ void buildNetwork(Graph& graph, const UNetShape& shape, const std::vector<UNetWe
         } else {
             Graph::ConvOptions options;
             options.slope = layer.slope;
-            // Costs nothing, and rounding to bf16 here would be the largest error of all where results are large.
+            // The last layer stays in float. That costs nothing, and rounding its results to bf16 would be the largest
+            // error of all.
             options.inFloat = &layer == &layers.back();
             options.firstIn = layer.skip < 0 ? 0 : channels[size_t(layer.skip)];
             options.countIn = channels[source];
             if (layer.add >= 0) options.addTo = values[size_t(layer.add)];
-            // A convolution of two stacked arrays is the sum of one of each: no copy to stack them.
+            // The convolution of two concatenated tensors is the sum of two convolutions, so they need not be copied
+            // together.
             if (layer.skip >= 0) options.addTo = addConvOnSkip(graph, layer, values, *conv, options.firstIn);
             result(graph.conv(values[source], *conv++, options), layer.conv.out);
         }
@@ -82,7 +84,7 @@ struct UNet::State {
     std::shared_ptr<const UNetWeights> weights;
     int batch;
     Graph graph;
-    size_t inputFloats, outputFloats;          // of one map
+    size_t inputFloats, outputFloats;          // per map
     std::vector<float> lastInput, lastOutput;  // for a batch that is not full
 };
 
@@ -123,15 +125,17 @@ size_t UNet::memoryBytes() const {
 float bf16Error(const UNetWeights& weights) {
     constexpr int kMaps = 2;
     UNetShape shape = weights.shape();
-    // A quarter of the work, and as many roundings a texel. The coarsest level keeps two texels a side.
+    // Smaller maps take a quarter of the time with as many roundings per texel. The coarsest level keeps two texels
+    // along a side.
     shape.size = std::min(shape.size, std::max(16, 2 << (shape.levels - 1)));
-    // Between what noisy radiance varies by on that scale (.1) and what normals do (.6).
+    // The standard deviation of the noise is between that of noisy radiance at this scale (.1) and that of normals
+    // (.6).
     std::mt19937 generator(1);
     std::normal_distribution<float> normal(0, 0.3f);
     std::vector<float> input(kMaps * size_t(shape.inputs) * texels(shape));
     for (float& v : input) v = normal(generator);
     const auto outputOf = [&](Precision precision) {
-        // fp32's go with the probe: a renderer that works in bf16 has no use for them.
+        // The fp32 layouts are discarded with the probe, since a renderer that works in bf16 has no use for them.
         PackedWeights passing;
         std::vector<float> output(kMaps * size_t(shape.outputs) * texels(shape));
         const SingleThreadScope single;

@@ -21,7 +21,7 @@ constexpr KindName kNames[] = {{UNetKind::Plain, "plain", "drc-unet-1"},
 const KindName& namesOf(UNetKind kind) {
     for (const KindName& n : kNames)
         if (n.kind == kind) return n;
-    throw Error("no such kind of network");
+    throw Error("unknown kind of network");
 }
 
 std::string listed(const char* KindName::*name) {
@@ -40,7 +40,7 @@ int readInt(const SafetensorsFile& file, const std::string& key, int low, int hi
     return value;
 }
 
-// Writes layers one after the other; every function returns the number of its result.
+// Generates the layers in order. Every function returns the number of its result.
 class Writer {
   public:
     explicit Writer(const UNetShape& shape) : shape_(shape), channels_{shape.inputs}, sizes_{shape.size} {}
@@ -53,7 +53,8 @@ class Writer {
         layer.skip = skip, layer.add = addTo, layer.slope = slope;
         return add(layer, out);
     }
-    // A block of the shape's kind on skip (if any) stacked on source. `last`: what Paper's second convolution leaves.
+    // A block of the shape's kind, applied to `skip` (if any) concatenated with `source`. `last`: output channels of
+    // the second convolution of a Paper block.
     int block(const std::string& name, int skip, int source, int out, int last, bool affine) {
         const auto part = [&](const char* suffix) { return name + suffix; };
         switch (shape_.kind) {
@@ -99,7 +100,7 @@ class Writer {
 
     const UNetShape& shape_;
     std::vector<Layer> layers_;
-    std::vector<int> channels_, sizes_;  // of each value
+    std::vector<int> channels_, sizes_;  // of each result
 };
 
 }  // namespace

@@ -1,13 +1,13 @@
-// The U-Net's architecture as numbers: what the renderer, the trainer and the weights file must agree on.
-// Encoder level l works at size/2^l with width*2^l channels (a block, then a 2x2 max pool but for the last level). The
-// decoder goes back up: bilinear x2, the encoder's result of that level in front (channels: skip first, then
-// upsampled), a block. A 1x1 convolution and a ReLU end it. All activations are LeakyReLU 0.2. A block is:
+// The U-Net's architecture, on which renderer, trainer and weights file must agree.
+// Encoder level l works at size/2^l with width*2^l channels: a block, then 2x2 max pooling except on the last level.
+// Each decoder level upsamples bilinearly by 2, concatenates the encoder's result of its level (skip channels first)
+// and applies a block. A 1x1 convolution and a ReLU come last. All other activations are LeakyReLU 0.2. A block is:
 //   Plain      two 3x3 convolutions
 //   Residual   the same, and a 1x1 convolution of the block's input added before the last activation
-//   Separable  1x1, and then twice: 3x3 on each channel alone, 1x1
-//   Paper      as the authors' program has it: two 3x3 convolutions, batch normalisation after the first one's
+//   Separable  1x1, and then twice: depthwise 3x3, 1x1
+//   Paper      as in the authors' program: two 3x3 convolutions, batch normalisation after the first one's
 //              activation (not at full size); the last level's and each decoder's second convolution halve the channels
-// Only Paper normalises: for it the trained graph holds a scale and a shift a channel; the others run as they learn.
+// Only Paper normalises; its exported weights contain a scale and a shift per channel.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -20,13 +20,13 @@ namespace drc {
 
 inline constexpr float kLeakySlope = 0.2f;
 
-// Tensors: name + ".weight" [out][in][kernel][kernel] ([out][1][kernel][kernel] if depthwise), name + ".bias" [out]; if
-// affine, name + ".scale" and ".shift" [out].
+// A convolution. Its tensors are name + ".weight" [out][in][kernel][kernel] ([out][1][kernel][kernel] if depthwise),
+// name + ".bias" [out] and, if affine, name + ".scale" and name + ".shift" [out].
 struct ConvShape {
     std::string name;
     int in = 0, out = 0, kernel = 3;
-    bool depthwise = false;  // each channel has a filter of its own; in == out
-    bool affine = false;     // after the activation: scale y + shift
+    bool depthwise = false;  // one filter per channel; in == out
+    bool affine = false;     // multiplies by scale and adds shift after the activation
 
     int inputsPerFilter() const { return depthwise ? 1 : in; }
     size_t weightCount() const { return size_t(out) * inputsPerFilter() * kernel * kernel; }
@@ -35,19 +35,19 @@ struct ConvShape {
 
 enum class LayerOp { Conv, MaxPool, Upsample };
 
-// One step. Values are numbered: 0 is the network's input, i the result of layer i - 1.
+// One layer. Values are numbered: 0 is the network's input, i the result of layer i - 1.
 struct Layer {
     LayerOp op = LayerOp::Conv;
     int source = 0;
-    int size = 0;  // of the result
-    // Of convolutions alone:
+    int size = 0;  // width and height of the result
+    // For convolutions only:
     ConvShape conv{};
-    int skip = -1;    // value that is stacked in front of source
-    int add = -1;     // value that is added before the activation; no later layer uses it
-    float slope = 1;  // of the activation max(x, slope x); 1: none
+    int skip = -1;    // value that is concatenated in front of source
+    int add = -1;     // value that is added before the activation; no later layer reads it
+    float slope = 1;  // of the activation max(x, slope x); 1 is none
 
-    // Variance that random weights should have for results to vary as much as sources do (He et al., "Delving Deep into
-    // Rectifiers", 2015). Where two results are added each brings half.
+    // Variance of random weights for which results vary as much as inputs (He et al., "Delving Deep into Rectifiers",
+    // 2015). Where two results are added, each contributes half.
     double initialVariance() const {
         const double gain = 2 / (1 + double(slope) * slope) * (add >= 0 ? 0.5 : 1);
         return gain / (double(conv.inputsPerFilter()) * conv.kernel * conv.kernel);
@@ -65,23 +65,23 @@ struct UNetShape {
     int width = 32;
     int levels = 4;
     int size = 32;
-    int inputs = kPlainPlanes;  // or kGuidedPlanes
+    int inputs = kPlainPlanes;  // number of input planes: kPlainPlanes or kGuidedPlanes
     int outputs = kOutputPlanes;
 
     int channels(int level) const { return width << level; }
     int sizeAt(int level) const { return size >> level; }
-    // In order of evaluation. The last one's result is the output.
+    // In order of evaluation. The result of the last layer is the output.
     std::vector<Layer> layers() const;
     // The convolutions of layers().
     std::vector<ConvShape> convs() const;
     size_t parameterCount() const;
-    // Multiply-adds for one map.
+    // Number of multiply-adds per map.
     double macs() const;
     bool operator==(const UNetShape&) const = default;
 
     // The metadata keys "architecture", "width", "levels", "size", "inputs".
     StringMap toMetadata() const;
-    // Throws drc::Error (one line, with the file's name) if a key is missing or its value is not one we can run.
+    // Throws drc::Error (one line, with the file name) if a key is missing or its value is not supported.
     static UNetShape fromMetadata(const SafetensorsFile& file);
 };
 

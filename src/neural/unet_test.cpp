@@ -12,7 +12,7 @@
 namespace drc {
 namespace {
 
-// The same network, written for reading: planes of doubles, one map at a time.
+// A straightforward reference implementation: planes of doubles, one map at a time.
 struct Planes {
     int channels = 0, size = 0;
     std::vector<double> v;
@@ -22,7 +22,7 @@ struct Planes {
     double padded(int c, int y, int x) const { return y < 0 || x < 0 || y >= size || x >= size ? 0 : at(c, y, x); }
 };
 
-// `added`: to the sum, before the activation.
+// `added`: added to the sum before the activation.
 Planes conv(const Planes& in, const UNetWeights::Conv& c, double slope, const Planes* added = nullptr) {
     EXPECT_EQ(in.channels, c.shape.in);
     const int filterInputs = c.shape.depthwise ? 1 : in.channels;
@@ -125,7 +125,7 @@ std::vector<float> randomInput(const UNetShape& shape, int count, unsigned seed 
     return values;
 }
 
-// Root of the mean squared difference over that of the reference.
+// RMS of the difference, relative to the RMS of the reference.
 double relativeError(const float* values, const std::vector<double>& expected) {
     double difference = 0, total = 0;
     for (size_t i = 0; i < expected.size(); ++i) {
@@ -150,7 +150,7 @@ TEST_P(UNetMatches, ANaiveReference) {
     shape.width = GetParam().width, shape.levels = GetParam().levels, shape.size = GetParam().size;
     shape.kind = GetParam().kind;
     const auto weights = UNetWeights::random(shape, 3);
-    const int count = 3;  // less than the batch, and more than one
+    const int count = 3;  // more than one map, but less than a batch
     const auto input = randomInput(shape, count);
     const size_t texels = size_t(shape.size) * shape.size;
     std::vector<float> output(count * 3 * texels, -1);
@@ -176,7 +176,7 @@ TEST(UNet, AnyCountGivesTheSameBitsAsOneAtATime) {
     UNetShape shape;
     shape.width = 16;
     const auto weights = UNetWeights::random(shape, 1);
-    const int count = 19;  // two whole batches of 8 and a part
+    const int count = 19;  // two full batches of 8, and a partial one
     const auto input = randomInput(shape, count);
     const size_t in = 7 * 32 * 32, out = 3 * 32 * 32;
     std::vector<float> together(count * out), single(count * out);
@@ -206,14 +206,14 @@ TEST(UNet, ThreadsGiveTheSameBits) {
     for (auto& t : threads) t.join();
     EXPECT_EQ(alone, shared);
 
-    // Made by one thread, run by another.
+    // Constructed on this thread, run on another.
     UNet net(weights, 8, fastest());
     std::fill(shared.begin(), shared.end(), 0.f);
     std::thread([&] { net.run(input.data(), shared.data(), count); }).join();
     EXPECT_EQ(alone, shared);
 }
 
-// Twice the result has twice the error, exactly: a power of two changes no rounding.
+// Doubling the last layer's weights doubles the error exactly, since a power of two changes no rounding.
 TEST(UNet, Bf16IsForWeightsThatBearIt) {
     if (!cpuHasBf16()) GTEST_SKIP() << "no bf16 on this processor";
     UNetShape shape;
@@ -249,7 +249,7 @@ TEST(UNet, RefusesAnEmptyBatch) {
     EXPECT_THROW(UNet(UNetWeights::random(shape, 1), 0, Precision::Fp32), Error);
 }
 
-// What the authors' own network counts: 5,465,027 parameters and 495.06 million multiply-adds.
+// The size of the authors' own network: 5,465,027 parameters and 495.06 million multiply-adds.
 TEST(UNetShape, PaperIsAsLargeAsTheAuthors) {
     UNetShape shape;
     shape.kind = UNetKind::Paper;
@@ -261,7 +261,7 @@ TEST(UNetShape, PaperIsAsLargeAsTheAuthors) {
 TEST(UNetShape, PlainIsTheSymmetricUNet) {
     UNetShape shape;
     shape.width = 64;
-    // 7790723 with batch normalisation of all 2688 channels but those of the first level's encoder.
+    // 7790723 is the count with batch normalisation of all 2688 channels; the encoder's first level has none here.
     EXPECT_EQ(shape.parameterCount(), 7790723u - 2u * 2688u);
     EXPECT_NEAR(shape.macs(), 664.93e6, 0.01e6);
 }

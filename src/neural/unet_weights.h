@@ -1,4 +1,4 @@
-// The numbers of one trained U-Net, read once and shared by every thread's UNet.
+// The weights of a trained U-Net, read once and shared by the UNet instances of all threads.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -18,34 +18,34 @@ class UNetWeights {
         ConvShape shape;
         std::vector<float> weight;        // [out][in][kernel][kernel], or [out][1][kernel][kernel] if depthwise
         std::vector<float> bias;          // [out]
-        std::vector<float> scale, shift;  // [out] if affine, else empty
+        std::vector<float> scale, shift;  // [out] if affine, otherwise empty
     };
 
-    // Reads and checks a weights file: the architecture, the shape of every tensor, that all numbers are finite, and
-    // that nothing is missing or left over. Throws drc::Error: one line that begins with the file's name.
+    // Reads and checks a weights file: the architecture, the shape of every tensor, that all values are finite, and
+    // that no tensor is missing or left over. Throws drc::Error: one line that begins with the file name.
     static std::shared_ptr<const UNetWeights> load(const std::string& path);
-    // He initialisation for LeakyReLU and small random biases: for tests and benchmarks.
+    // He initialisation for LeakyReLU and small random biases, for tests and benchmarks.
     static std::shared_ptr<const UNetWeights> random(const UNetShape& shape, uint64_t seed);
-    // `convs` in the order of shape.convs().
+    // `convs`: in the order of shape.convs().
     UNetWeights(const UNetShape& shape, std::vector<Conv> convs, StringMap metadata = {}, std::string hash = "");
     ~UNetWeights();
     UNetWeights(const UNetWeights&) = delete;
     UNetWeights& operator=(const UNetWeights&) = delete;
 
-    // Writes a file that load() reads back; `provenance` joins the architecture's own metadata.
+    // Writes a file that load() can read. `provenance` is added to the metadata of the architecture.
     void save(const std::string& path, const StringMap& provenance, DType type = DType::F32) const;
 
     const UNetShape& shape() const { return shape_; }
     const std::vector<Conv>& convs() const { return convs_; }
-    // All of the file's metadata, provenance included.
+    // All metadata of the file, including provenance.
     const StringMap& metadata() const { return metadata_; }
-    // The maps' projection that the network learned with; "" if unknown.
+    // Projection of the maps that the network was trained on; "" if unknown.
     std::string projection() const;
-    // What it was not shown while it learned, and therefore must not be shown.
+    // The inputs that were hidden in training and must be hidden when it runs.
     Ablation ablation() const { return ablation_; }
-    // contentHash of the file; "" for weights that did not come from one.
+    // SafetensorsFile::contentHash of the file; "" for weights that do not come from a file.
     const std::string& hash() const { return hash_; }
-    // The same numbers in the layouts that the convolutions want. Thread-safe; each layout is made once.
+    // The weights in the layouts that oneDNN's convolutions use. Thread-safe; each layout is made once.
     PackedWeights& packed() const { return *packed_; }
 
   private:

@@ -18,7 +18,7 @@ class UNetWeightsFile : public FolderTest {
   protected:
     void SetUp() override { shape_.width = 4; }
 
-    // Saves random weights after `change` had its way with them and with the metadata.
+    // Saves random weights after `change` has modified them and their metadata.
     template <typename Change>
     void save(Change change) {
         const auto weights = UNetWeights::random(shape_, 1);
@@ -73,7 +73,7 @@ TEST_F(UNetWeightsFile, KnowsWhatItWasNotShown) {
     weights->save(path_, {{"ablation", "distance"}});
     EXPECT_EQ(UNetWeights::load(path_)->ablation(), Ablation::Distance);
     weights->save(path_, {{"ablation", "colour"}});
-    EXPECT_THAT(loadError(), HasSubstr("metadata 'ablation': an ablation is one of"));
+    EXPECT_THAT(loadError(), HasSubstr("metadata 'ablation': the ablation must be none"));
 }
 
 TEST_F(UNetWeightsFile, HalfPrecisionIsClose) {
@@ -132,7 +132,7 @@ TEST_F(UNetWeightsFile, LoadsFast) {
     UNetWeights::load(path_);
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     RecordProperty("milliseconds", std::to_string(ms));
-    EXPECT_LT(ms, 500);  // about 25 ms on an idle machine; loose, as this is no benchmark
+    EXPECT_LT(ms, 500);  // about 25 ms on an idle machine; a generous limit, since this is not a benchmark
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Shutter shutterOf(const CameraContext& context) {
     return shutter;
 }
 
-// What perspective and orthographic cameras have in common.
+// The parameters shared by perspective and orthographic cameras.
 ProjectiveCameraParams projectiveParams(const CameraContext& context) {
     const ParamSet& params = context.params;
     ProjectiveCameraParams p;
@@ -76,7 +76,7 @@ std::unique_ptr<Camera> makeEnvironment(const CameraContext& context) {
     return makeEnvironmentCamera(p, context.film);
 }
 
-// By longitude and latitude alone.
+// pbrt-v4's spherical camera, of which only the lat-long mapping is supported.
 std::unique_ptr<Camera> makeSpherical(const CameraContext& context) {
     const std::string mapping = context.params.getString("mapping", "equalarea");
     if (mapping != "equalarea" && mapping != "equirectangular")
@@ -88,7 +88,7 @@ std::unique_ptr<Camera> makeSpherical(const CameraContext& context) {
     return makeEnvironment(context);
 }
 
-// simpleWeighting: what the rays' weights are where the file does not say. pbrt-v4 has one kind alone.
+// simpleWeighting: the default for pbrt-v3, where the file may change it. pbrt-v4 has only one kind of weighting.
 std::unique_ptr<Camera> makeLensCamera(const CameraContext& context, bool simpleWeighting) {
     const ParamSet& params = context.params;
     RealisticCameraParams p;

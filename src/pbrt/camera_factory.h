@@ -1,4 +1,4 @@
-// Camera. A new camera is one entry in the table of camera_factory.cpp.
+// Creates the camera of a scene file. A new camera is an entry in the table of camera_factory.cpp.
 #pragma once
 #include <array>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace drc::pbrt {
 
-// Where a camera is, and the two times between which it and all else moves.
+// The camera's transform, and the two times between which it and everything else moves.
 struct CameraMotion {
     AnimatedTransform worldToCamera;
     std::array<float, 2> transformTimes{0, 1};
@@ -22,7 +22,7 @@ std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& para
 // pbrt-v4's.
 std::unique_ptr<Camera> makeCameraV4(const std::string& type, const ParamSet& params, const CameraMotion& motion,
                                      const FilmGeometry& film, const FileSearch& files);
-// By which pbrt-v4 multiplies the picture: how long the camera's shutter is open. Throws Error if it is not.
+// The exposure time, by which pbrt-v4 multiplies the picture. Throws Error if the shutter never opens.
 float exposureTimeV4(const ParamSet& camera);
 
 }  // namespace drc::pbrt

@@ -1,4 +1,4 @@
-// Cameras as scene files write them.
+// Cameras in scene files.
 #include <gmock/gmock.h>
 
 #include "base/log.h"
@@ -55,7 +55,7 @@ TEST(CameraFactory, RealisticReadsItsLens) {
     forgetWarnings();
     const auto scene = withCamera(camera + "\"float aperturediameter\" 8 \"float focusdistance\" 3", folder.path());
     EXPECT_EQ(warningCount(), 0);
-    // About 50 mm before a film of 35 mm diagonal: its corner is 18.7 degrees off the axis.
+    // About 50 mm in front of a film with a diagonal of 35 mm: the corner is at 18.7 degrees from the axis.
     const CameraRay corner = scene->camera->generateRay(Vec2(0, 0), Vec2(0.5f, 0.5f), 0);
     ASSERT_GT(corner.weight, 0);
     EXPECT_NEAR(std::acos(corner.ray.d.z) * 180 / kPi, 18.7, 1.5);

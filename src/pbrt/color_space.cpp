@@ -24,8 +24,8 @@ V3d xyzOf(const Imath::V2d& xy) { return V3d(xy.x / xy.y, 1, (1 - xy.x - xy.y) /
 
 M33d rows(const V3d& a, const V3d& b, const V3d& c) { return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}; }
 
-// From the colours under one white to those under another: Bradford's cone responses, scaled. As all of Imath's
-// matrices, for row vectors.
+// Chromatic adaptation from one white point to another, by Bradford's cone responses. Like all of Imath's matrices, for
+// row vectors.
 M33d adaptation(const V3d& from, const V3d& to) {
     const M33d cones = M33d(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296).transposed();
     const V3d a = from * cones, b = to * cones;
@@ -37,7 +37,7 @@ Rgb toRec709(const V3d& xyz) { return xyzToRgb(Vec3(float(xyz.x), float(xyz.y), 
 }  // namespace
 
 ColorSpace::ColorSpace(const Primaries& primaries) {
-    // Each primary as bright as white needs it.
+    // The luminance of each primary that adds up to white.
     const V3d white = xyzOf(primaries.white);
     const V3d colors[] = {xyzOf(primaries.red), xyzOf(primaries.green), xyzOf(primaries.blue)};
     const V3d amounts = white * rows(colors[0], colors[1], colors[2]).inverse();

@@ -1,4 +1,4 @@
-// The RGB spaces that pbrt-v4's ColorSpace chooses among, taken to linear Rec. 709.
+// The RGB colour spaces of pbrt-v4's ColorSpace directive, and their conversion to linear Rec. 709.
 #pragma once
 #include <string>
 #include <string_view>
@@ -10,13 +10,13 @@ namespace drc::pbrt {
 
 class ColorSpace {
   public:
-    // "srgb", "rec2020", "aces2065-1", "dci-p3"; null: no such space.
+    // "srgb", "rec2020", "aces2065-1" or "dci-p3"; null for any other name.
     static const ColorSpace* named(std::string_view name);
     static const ColorSpace& srgb() { return *named("srgb"); }
     static std::vector<std::string_view> names();
 
-    // Colours that Rec. 709 lacks lose what is negative there. Light keeps its colour; a reflectance keeps what it is
-    // under the space's own white, so that white paper stays white.
+    // Colours outside Rec. 709 are clamped at zero. Light keeps its chromaticity. A reflectance keeps its appearance
+    // under the colour space's own white, so that white paper stays white.
     Rgb light(const Rgb& c) const { return clampNonNegative(mix(light_, c)); }
     Rgb reflectance(const Rgb& c) const { return clampNonNegative(mix(reflectance_, c)); }
 
@@ -27,7 +27,7 @@ class ColorSpace {
         return primaries[0] * c.x + primaries[1] * c.y + primaries[2] * c.z;
     }
 
-    Rgb light_[3], reflectance_[3];  // the primaries, as Rec. 709 has them
+    Rgb light_[3], reflectance_[3];  // the primaries in Rec. 709
 };
 
 }  // namespace drc::pbrt

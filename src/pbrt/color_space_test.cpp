@@ -27,15 +27,15 @@ TEST(ColorSpace, WhiteReflectanceIsWhiteInEverySpace) {
 }
 
 TEST(ColorSpace, PublishedMatrices) {
-    // ITU-R BT.2087 has the inverse of this one: what BT.2020's colours are in BT.709.
+    // The inverse of the conversion in ITU-R BT.2087, from BT.2020 to BT.709.
     const Rgb c = ColorSpace::named("rec2020")->light(Rgb(0.5f, 0.4f, 0.3f));
     expectNear(c,
                Rgb(1.6605f * .5f - .5876f * .4f - .0728f * .3f, -.1246f * .5f + 1.1329f * .4f - .0083f * .3f,
                    -.0182f * .5f - .1006f * .4f + 1.1187f * .3f),
                1e-3f);
-    // Pure green of a wider space has negative red: it is cut off.
+    // Pure green of a wider space has negative red, which is clamped.
     EXPECT_EQ(ColorSpace::named("rec2020")->light(Rgb(0, 1, 0)).x, 0);
-    // ACES's white is that of about 6000 K: warmer than D65, unless a surface reflects it.
+    // ACES has a white point of about 6000 K, warmer than D65. Reflectances are adapted to it.
     const Rgb white = ColorSpace::named("aces2065-1")->light(Rgb(1.f));
     EXPECT_GT(white.x, 1.02f);
     EXPECT_LT(white.z, 0.95f);

@@ -11,10 +11,11 @@ using Segment = std::array<Vec3, 4>;
 
 Vec3 mix(const Vec3& a, const Vec3& b, float t) { return a * (1 - t) + b * t; }
 
-// The same curve with control points for degree three.
+// Degree elevation: the cubic control points of a quadratic curve.
 Segment elevated(const Vec3& a, const Vec3& b, const Vec3& c) { return {a, mix(a, b, 2 / 3.f), mix(b, c, 1 / 3.f), c}; }
 
-// Of a uniform B-spline, the part that starts at the first of these knots (PBR 3e, section 3.7 has the blossoms).
+// Bezier control points of the segment of a uniform B-spline with these control points (by blossoming, PBR 3e,
+// section 3.7).
 Segment fromQuadraticSpline(const Vec3* p) { return elevated(mix(p[0], p[1], 0.5f), p[1], mix(p[1], p[2], 0.5f)); }
 Segment fromCubicSpline(const Vec3* p) {
     const Vec3 b = mix(p[1], p[2], 1 / 3.f), c = mix(p[1], p[2], 2 / 3.f);
@@ -61,7 +62,7 @@ CurveType typeOf(const ParamSet& params) {
     fail(params.pos(), "the type of a curve must be 'flat', 'cylinder' or 'ribbon', not '" + name + "'");
 }
 
-// Unit, world space, at the ends of the segments; empty if the type has none.
+// Unit normals in world space at the ends of the segments; empty if the type has none.
 std::vector<Vec3> ribbonNormals(const ShapeContext& context, CurveType type, size_t segments) {
     const ParamSet& params = context.params;
     const Param* normals = params.find("N", {ParamType::Normal3});
@@ -81,7 +82,7 @@ std::vector<Vec3> ribbonNormals(const ShapeContext& context, CurveType type, siz
     return result;
 }
 
-// What a transformation does to lengths: the cube root of what it does to volumes.
+// The scale of lengths: the cube root of the scale of volumes.
 float widthScale(const ShapeContext& context) {
     const Transform& t = context.objectToWorld;
     const Vec3 x = t.vector(Vec3(1, 0, 0)), y = t.vector(Vec3(0, 1, 0)), z = t.vector(Vec3(0, 0, 1));
@@ -105,9 +106,9 @@ Geometry curve(const ShapeContext& context) {
     const std::vector<Vec3> normals = ribbonNormals(context, type, segments.size());
     const float width = params.getNonNegativeFloat("width", 1);
     const float widths[2] = {params.getNonNegativeFloat("width0", width), params.getNonNegativeFloat("width1", width)};
-    params.ignore({"splitdepth"});  // how finely pbrt cuts curves for its own tree
+    params.ignore({"splitdepth"});  // how finely pbrt splits curves for its own BVH
 
-    // What faces whoever looks has no side that a mirroring transformation could swap.
+    // Flat curves and cylinders always face the viewer, so they have no sides that a mirroring transform could swap.
     const bool mirrored = context.objectToWorld.swapsHandedness();
     const bool turned = mirrored && type == CurveType::Ribbon;
     auto curves = std::make_shared<Curves>(type, context.reverseOrientation != turned, mirrored);
@@ -122,7 +123,7 @@ Geometry curve(const ShapeContext& context) {
         return type == CurveType::Ribbon ? std::array<Vec3, 2>{normals[i], normals[i + 1]}
                                          : std::array<Vec3, 2>{Vec3(0.f), Vec3(0.f)};
     };
-    // A segment is a few bytes of the file and up to 64 pieces.
+    // A segment takes a few bytes of the file, but may become up to 64 pieces.
     size_t pieces = 0;
     for (size_t i = 0; i < segments.size(); ++i)
         pieces += size_t(curves->piecesOf(segments[i], endWidths(i), endNormals(i)));

@@ -1,4 +1,4 @@
-// A picture that a scene names, as colours.
+// Reads an image that a scene names.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@ namespace drc::pbrt {
 struct DecodedImage {
     int width = 0, height = 0;
     std::vector<Rgb> texels;     // row-major from the top
-    bool isSrgbEncoded = false;  // texels are as stored, and stored in integers
+    bool isSrgbEncoded = false;  // the file stores integers, and the texels are its values, not decoded
 };
 
-// Texels as the file stores them; integers as [0, 1]. Throws Error, naming the path.
+// The values in the file; integers are scaled to [0, 1]. Throws Error that names the path.
 DecodedImage readAsStored(const std::string& path);
-// The same, but decoded from sRGB where the file stores integers.
+// The same, with integers decoded from sRGB.
 DecodedImage readLinear(const std::string& path);
 
 }  // namespace drc::pbrt

@@ -64,7 +64,7 @@ constexpr TypeMark kTypes[] = {
     {"Texture", "directionmix", V4},
 };
 
-// An empty word stands for any.
+// An empty string matches everything.
 struct ParameterMark {
     std::string_view directive, type, typeName, name;
     Dialect dialect;
@@ -149,7 +149,7 @@ std::optional<Dialect> dialectOfParam(std::string_view directive, std::string_vi
         if (covers(mark.directive, directive) && covers(mark.type, type) && covers(mark.typeName, param.typeName) &&
             covers(mark.name, param.name))
             return mark.dialect;
-    // pbrt-v3 has pairs of a temperature and a factor.
+    // In pbrt-v3, blackbody parameters are pairs of a temperature and a factor.
     if (param.typeName == "blackbody" && param.valueCount > 0) return param.valueCount == 1 ? V4 : V3;
     if (param.typeName == "spectrum")
         for (const std::string_view prefix : {"metal-", "glass-", "stdillum-", "illum-"})

@@ -1,4 +1,4 @@
-// The makers of each dialect: what a builder of scenes asks for whatever a file names.
+// The factory functions of each dialect, which SceneBuilder calls for everything that a file names.
 #pragma once
 #include "pbrt/camera_factory.h"
 #include "pbrt/dialect.h"
@@ -21,7 +21,7 @@ struct DialectFactories {
     decltype(&applyFilm) film;
     decltype(&applySampler) sampler;
     decltype(&applyIntegrator) integrator;
-    // What there is where the file says nothing.
+    // Types that are used if the file does not say.
     const char *defaultMaterial, *defaultFilm, *defaultFilter, *defaultSampler, *defaultIntegrator;
     bool needsWorldEnd;
 };

@@ -9,7 +9,7 @@
 namespace drc::pbrt {
 namespace {
 
-// How many strings stand before a directive's parameters, and which of them is the type.
+// The number of strings between a directive and its parameters, and which of them is the type.
 struct Form {
     std::string_view directive;
     int strings;

@@ -1,4 +1,4 @@
-// Finds out, before a scene is read, which dialect it is written in.
+// Determines the dialect of a scene file before it is read.
 #pragma once
 #include <memory>
 
@@ -7,9 +7,9 @@
 
 namespace drc::pbrt {
 
-// By the first directive or type that only one of the dialects has, in the file and what it includes: usually within
-// its first lines, and no further is read. Where there is none, by the first such parameter; where there is none
-// either, it is pbrt-v3. What is malformed or missing ends the search, and is left for the reader to report.
+// The first directive or type that is exclusive to a dialect decides, searched for in the file and everything it
+// includes; it is usually in the first lines. Failing that, the first such parameter decides, and failing that too, it
+// is pbrt-v3. The search ends silently where the file is malformed or missing, which is left to the parser to report.
 DialectFinding findDialect(std::shared_ptr<const Source> main, const FileSearch& files);
 
 }  // namespace drc::pbrt

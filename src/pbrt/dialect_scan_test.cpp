@@ -1,4 +1,4 @@
-// Which dialect a scene is read in.
+// Recognising the dialect of a scene.
 #include "pbrt/dialect_scan.h"
 
 #include <gmock/gmock.h>
@@ -56,7 +56,7 @@ TEST(DialectScan, ParametersTellWhereNothingElseDoes) {
     is("Material \"mix\" \"string materials\" [\"a\" \"b\"]", Dialect::V4);
     is("Material \"hair\" \"spectrum eta\" \"glass-BK7\"", Dialect::V4);
     is("Texture \"a\" \"spectrum\" \"constant\" \"xyz value\" [1 1 1]", Dialect::V3);
-    // A directive or a type outweighs parameters before it.
+    // A directive or type outweighs parameters before it.
     EXPECT_EQ(find("Sampler \"halton\" \"integer seed\" 3\nFilm \"image\"").dialect, Dialect::V3);
     EXPECT_EQ(find("Sampler \"halton\" \"integer seed\" 3\nFilm \"image\"").where.line, 2);
 }
@@ -66,7 +66,7 @@ TEST(DialectScan, SaysWhatItFound) {
     const DialectFinding none = find("WorldBegin Shape \"sphere\" WorldEnd");
     EXPECT_EQ(none.dialect, Dialect::V3);
     EXPECT_THAT(none.describe(), StartsWith("pbrt-v3, as no word of it"));
-    // Whatever is wrong is the reader's to report.
+    // Faults are left to the parser to report.
     for (const char* bad : {"Film", "Film \"", "Shape \"sphere\" \"float radius\" [", "Include \"no.pbrt\"", "Film [",
                             "Shape \"sphere\" \"float", "Texture \"a\" Film \"rgb\""})
         EXPECT_EQ(find(bad).dialect, Dialect::V3) << bad;

@@ -17,7 +17,7 @@ std::string text(Context c, const std::string& purpose) {
     return c.tokens.expectString(purpose + " of " + std::string(c.name)).value();
 }
 
-// N numbers, in brackets or not.
+// Reads N numbers, with or without brackets.
 template <size_t N>
 std::array<double, N> numbers(Context c) {
     const bool bracketed = c.tokens.peek().kind == TokenKind::OpenBracket;
@@ -35,7 +35,7 @@ std::array<double, N> numbers(Context c) {
     return result;
 }
 
-// The quoted type and the parameters, as in: Shape "sphere" "float radius" 2.
+// A quoted type with parameters, as in: Shape "sphere" "float radius" 2.
 struct Typed {
     std::string type;
     ParamSet params;
@@ -53,7 +53,7 @@ Typed typed(Context c, const std::string& kind) {
 
 Vec3 vec3(const double* v) { return Vec3(float(v[0]), float(v[1]), float(v[2])); }
 
-// Files have matrices column by column.
+// Matrices are stored column by column.
 Transform matrix(Context c) {
     const auto m = numbers<16>(c);
     std::array<double, 16> rows;
@@ -101,7 +101,7 @@ void include(Context c) {
     c.tokens.include(c.files.find(name.value(), name.pos, "file to include"), name.pos);
 }
 
-// As Include, but that what the file changes is as it was after it. The parser ends the block.
+// Like Include, but the graphics state is restored at the end of the file. The parser ends the block.
 void import(Context c) {
     c.builder.beginBlock("Import", c.pos);
     include(c);
@@ -119,7 +119,7 @@ void colorSpace(Context c) {
     c.builder.colorSpace(name.value(), name.pos);
 }
 
-// Options are for pbrt's own way of rendering, but for some that change the picture.
+// Options concern pbrt's own way of rendering, except for a few that change the picture.
 void option(Context c) {
     const std::vector<std::string_view> known = {"debugstart",
                                                  "disablepixeljitter",
@@ -186,7 +186,7 @@ void mediumInterface(Context c) {
     warn(c.pos, "participating media are not supported yet; MediumInterface has no effect");
 }
 
-// A directive of the form  Name "type" parameters. kind is for messages.
+// A directive of the form  Name "type" parameters. kind is used in messages.
 void addTyped(Context c, const std::string& kind, void (SceneBuilder::*add)(const std::string&, ParamSet)) {
     Typed t = typed(c, kind);
     (c.builder.*add)(t.type, std::move(t.params));

@@ -1,4 +1,4 @@
-// The directives of the pbrt format. A new one is one entry in the table of directives.cpp.
+// The directives of the pbrt format. A new directive is an entry in the table of directives.cpp.
 #pragma once
 #include <string_view>
 
@@ -9,7 +9,7 @@
 namespace drc::pbrt {
 
 struct DirectiveContext {
-    TokenStream& tokens;  // the next one is the first after the directive's name
+    TokenStream& tokens;  // positioned after the directive's name
     SceneBuilder& builder;
     const FileSearch& files;
     const DialectFinding& dialect;
@@ -26,7 +26,7 @@ struct Directive {
     void (*run)(const DirectiveContext&);
 };
 
-// Throws Error at the word if it is none.
+// Throws Error at the word if there is no such directive.
 const Directive& findDirective(const Token& word);
 
 }  // namespace drc::pbrt

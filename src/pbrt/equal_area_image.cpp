@@ -7,15 +7,16 @@
 namespace drc::pbrt {
 namespace {
 
-constexpr int kSamplesPerSide = 4;  // of a new pixel
+constexpr int kSamplesPerSide = 4;  // of a pixel of the result
 
-// The pixel at uv; a picture of suns and lamps is not to be blurred twice.
+// Nearest-neighbour lookup, since interpolation would blur suns and lamps twice.
 const Rgb& nearest(const LightImage& image, const Vec2& uv) {
     return image.at(std::clamp(int(uv.x * float(image.width)), 0, image.width - 1),
                     std::clamp(int(uv.y * float(image.height)), 0, image.height - 1));
 }
 
-// Of all rows but the solid angle: cos(theta) at the upper edge less that at the lower.
+// Difference of cos(theta) between the upper and the lower edge of a row, to which the row's solid angle is
+// proportional.
 double rowHeight(int row, int rows) {
     const double step = std::numbers::pi / rows;
     return std::cos(row * step) - std::cos((row + 1) * step);
@@ -25,11 +26,11 @@ double rowHeight(int row, int rows) {
 
 Vec2 equalAreaSquareOf(const Vec3& direction) {
     const Vec3 d = normalize(direction);
-    // Radius of the square's rings: the share of the hemisphere within an angle to the axis is 1 - |cos|.
+    // Radius of the rings of the square: the share of the hemisphere within an angle to the axis is 1 - |cos|.
     const float r = std::sqrt(std::max(0.f, 1 - std::abs(d.z)));
     const float turn = std::atan2(std::abs(d.y), std::abs(d.x)) / (0.5f * kPi);  // 0 at x, 1 at y
     float v = turn * r, u = r - v;
-    // The lower half is folded outwards over the diamond's sides.
+    // The lower hemisphere is folded outwards over the sides of the diamond.
     if (d.z < 0) {
         const float inner = u;
         u = 1 - v;
@@ -58,7 +59,7 @@ LightImage latLongFromEqualArea(const LightImage& square) {
             for (int x = 0; x < result.width; ++x) {
                 Rgb sum(0.f);
                 for (int j = 0; j < kSamplesPerSide; ++j) {
-                    // Evenly by solid angle.
+                    // Samples are uniform in solid angle.
                     const double cosTheta = top - height * (j + 0.5) / kSamplesPerSide;
                     const double sinTheta = std::sqrt(std::max(0.0, 1 - cosTheta * cosTheta));
                     for (int i = 0; i < kSamplesPerSide; ++i) {
@@ -73,7 +74,7 @@ LightImage latLongFromEqualArea(const LightImage& square) {
             }
         }
     });
-    // A sun of one pixel may be met by a sample more or less than its share: in all, nothing is lost or won.
+    // A sun of a single pixel may get a sample too many or too few. Rescaling preserves the total energy.
     double before[3] = {}, after[3] = {};
     for (const Rgb& c : square.texels)
         for (int k = 0; k < 3; ++k) before[k] += double(c[k]) / double(square.texels.size());

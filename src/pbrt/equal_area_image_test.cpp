@@ -34,7 +34,7 @@ TEST(EqualAreaImage, SquareAndSphereAreInverse) {
     }
 }
 
-// A uniform square gives a uniform sphere: as many directions in each of 8 x 8 cells of equal solid angle.
+// A uniform square must give a uniform sphere: equal numbers of directions in each of 8 x 8 cells of equal solid angle.
 TEST(EqualAreaImage, HasEqualAreas) {
     constexpr int kSide = 256;
     std::vector<int> counts(64, 0);
@@ -50,7 +50,7 @@ TEST(EqualAreaImage, HasEqualAreas) {
 
 TEST(EqualAreaImage, LatLongKeepsLightAndPlace) {
     LightImage square{64, 64, std::vector<Rgb>(64 * 64, Rgb(0.5f))};
-    // A sun towards (1, 1, 1), of one pixel.
+    // A sun of a single pixel towards (1, 1, 1).
     const Vec2 sun = equalAreaSquareOf(Vec3(1, 1, 1));
     square.texels[size_t(sun.y * 64) * 64 + size_t(sun.x * 64)] = Rgb(1000, 500, 0.5f);
     const LightImage map = latLongFromEqualArea(square);

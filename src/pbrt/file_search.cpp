@@ -16,7 +16,7 @@ std::string FileSearch::find(const std::string& name, const SourcePos& pos, cons
     } else {
         if (pos.source != nullptr) candidates.push_back(fs::path(pos.source->directory()) / name);
         candidates.push_back(fs::path(mainDirectory_) / name);
-        // Of a file behind a link, beside the file itself.
+        // If the file is reached by a symbolic link, also search beside the file that it points to.
         std::error_code ignored;
         if (pos.source != nullptr && fs::is_symlink(pos.source->name(), ignored))
             candidates.push_back(fs::weakly_canonical(pos.source->name(), ignored).parent_path() / name);
@@ -28,7 +28,7 @@ std::string FileSearch::find(const std::string& name, const SourcePos& pos, cons
         const fs::file_status status = fs::status(path, ignored);
         if (fs::is_regular_file(status)) return path.string();
         tried += (tried.empty() ? "" : " and ") + ("'" + path.string() + "'");
-        // Pipes and devices may have no end, or keep whoever opens them waiting.
+        // Pipes and devices may have no end, or block whoever opens them.
         if (fs::exists(status)) tried += fs::is_directory(status) ? ", a folder" : ", which is no file but a device";
     }
     fail(pos, "cannot find the " + what + " '" + name + "'; tried " + tried);

@@ -1,4 +1,4 @@
-// Where the files that a scene names are looked for.
+// Finds the files that a scene names.
 #pragma once
 #include <string>
 
@@ -9,9 +9,10 @@ namespace drc::pbrt {
 class FileSearch {
   public:
     explicit FileSearch(std::string mainDirectory) : mainDirectory_(std::move(mainDirectory)) {}
-    // The path of a file that is named at pos: as it is if absolute, else in the directory of the file that names it,
-    // else in the main scene file's directory, else where a link to the naming file leads. Throws Error at pos with
-    // every path that was tried. `what` is for the message: "texture", "ply file", ...
+    // The path of a file that is named at pos. Absolute paths are used as they are. Others are searched for in the
+    // directory of the naming file, then in that of the main scene file, then where a symbolic link to the naming file
+    // points. Throws Error at pos with every path that was tried. `what` is used in messages: "texture", "ply file",
+    // ...
     std::string find(const std::string& name, const SourcePos& pos, const std::string& what) const;
 
   private:

@@ -21,7 +21,7 @@ std::string plyAt(int x) { return kPly + std::to_string(x) + " 0 0\n0 1 0\n0 0 1
 std::string shape(const std::string& file) { return "Shape \"plymesh\" \"string filename\" \"" + file + "\"\n"; }
 float firstX(const Scene& scene, size_t k) { return scene.primitives.at(k).mesh->positions[0].x; }
 
-// A file of each kind stands both beside the included file and beside the scene, with other contents.
+// For each kind of file there is one beside the included file and one beside the scene, with different contents.
 TEST(FileSearch, EveryKindOfFileIsFoundBesideTheFileThatNamesIt) {
     const TemporaryFolder folder;
     for (const std::string& where : {std::string(), std::string("parts/")}) {
@@ -31,7 +31,7 @@ TEST(FileSearch, EveryKindOfFileIsFoundBesideTheFileThatNamesIt) {
         image.setRgb(0, 0, near ? Rgb(0, 1, 0) : Rgb(1, 0, 0));
         folder.write(where + "t.png", encodePng(image));
         folder.write(where + "s.spd", near ? "300 0.25\n900 0.25\n" : "300 0.75\n900 0.75\n");
-        // Without a distance to the film, the one beside the scene is refused.
+        // The lens file beside the scene has no distance to the film and is refused.
         folder.write(where + "l.dat", near ? "50 6 1.5 30\n-50 45 1 30\n" : "50 6 1.5 30\n-50 0 1 30\n");
     }
     folder.write("parts/camera.pbrt", "Camera \"realistic\" \"string lensfile\" \"l.dat\"\n");
@@ -76,7 +76,7 @@ TEST(FileSearch, AbsolutePathsAndOddNames) {
                                  folder.path());
     const float expected[] = {4, 4, 4, 5, 6};
     for (size_t k = 0; k < 5; ++k) EXPECT_EQ(firstX(*scene, k), expected[k]) << k;
-    // Windows' separators: pbrt reads them as escapes, too.
+    // Windows' path separators are escapes, as in pbrt.
     EXPECT_THAT(errorOfWorld(shape("in here\\mesh.ply"), folder.path()), HasSubstr("write a backslash as"));
 }
 

@@ -1,4 +1,4 @@
-// Indices of refraction of the optical glasses that pbrt-v4 knows by name.
+// Indices of refraction of the optical glasses that pbrt-v4 has built in.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace drc::pbrt {
 
-// "glass-BK7", "glass-BAF10", "glass-FK51A", "glass-LASF9", "glass-F5" (or "glass-SF5"), "glass-F10" (or
-// "glass-SF10"), "glass-F11" (or "glass-SF11"). None: no such name.
+// Names: "glass-BK7", "glass-BAF10", "glass-FK51A", "glass-LASF9", "glass-F5" (or "glass-SF5"), "glass-F10" (or
+// "glass-SF10"), "glass-F11" (or "glass-SF11"). None for any other.
 std::optional<std::vector<SpectrumSample>> glassSpectrum(std::string_view name);
 
 }  // namespace drc::pbrt

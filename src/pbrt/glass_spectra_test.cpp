@@ -14,7 +14,7 @@ float at(const std::vector<SpectrumSample>& samples, float nm) {
     return 0;
 }
 
-// The catalogue's index at the d line, 587.56 nm, and Abbe number.
+// Compares with the catalogue's index at the d line, 587.56 nm, and its Abbe number.
 TEST(GlassSpectra, AreTheCataloguesGlasses) {
     const struct {
         const char* name;

@@ -1,4 +1,4 @@
-// What directives change and AttributeBegin saves.
+// The graphics state, which directives change and AttributeBegin saves.
 #pragma once
 #include <array>
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace drc::pbrt {
 
-// The current transformation at the first and at the second of the two TransformTimes.
+// The current transformation at both of the TransformTimes.
 struct TransformSet {
     std::array<Transform, 2> at;
 
@@ -26,13 +26,13 @@ struct TransformSet {
 
 struct GraphicsState {
     TransformSet ctm;
-    std::array<bool, 2> active{true, true};  // which of the two transform directives change
+    std::array<bool, 2> active{true, true};  // which of both times transform directives affect
     bool reverseOrientation = false;
     std::shared_ptr<const MaterialInstance> material;
     NamedMap<MaterialInstance> namedMaterials;
     NamedTextures textures;
-    AreaLightBuilder areaLight;  // empty: shapes do not emit
-    // pbrt-v4's: the space of "rgb" colours, and what Attribute gives to all that are made, by its target.
+    AreaLightBuilder areaLight;  // empty if shapes do not emit
+    // For pbrt-v4: the colour space of "rgb" values, and the parameters set by Attribute, by target.
     const ColorSpace* colorSpace = &ColorSpace::srgb();
     std::map<std::string, std::shared_ptr<const ParamSet>> attributes;
 };

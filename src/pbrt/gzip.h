@@ -1,4 +1,4 @@
-// Files that pbrt-v4 lets be compressed: meshes (.ply.gz) and scenes (.pbrt.gz).
+// Decompresses the files that pbrt-v4 allows to be gzipped: meshes (.ply.gz) and scenes (.pbrt.gz).
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,15 +7,15 @@
 
 namespace drc::pbrt {
 
-// By the first two bytes, whatever the file's name.
+// Recognised by the first two bytes, regardless of the file name.
 bool isGzip(std::string_view bytes);
 
-// What a file may grow to: the larger of the two. What promises far more is damaged, or made to fill the memory.
+// Maximum size after decompression: the larger of the two limits. Files that exceed it are damaged or malicious.
 struct GunzipLimit {
     size_t bytes = limits::kGunzipBytes;
-    size_t ratio = limits::kGunzipRatio;  // to the compressed size
+    size_t ratio = limits::kGunzipRatio;  // relative to the compressed size
 };
-// Throws Error "path: ..." for a stream that is damaged, cut short, or beyond the limit.
+// Throws Error "path: ..." for a stream that is damaged, truncated or beyond the limit.
 std::string gunzip(std::string_view bytes, const std::string& path, const GunzipLimit& limit = {});
 
 }  // namespace drc::pbrt

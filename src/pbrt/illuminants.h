@@ -1,4 +1,4 @@
-// The light that pbrt-v4 calls white, and the standard illuminants that it knows by name.
+// The white of pbrt-v4, and the standard illuminants that it has built in.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace drc::pbrt {
 
-// Relative spectral power of CIE standard illuminant D65 at a wavelength within the table of cie.h, 100 at 560 nm.
+// Relative spectral power of CIE standard illuminant D65, 100 at 560 nm. Wavelengths must be within the table of cie.h.
 float d65At(float nanometres);
 
-// The colour of "stdillum-A", "stdillum-D50", "stdillum-D65", "stdillum-F1" to "stdillum-F12" and "illum-acesD60", with
-// a luminance of one. None: no such name.
+// The colour, with a luminance of one, of "stdillum-A", "stdillum-D50", "stdillum-D65", "stdillum-F1" to "stdillum-F12"
+// and "illum-acesD60". None for any other name.
 std::optional<Rgb> illuminantNamed(std::string_view name);
 
 }  // namespace drc::pbrt

@@ -13,7 +13,7 @@ void InstanceBudget::take(const Instance& instance, const SourcePos& pos) {
                          steps_, AnimatedTransform::kMostSteps));
     bytes_ += instance.memory();
     if (bytes_ <= claimed_) return;
-    // To ask the system takes longer than to place an instance: ahead, for a quarter more.
+    // Claims a quarter more in advance, since asking the system takes longer than placing an instance.
     claimed_ = 1.25 * bytes_;
     memory_.reset();
     try {

@@ -1,4 +1,4 @@
-// How many instances a file may still ask for: see limits.h.
+// Counts instances against the limits in limits.h.
 #pragma once
 #include <optional>
 
@@ -13,8 +13,8 @@ class InstanceBudget {
   public:
     explicit InstanceBudget(size_t steps = limits::kInstanceSteps) : steps_(steps) {}
 
-    // Before the instance is kept. Throws Error, at pos, if it is one too many, or if there is not the memory for all
-    // of them: that is held back from then on.
+    // To be called before an instance is stored. Throws Error at pos if there are too many, or if memory does not
+    // suffice for all of them; the memory stays claimed.
     void take(const Instance& instance, const SourcePos& pos);
 
   private:

@@ -14,7 +14,7 @@ using testing::StartsWith;
 
 const AnimatedTransform kSlide(Transform(), Transform::translate(Vec3(1, 0, 0)));
 
-// What one has to take until it is too much, and the error then; gives up after `most`.
+// Takes instances until there are too many, or until `most`. Returns their number and the error.
 struct Taken {
     size_t count = 0;
     std::string error;
@@ -46,7 +46,7 @@ TEST(InstanceBudget, HoldsTheMemoryOfAllOfThem) {
     const size_t most = size_t(double(availableMemory()) / Instance{0, motion}.memory());
     const Taken taken = takeAll(budget, motion, most);
     EXPECT_THAT(taken.error, AllOf(StartsWith("s.pbrt:1:16: placing "), HasSubstr(" of memory, and ")));
-    // What it asks for ahead is no reason to refuse what there is plenty of memory for.
+    // Claiming in advance must not refuse instances for which there is plenty of memory.
     EXPECT_GT(taken.count, most / 2);
 }
 

@@ -66,7 +66,7 @@ std::vector<LensElement> readLensFile(const std::string& path, float stopDiamete
         e.eta = numbers[i + 2].value;
         float diameter = numbers[i + 3].value;
         if (!(e.thickness >= 0)) fail(numbers[i + 1].pos, "the distance to the next surface must not be negative");
-        // A stop has no index; some files write 0 there.
+        // An aperture stop has no index; some files give it 0.
         if (!(e.eta >= 1 || e.eta == 0)) fail(numbers[i + 2].pos, "the index of refraction must be 1 or more");
         if (!(diameter > 0)) fail(numbers[i + 3].pos, "the diameter must be positive");
         if (e.radius == 0) {

@@ -1,4 +1,4 @@
-// pbrt's lens descriptions: a text with four numbers for each surface, from the scene to the film.
+// pbrt's lens description files: four numbers for each surface, from the scene to the film.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,10 +7,9 @@
 
 namespace drc::pbrt {
 
-// The file has, in millimetres: radius of curvature (0: the stop), distance to the next surface, index of refraction
-// behind the surface, diameter. From '#' on a line is comment. The stop is opened to stopDiameter, millimetres, or as
-// far as it goes. Throws Error, at the place in the lens file, for what is no such list; warns of a stop that does not
-// open so far.
+// The numbers are, in millimetres: radius of curvature (0 for the aperture stop), distance to the next surface, index
+// of refraction behind the surface, diameter. '#' begins a comment. The stop is set to stopDiameter (millimetres), or
+// to its full diameter with a warning if that is smaller. Throws Error at the place in the file if it is malformed.
 std::vector<LensElement> readLensFile(const std::string& path, float stopDiameter);
 
 }  // namespace drc::pbrt

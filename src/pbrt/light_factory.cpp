@@ -7,18 +7,18 @@
 namespace drc::pbrt {
 namespace {
 
-// pbrt multiplies every light's colour by this one.
+// The factor by which pbrt multiplies every light's colour.
 Rgb scaleOf(const ParamSet& params) { return params.getColor("scale", Rgb(1.f)); }
 
-// pbrt's number of samples a light: here every sample of a pixel chooses one light by what it can bring.
+// Accepts pbrt's number of samples per light, which is not used: every sample of a pixel chooses one light.
 void samplesNotNeeded(const ParamSet& params) {
     if (!params.has("samples") && !params.has("nsamples")) return;
     params.ignore({"samples", "nsamples"});
     logDebug(params.owner() + ": its number of samples is not needed: lights are sampled by what they bring");
 }
 
-// pbrt-v3 decodes the pictures of textures alone: what a light's picture stores is what it shines, in 8-bit files too.
-// Where it is looked up within half a pixel of its edge, the opposite edge shows.
+// pbrt-v3 decodes only images of textures, so images of lights are linear even in 8-bit files. Lookups within half a
+// pixel of an edge interpolate with the opposite edge.
 LightImage pictureOf(const LightContext& context, const std::string& what) {
     LightImage image = imageOf(context, "mapname", what, readAsStored);
     image.repeats = true;

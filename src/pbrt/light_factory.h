@@ -1,4 +1,4 @@
-// LightSource and AreaLightSource. A new light is one entry in a table of light_factory.cpp.
+// Creates lights for LightSource and AreaLightSource. A new light is an entry in a table of light_factory.cpp.
 #pragma once
 #include <functional>
 #include <memory>
@@ -11,11 +11,11 @@
 
 namespace drc::pbrt {
 
-// Null, with a warning, for what is not built. Throws Error for a type that pbrt-v3 does not know either.
+// Null, with a warning, for types that are not supported. Throws Error for types that pbrt-v3 does not have either.
 LightPtr makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
                    const FileSearch& files);
 
-// Makes the light of one emitting mesh or shape; empty: emits nothing.
+// Makes the light of an emissive mesh or shape; an empty function means that shapes do not emit.
 using AreaLightBuilder = std::function<std::shared_ptr<const AreaLight>(const Primitive&)>;
 AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params);
 

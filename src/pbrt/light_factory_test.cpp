@@ -1,4 +1,4 @@
-// Light sources as scene files write them.
+// Lights in scene files.
 #include <gmock/gmock.h>
 
 #include "image/color.h"
@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// What arrives at p from the only light of the text; black if nothing.
+// Light arriving at p from the only light of the scene; black if there is none.
 Rgb arriving(const std::string& text, const Vec3& p, const std::string& directory = ".") {
     const auto scene = loadWorld(text, directory);
     const auto s = scene->lights.at(0)->sample(p, Vec2(0.5f, 0.5f));
@@ -22,7 +22,7 @@ Rgb arriving(const std::string& text, const Vec3& p, const std::string& director
 TEST(LightFactory, SpotsAimAndHavePbrtsDefaults) {
     const std::string spot = "LightSource \"spot\" \"rgb I\" [8 4 2] \"rgb scale\" [2 2 2] \"point from\" [1 0 0] ";
     EXPECT_EQ(arriving(spot + "\"point to\" [1 5 0]", Vec3(1, 2, 0)), Rgb(4, 2, 1));
-    // 30 degrees, of which the last five fade; from `to`'s default the light shines towards z = 1.
+    // 30 degrees with a soft edge of five. With the default of `to`, the light shines towards z = 1.
     const std::string plain = "LightSource \"spot\"";
     const auto at = [&](float degrees) {
         return arriving(plain, Vec3(std::sin(degrees * kPi / 180), 0, std::cos(degrees * kPi / 180))).x;
@@ -49,7 +49,7 @@ TEST(LightFactory, PicturesOfProjectorsAndGoniometricLights) {
     image.setRgb(1, 0, Rgb(0, 0.5f, 0));
     writeExr(folder.path() + "/map.exr", {{"", &image}});
     const std::string map = " \"string mapname\" \"map.exr\" ";
-    // The projector's left half is red: x < 0 of its space.
+    // The left half of the projector's image is red: x < 0 in its space.
     const std::string projector = "LightSource \"projection\" \"rgb I\" [2 2 2] \"float fov\" 60" + map;
     const float centre = -std::tan(kPi / 6);  // of the left pixel
     EXPECT_NEAR(arriving(projector, Vec3(centre, 0, 1), folder.path()).y, 0, 1e-5f);
@@ -58,7 +58,7 @@ TEST(LightFactory, PicturesOfProjectorsAndGoniometricLights) {
     EXPECT_TRUE(isBlack(arriving(projector, Vec3(0, 0.7f, 1), folder.path())));
     EXPECT_GT(arriving("LightSource \"projection\"", Vec3(0.41f, 0, 1)).x, 0) << "45 degrees";
     EXPECT_EQ(arriving("LightSource \"projection\"", Vec3(0.42f, 0, 1)).x, 0);
-    // The goniometric light's first half turn, z > 0, is red.
+    // In the first half turn, z > 0, the goniometric light is red.
     const std::string lamp = "Translate 0 0 1 LightSource \"goniometric\" \"rgb scale\" [3 3 3]" + map;
     EXPECT_LT(length(arriving(lamp, Vec3(0, 0, 2), folder.path()) - Rgb(3, 0, 0)), 1e-4f);
     EXPECT_LT(length(arriving(lamp, Vec3(0, 0, 0), folder.path()) - Rgb(0, 1.5f, 0)), 1e-4f);
@@ -67,7 +67,7 @@ TEST(LightFactory, PicturesOfProjectorsAndGoniometricLights) {
     EXPECT_THAT(errorOfWorld("LightSource \"projection\" \"float fov\" 0"), HasSubstr("must be between 0 and 180"));
 }
 
-// As pbrt-v3 does, where textures are decoded.
+// As in pbrt-v3, which decodes only images of textures.
 TEST(LightFactory, PicturesOfIntegersAreTakenAsStored) {
     const TemporaryFolder folder;
     Image grey(4, 2);
@@ -89,7 +89,7 @@ TEST(LightFactory, AProjectedPictureRepeatsAtItsEdges) {
     writeExr(folder.path() + "/map.exr", {{"", &image}});
     const std::string projector = "LightSource \"projection\" \"float fov\" 90 \"string mapname\" \"map.exr\"";
     const auto at = [&](float x, float y) { return arriving(projector, Vec3(x, y, 1), folder.path()).x; };
-    // Half of what the first pixel's centre shows is left at its outer edge, and as much is at the far edge.
+    // At the outer edge of the first pixel, half of it is interpolated with half of the pixel at the opposite edge.
     const float centre = at(-0.5f, -0.5f) * 1.5f;  // times the squared distance
     EXPECT_NEAR(centre, 8, 0.01f);
     EXPECT_NEAR(at(-0.999f, -0.5f) * 2.25f, 4, 0.05f);

@@ -11,9 +11,9 @@ namespace {
 
 float scaleOf(const ParamSet& params) { return params.getNonNegativeFloat("scale", 1); }
 
-// Multiplies a light's colour: "scale", and if the parameter `target` ("power", "illuminance") is given what takes the
-// light from what it has of that, `own`, to it. As in pbrt `own` is that of white: a colour of half the luminance has
-// half of what the target says.
+// The factor for a light's colour: "scale", times the ratio of the parameter `target` ("power" or "illuminance"), if it
+// is given, to `own`, the value that the light would have without it. As in pbrt, `own` is that of white, so a colour
+// of half the luminance gives half of the target.
 float brightness(const ParamSet& params, std::string_view target, double own) {
     const float wanted = params.getFloat(target, -1);
     if (!(wanted > 0)) return scaleOf(params);
@@ -29,7 +29,7 @@ double meanLuminance(const LightImage& image) {
     return sum / double(image.texels.size());
 }
 
-// pbrt-v4's pictures of a whole sphere of directions, as the lights here take them; empty if there is none.
+// pbrt-v4's equal-area image of all directions, converted to the layout that our lights use; empty if there is none.
 LightImage sphereOf(const LightContext& context, const std::string& what) {
     LightImage image = imageOf(context, "filename", what, readLinear);
     if (image.empty()) return image;
@@ -69,9 +69,9 @@ LightPtr makeGoniometric(const LightContext& context) {
     LightImage image = sphereOf(context, "goniometric diagram");
     const double mean = image.empty() ? 1 : meanLuminance(image);
     const float scale = brightness(context.params, "power", 4 * double(kPi) * mean);
-    // Its numbers are intensities: colours, if it has any, do not count.
+    // The values are intensities, so colours are averaged.
     for (Rgb& c : image.texels) c = Rgb((c.x + c.y + c.z) / 3);
-    // The diagram's pole is the light's +y for both; makeGoniometricLight has it so too.
+    // In both formats the pole of the diagram is the light's +y.
     return makeGoniometricLight(context.toWorld, context.params.getColor("I", Rgb(1.f)) * scale,
                                 latLongFromEqualArea(image));
 }
@@ -82,7 +82,7 @@ LightPtr makeProjection(const LightContext& context) {
     LightImage image = imageOf(context, "filename", "picture to project", readLinear);
     if (image.empty()) fail(params.pos(), "the projection light needs the parameter \"string filename\"");
     image.mend();
-    // The picture stands upright: its upper edge is at the light's +y.
+    // The image is upright: its upper edge is at the light's +y.
     const LightImage upright = flippedTopToBottom(std::move(image));
     const double white = double(luminance(makeProjectionLight({}, Rgb(1.f), fov, upright)->power(0)));
     return makeProjectionLight(context.toWorld, Rgb(brightness(params, "power", white)), fov, upright);
@@ -109,8 +109,7 @@ constexpr Registered<LightMaker> kLights[] = {
     {"point", makePoint},     {"projection", makeProjection},   {"spot", makeSpot},
 };
 
-// Each triangle of a mesh is a light of its own to pbrt, and has the power that is asked for; here they share it
-// evenly.
+// In pbrt each triangle of a mesh is a light of its own and gets the full power. Here they share it evenly.
 double emittedByWhite(const Primitive& primitive) {
     if (primitive.shape) return double(primitive.shape->area()) * double(kPi);
     double area = 0;

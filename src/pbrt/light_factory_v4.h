@@ -1,12 +1,12 @@
 // The lights of pbrt-v4 (https://pbrt.org/fileformat-v4). Unlike in pbrt-v3, "scale" is a number, and "power" or
-// "illuminance" says how bright a light is in all, whatever its picture holds. A new light is one entry in a table of
+// "illuminance" sets a light's total brightness regardless of its image. A new light is an entry in a table of
 // light_factory_v4.cpp.
 #pragma once
 #include "pbrt/light_factory.h"
 
 namespace drc::pbrt {
 
-// As makeLight and makeAreaLight are for pbrt-v3.
+// The counterparts of makeLight() and makeAreaLight() for pbrt-v4.
 LightPtr makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
                      const FileSearch& files);
 AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params);

@@ -1,4 +1,4 @@
-// Light sources in pbrt-v4's words.
+// Lights in pbrt-v4's format.
 #include "pbrt/light_factory_v4.h"
 
 #include <gmock/gmock.h>
@@ -47,7 +47,7 @@ TEST(LightFactoryV4, PowerAndIlluminance) {
                 0.05f);
     EXPECT_NEAR(power(light("\"goniometric\" \"float power\" 60")), 60, 0.05f);
     expectNear(arriving(light("\"distant\" \"float illuminance\" 5"), Vec3(0, 0, 0)), Rgb(5.f));
-    // Of a uniform sky, what a horizontal surface gets.
+    // The illuminance is that of a horizontal surface under a uniform sky.
     expectNear(lightOf(light("\"infinite\" \"float illuminance\" 6.2831853"))->escaped(Vec3(0, 0, 1)), Rgb(2.f));
 }
 
@@ -66,11 +66,11 @@ TEST(LightFactoryV4, SpectraHaveUnitLuminance) {
 
 TEST(LightFactoryV4, SpotsFadeSmoothly) {
     const std::string spot = light("\"spot\" \"float coneangle\" 60 \"float conedeltaangle\" 60");
-    const float c = 0.75f;  // halfway from the edge's cosine to the axis's
+    const float c = 0.75f;  // the cosine halfway between the edge and the axis
     EXPECT_NEAR(arriving(spot, Vec3(std::sqrt(1 - c * c), 0, c)).x, 0.5f, 1e-3f);
 }
 
-// A sphere of directions that is red about the light's +z, as an equal-area square.
+// An equal-area image of all directions, which is red around the light's +z.
 std::string squareMap(const TemporaryFolder& folder) {
     Image image(32, 32);
     for (int y = 0; y < 32; ++y)
@@ -91,7 +91,7 @@ TEST(LightFactoryV4, EnvironmentsAreEqualAreaSquares) {
     expectNear(sky->escaped(normalize(Vec3(-1, 0.3f, -0.5f))), Rgb(0, 0, 1));
     const auto turned = lightOf("Rotate 90 0 1 0 " + light("\"infinite\"" + map), folder.path());
     expectNear(turned->escaped(Vec3(1, 0.1f, 0.1f)), Rgb(4, 0, 0));
-    // Illuminance: after scaling, the upper half's cosine-weighted luminance is what was asked for.
+    // After scaling, the cosine-weighted luminance of the upper hemisphere must be the requested illuminance.
     const auto bright = lightOf(light("\"infinite\" \"float illuminance\" 10" + map), folder.path());
     double sum = 0;
     const int n = 200;
@@ -120,7 +120,7 @@ TEST(LightFactoryV4, GoniometricDiagramsStandOnTheirPole) {
         }
     writeExr(folder.path() + "/lamp.exr", {{"", &image}});
     const std::string lamp = light("\"goniometric\" \"string filename\" \"lamp.exr\" ");
-    // The picture's +z is the light's +y, and the other way about.
+    // The image's +z is the light's +y, and vice versa.
     expectNear(arriving(lamp, Vec3(0, 1, 0), folder.path()), Rgb(3.f));
     expectNear(arriving(lamp, Vec3(0.1f, -0.7f, 0.7f), folder.path()), Rgb(1 / 0.99f), 2e-2f);
     EXPECT_TRUE(isBlack(arriving(lamp, Vec3(0, -0.5f, -0.7f), folder.path())));
@@ -156,7 +156,7 @@ TEST(LightFactoryV4, AreaLights) {
     expectNear(emitted("\"rgb L\" [1 2 3] \"float scale\" 2", disk), Rgb(2, 4, 6));
     expectNear(emitted("\"float power\" 20", disk), Rgb(20 / (kPi * kPi)));
     expectNear(emitted("\"float power\" 20 \"bool twosided\" true", disk), Rgb(10 / (kPi * kPi)));
-    // pbrt gives each triangle the power: a square of two has twice as much.
+    // As in pbrt each triangle gets the full power, so a square of two triangles has twice as much.
     const std::string square =
         "Shape \"trianglemesh\" \"point3 P\" [0 0 0 2 0 0 2 2 0 0 2 0] \"integer indices\" [0 1 2 0 2 3]";
     expectNear(emitted("\"float power\" 20", square), Rgb(10 / kPi));

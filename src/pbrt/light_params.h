@@ -1,4 +1,4 @@
-// What the lights of both dialects read in the same way.
+// Parameters of lights that both dialects read in the same way.
 #pragma once
 #include <string>
 
@@ -15,21 +15,21 @@ struct LightContext {
     const FileSearch& files;
 };
 
-// Throws Error unless low < value < high.
+// The parameter's value. Throws Error unless low < value < high.
 float degreesBetween(const ParamSet& params, std::string_view name, float fallback, float low, float high);
 
-// The picture that the parameter names; empty if there is none. what is for messages: "environment map". read says what
-// the numbers of the file mean.
+// The image that a parameter names; empty if there is none. `what` is used in messages: "environment map". `read`
+// defines the meaning of the file's values.
 LightImage imageOf(const LightContext& context, std::string_view param, const std::string& what,
                    DecodedImage (*read)(const std::string& path));
 
-// A space whose origin is `from` and whose +z points to `to`.
+// A light space with its origin at `from` and its +z axis towards `to`.
 Transform aimed(const ParamSet& params, const Transform& toWorld);
 
-// From the lit points towards a distant light, world space.
+// Direction from lit points towards a distant light, world space.
 Vec3 distantDirection(const LightContext& context);
 
-// Degrees from the axis to a spotlight's edge, and how many of them fade.
+// The half-angle of a spotlight's cone, and the width of its soft edge, in degrees.
 struct SpotAngles {
     float cone, fade;
 };

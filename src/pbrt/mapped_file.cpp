@@ -16,7 +16,7 @@ MappedFile::MappedFile(const std::string& path, const std::string& what, uint64_
     const auto failed = [&](int reason) {
         throw Error("cannot read " + what + " '" + path + "': " + std::strerror(reason));
     };
-    // Not to wait for a writer where the path is that of a pipe.
+    // Do not block if the path is a pipe without a writer.
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0) failed(errno);
     struct stat status {};

@@ -9,8 +9,8 @@ namespace drc::pbrt {
 
 class MappedFile {
   public:
-    // Throws Error with the path and the system's reason if the file cannot be read, is no file (but a folder, a pipe,
-    // a device), or has more than most bytes. `what` names it in the message ("scene file", ...).
+    // Throws Error with the path and the system's reason if the file cannot be read, is a folder, pipe or device, or is
+    // larger than `most` bytes. `what` is used in messages ("scene file", ...).
     MappedFile(const std::string& path, const std::string& what, uint64_t most = limits::kFileBytes);
     ~MappedFile();
     MappedFile(const MappedFile&) = delete;

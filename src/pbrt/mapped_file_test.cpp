@@ -25,7 +25,7 @@ TEST(MappedFile, WhatIsNoFileIsRefusedAtOnce) {
     EXPECT_EQ(errorOfFile(folder.path()), "cannot read scene file '" + folder.path() + "': Is a directory");
     EXPECT_THAT(errorOfFile(folder.path() + "/absent"), EndsWith("absent': No such file or directory"));
     EXPECT_THAT(errorOfFile("/dev/zero"), EndsWith("/dev/zero': Invalid argument"));
-    // Nobody will ever write to it.
+    // A pipe to which nobody will ever write.
     const std::string pipe = folder.path() + "/pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_THAT(errorOfFile(pipe), EndsWith("pipe': Invalid argument"));

@@ -1,4 +1,4 @@
-// What the makers of both dialects' materials have in common.
+// Shared by the material factories of both dialects.
 #pragma once
 #include <span>
 #include <string>
@@ -20,11 +20,11 @@ using MaterialMaker = MaterialPtr (*)(const MaterialContext&);
 struct MaterialTable {
     std::span<const Registered<MaterialMaker>> makers;
     std::span<const std::string_view> none;      // types without a surface; so is ""
-    std::string_view placeholder;                // type of the grey material that stands for what is not built
-    std::span<const std::string_view> notBuilt;  // parameters of any material
+    std::string_view placeholder;                // type of the grey material that replaces unsupported ones
+    std::span<const std::string_view> notBuilt;  // parameters that no material supports
 };
 bool isNone(const MaterialTable& table, std::string_view type);
-// Null, with a warning, for what is not built. Throws Error at pos for a type that is not in the table.
+// Null, with a warning, for types that are not supported. Throws Error at pos for types that are not in the table.
 MaterialMaker makerOf(const MaterialTable& table, const std::string& type, const SourcePos& pos);
 std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& table, const std::string& type,
                                                        ParamSet params, const NamedTextures& textures,
@@ -32,14 +32,14 @@ std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& tabl
 
 inline bool remapOf(const TextureParams& p) { return p.getBool("remaproughness", true); }
 
-// All of hair but its colour by reflectance and its bumps, which have a name of their own in each dialect. Warns if the
-// colour is said in several ways; colorName is what the reflectance was called.
+// All parameters of hair except its colour as a reflectance and its bump map, which have different names in the
+// dialects. Warns if the colour is given in several ways; colorName is the name of the reflectance's parameter.
 HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string_view colorName, FloatTexturePtr bump);
 
-// Throws Error, at pos, for a material that may have more lobes than a Bsdf takes.
+// Throws Error at pos if a material may have more lobes than a Bsdf can hold.
 void checkLobes(const Material& material, const SourcePos& pos);
 
-// A material that a mix names. Throws Error at pos for one that is not there or is none; what is for messages.
+// A material that a mix names. Throws Error at pos if it is undefined or 'none'. `what` is used in messages.
 MaterialPtr namedPart(const MaterialContext& c, const std::string& name, const std::string& what, const SourcePos& pos);
 
 }  // namespace drc::pbrt

@@ -1,4 +1,4 @@
-// For tests: materials compared by what they do.
+// Compares materials by their behaviour, for tests.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,8 @@
 
 namespace drc::pbrt {
 
-// Values and samples of a material's BSDF that two different materials hardly share: all lobes, sides and angles.
+// Values and samples of a BSDF that two different materials are very unlikely to share, for all lobes, sides and
+// angles.
 inline std::vector<float> fingerprint(const Material& material) {
     Bsdf bsdf(Frame(), Vec3(0, 0, 1));
     TextureContext at;

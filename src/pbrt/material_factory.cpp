@@ -16,7 +16,7 @@ namespace drc::pbrt {
 namespace {
 
 FloatTexturePtr bumpOf(const TextureParams& p) { return p.scalarOrNull("bumpmap"); }
-// pbrt has two names for it; "eta" goes first.
+// pbrt has two names for the index; "eta" takes precedence.
 FloatTexturePtr indexOf(const TextureParams& p) {
     const FloatTexturePtr index = p.scalarOrNull("index");
     const FloatTexturePtr eta = p.scalarOrNull("eta");
@@ -168,7 +168,8 @@ MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& s
                              const NamedMaterials& materials) {
     const size_t unused = shape.unusedCount();
     if (unused == 0 || isNone(kTable, instance.type)) return instance.material;
-    // Whatever the shape itself has not looked up may be the material's; making it tells.
+    // Parameters that the shape itself has not read may be for its material; making the material shows whether they
+    // are.
     const TextureParams params(instance.params, textures, &shape);
     MaterialPtr own = makerOf(kTable, instance.type, instance.params.pos())({params, materials});
     return shape.unusedCount() < unused ? own : instance.material;

@@ -1,4 +1,4 @@
-// Materials. A new one is one entry in the table of material_factory.cpp.
+// Creates materials. A new material is an entry in the table of material_factory.cpp.
 #pragma once
 #include <memory>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace drc::pbrt {
 
-// A material as the file gives it, for shapes that override some of its parameters, and as it was made.
+// A material with its parameters, which shapes may override in part.
 struct MaterialInstance {
     std::string type;
     ParamSet params;
@@ -17,12 +17,12 @@ struct MaterialInstance {
 };
 using NamedMaterials = NamedMap<MaterialInstance>;
 
-// "" and "none" give a null material. What is not built becomes grey matte, with a warning. Throws Error for a type
-// that pbrt-v3 does not know either and for wrong parameters.
+// "" and "none" give a null material. Types that are not supported become grey matte, with a warning. Throws Error for
+// types that pbrt-v3 does not have either, and for wrong parameters.
 std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
                                                      const NamedTextures& textures, const NamedMaterials& materials);
 
-// The material of a shape: the instance's own, shared, unless the shape's parameters override some of its.
+// The material of a shape: that of the instance, unless the shape's parameters override some of its parameters.
 MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const NamedTextures& textures,
                              const NamedMaterials& materials);
 

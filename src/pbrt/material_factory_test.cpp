@@ -89,7 +89,7 @@ TEST(MaterialFactory, RoughnessAlongUAndV) {
         const MaterialPtr v = load(type, "\"float uroughness\" .4 \"float vroughness\" .1");
         EXPECT_FALSE(alike(*u, *v)) << type;
     }
-    // uber's vroughness follows its uroughness, metal's its roughness.
+    // The vroughness of uber defaults to its uroughness, that of metal to its roughness.
     EXPECT_TRUE(alike(*load("uber", "\"float uroughness\" .4"),
                       *load("uber", "\"float uroughness\" .4 \"float vroughness\" .4")));
     EXPECT_TRUE(alike(*load("metal", "\"float uroughness\" .4"),
@@ -117,13 +117,13 @@ TEST(MaterialFactory, Mix) {
     const std::string names = "\"string namedmaterial1\" \"a\" \"string namedmaterial2\" \"b\" ";
     const MaterialPtr half = load("mix", names, kParts);
     EXPECT_TRUE(alike(*half, *load("mix", names + "\"rgb amount\" [.5 .5 .5]", kParts)));
-    // The amount is of the first.
+    // The amount is the weight of the first material.
     EXPECT_TRUE(alike(*load("matte", "\"rgb Kd\" [.2 .4 .6]"), *load("mix", names + "\"rgb amount\" [1 1 1]", kParts)));
     EXPECT_TRUE(alike(*load("mirror", ""), *load("mix", names + "\"rgb amount\" [0 0 0]", kParts)));
     const std::string texture = "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [.1 .5 .9]\n";
     EXPECT_TRUE(alike(*load("mix", names + "\"rgb amount\" [.1 .5 .9]", kParts),
                       *load("mix", names + "\"texture amount\" \"t\"", kParts + texture)));
-    // A mix has a name like any other, and can be mixed again.
+    // A mix can be named and mixed again.
     const std::string again = kParts + "MakeNamedMaterial \"m\" \"string type\" \"mix\" " + names + "\n";
     const MaterialPtr twice = load("mix", "\"string namedmaterial1\" \"m\" \"string namedmaterial2\" \"a\"", again);
     EXPECT_EQ(twice->maxLobes(), 3);

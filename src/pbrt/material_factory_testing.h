@@ -1,4 +1,4 @@
-// What the tests of both dialects' materials share: materials that the front end makes, and what all must do.
+// Helpers for the material tests of both dialects.
 #pragma once
 #include <sstream>
 #include <string>
@@ -33,7 +33,7 @@ class MaterialLoader {
     Dialect dialect_;
 };
 
-// What the file format says that is taken where nothing is given.
+// The default parameters that the format's documentation states.
 struct DefaultsCase {
     std::string type, defaults;
 };
@@ -45,7 +45,7 @@ inline void checkDefaults(const MaterialLoader& loader, const DefaultsCase& c) {
     EXPECT_EQ(loader.warningsOf(c.type, "\"float sgima\" 3"), 1) << c.type;
 }
 
-// Height fields, under the name that the dialect has for them.
+// Tests bump maps, under the parameter name of the dialect.
 inline void checkBump(const MaterialLoader& loader, const std::string& type, const std::string& name) {
     const std::string height = "Texture \"height\" \"float\" \"constant\" \"float value\" .1\n";
     EXPECT_EQ(loader.load(type, "")->bump(), nullptr) << type;
@@ -54,11 +54,12 @@ inline void checkBump(const MaterialLoader& loader, const std::string& type, con
     EXPECT_EQ(bumpy->bump()->eval({}), .1f) << type;
 }
 
-// A material's parameters: others are always given; of the scalars and colours, names with a space between, one.
+// Parameters of a material: `others` are always given; `scalars` and `colors` are names separated by spaces, each
+// tested alone.
 struct ParameterCase {
     const char *type, *others, *scalars, *colors;
 };
-// Each has an effect, and the same one from a texture.
+// Each parameter must have an effect, and the same effect as a constant texture.
 inline void checkParameters(const MaterialLoader& loader, const ParameterCase& c) {
     const std::string textures =
         "Texture \"t\" \"float\" \"constant\" \"float value\" .7\n"

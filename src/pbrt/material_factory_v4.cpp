@@ -14,21 +14,21 @@ namespace {
 
 FloatTexturePtr bumpOf(const TextureParams& p) { return p.scalarOrNull("displacement"); }
 
-// A reflectance may be a grey, as a number.
+// A reflectance may be given as a number, which is a grey.
 RgbTexturePtr reflectanceOf(const TextureParams& p, std::string_view name = "reflectance") {
     if (const Param* grey = p.own().findIfTyped(name, {ParamType::Float}); grey != nullptr)
         return constantTexture(Rgb(p.own().getFloat(name, 0)));
     return p.colorOrNull(name);
 }
 
-// An index of refraction may be a spectrum: nothing here disperses, and its luminance is its mean as the eye weighs it.
+// An index of refraction may be given as a spectrum. Since there is no dispersion here, its luminance is used.
 FloatTexturePtr indexOf(const TextureParams& p, std::string_view name = "eta") {
     if (p.own().findIfTyped(name, {ParamType::Color}) != nullptr)
         return constantTexture(luminance(p.own().getColor(name, Rgb(1.f))));
     return p.scalarOrNull(name);
 }
 
-// eta and k, or a reflectance in their place: pbrt takes it for a mistake to give both.
+// The index (eta and k) or a reflectance may be given; as in pbrt it is an error to give both.
 void checkReflectance(const TextureParams& p, bool indices, bool reflectance, const std::string& prefix) {
     if (indices && reflectance)
         fail(p.own().pos(), p.own().owner() + " has both 'reflectance' and '" + prefix + "eta' or '" + prefix +
@@ -75,9 +75,9 @@ MaterialPtr diffuseTransmission(const MaterialContext& c) {
                                     .bump = bumpOf(p)});
 }
 
-// What the two coated materials share, under names that begin with prefix.
+// The parameters shared by both coated materials, with names that begin with prefix.
 CoatParams coatOf(const TextureParams& p, const std::string& prefix) {
-    // Of pbrt's random walk, for which there is a closed form here.
+    // Parameters of pbrt's random walk, in place of which DRC has a closed form.
     p.own().ignore({"maxdepth", "nsamples"});
     return {.roughness = p.scalarOrNull(prefix + "roughness"),
             .uRoughness = p.scalarOrNull(prefix + "uroughness"),
@@ -112,12 +112,12 @@ MaterialPtr coatedConductor(const MaterialContext& c) {
 MaterialPtr hair(const MaterialContext& c) {
     const TextureParams& p = c.params;
     RgbTexturePtr reflectance = reflectanceOf(p);
-    const RgbTexturePtr color = p.colorOrNull("color");  // pbrt takes this name, too
+    const RgbTexturePtr color = p.colorOrNull("color");  // pbrt accepts this name, too
     const std::string_view name = reflectance || !color ? "reflectance" : "color";
     return makeHair(hairOf(p, reflectance ? std::move(reflectance) : color, name, bumpOf(p)));
 }
 
-// Unlike pbrt-v3's, the amount is a number, and of the second.
+// Unlike in pbrt-v3, the amount is a number, and it is the weight of the second material.
 MaterialPtr mix(const MaterialContext& c) {
     const ParamSet& own = c.params.own();
     const Param* names = own.find("materials", {ParamType::String});

@@ -1,5 +1,5 @@
-// The materials of pbrt-v4: names and parameters are as in its documentation (https://pbrt.org/fileformat-v4). A new
-// one is one entry in the table of material_factory_v4.cpp.
+// The materials of pbrt-v4, with names and parameters as in its documentation (https://pbrt.org/fileformat-v4). A new
+// material is an entry in the table of material_factory_v4.cpp.
 #pragma once
 #include <string>
 
@@ -7,12 +7,12 @@
 
 namespace drc::pbrt {
 
-// "interface", "" and "none" give a null material. What is not built becomes grey diffuse, with a warning. Throws Error
-// for a type that pbrt-v4 does not know either and for wrong parameters; warns of parameters that are not known.
+// "interface", "" and "none" give a null material. Types that are not supported become grey diffuse, with a warning.
+// Throws Error for types that pbrt-v4 does not have either, and for wrong parameters; warns of unknown parameters.
 std::shared_ptr<const MaterialInstance> makeMaterialV4(const std::string& type, ParamSet params,
                                                        const NamedTextures& textures, const NamedMaterials& materials);
 
-// Shapes do not change their material in pbrt-v4.
+// In pbrt-v4, shapes cannot override parameters of their material.
 inline MaterialPtr materialForShapeV4(const MaterialInstance& instance, const ParamSet&, const NamedTextures&,
                                       const NamedMaterials&) {
     return instance.material;

@@ -92,7 +92,7 @@ TEST(MaterialFactoryV4, Mix) {
     const auto mix = [&](const std::string& parameters) { return load("mix", parameters, parts); };
     const auto error = [&](const std::string& parameters) { return errorOfMaterial("mix", parameters, parts); };
     const std::string names = "\"string materials\" [\"a\" \"b\"] ";
-    // The amount is of the second.
+    // The amount is the weight of the second material.
     EXPECT_TRUE(alike(*mix(names + "\"float amount\" 0"), *load("diffuse", "")));
     EXPECT_TRUE(alike(*mix(names + "\"float amount\" 1"), *load("conductor", "")));
     EXPECT_TRUE(alike(*mix(names), *mix(names + "\"float amount\" .5")));

@@ -10,7 +10,7 @@
 namespace drc::pbrt {
 namespace {
 
-// How a mesh goes from its own space to the world's.
+// How a mesh is transformed from its own space to world space.
 struct Placing {
     explicit Placing(const ShapeContext& context)
         : toWorld(context.objectToWorld), reverse(context.reverseOrientation), dialect(context.dialect) {}
@@ -19,7 +19,7 @@ struct Placing {
     Dialect dialect;
 };
 
-// With the orientation that pbrt gives it.
+// Transforms the mesh, with normals oriented as in pbrt.
 TriangleMeshPtr placed(TriangleMesh mesh, const Placing& placing) {
     mesh.apply(placing.toWorld);
     if (placing.dialect == Dialect::V3) mesh.bumpTangents = BumpTangents::OppositeUnit;
@@ -51,7 +51,7 @@ const Param& required(const ParamSet& params, std::string_view name, ParamType t
     return *param;
 }
 
-// perFace vertices a face, 3 or 4. A mesh of one face needs none where optional (pbrt-v4).
+// Vertex indices, perFace (3 or 4) for each face. If `optional`, a mesh of a single face needs none (pbrt-v4).
 std::vector<uint32_t> readIndices(const ParamSet& params, size_t vertexCount, size_t perFace, bool optional) {
     if (optional && vertexCount == perFace && !params.has("indices"))
         return perFace == 3 ? std::vector<uint32_t>{0, 1, 2} : std::vector<uint32_t>{0, 1, 2, 3};
@@ -86,7 +86,7 @@ std::vector<Vec2> readUvs(const ParamSet& params, size_t vertexCount) {
     return {};
 }
 
-// Vertices and what they carry.
+// The vertices with their attributes.
 std::shared_ptr<TriangleMesh> readVertices(const ParamSet& params) {
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->positions = vectors<Vec3>(required(params, "P", ParamType::Point3));
@@ -114,8 +114,8 @@ Geometry geometryOf(const ShapeContext& context, std::shared_ptr<TriangleMesh> m
     return geometry;
 }
 
-// Corners in the order of a patch, (0,0) (1,0) (0,1) (1,1) of u and v, each with vertices of its own where several
-// patches share some: their coordinates differ.
+// Gives the corners of bilinear patches, in the order (0,0) (1,0) (0,1) (1,1), the texture coordinates (u, v). Vertices
+// that several patches share are duplicated, because their coordinates differ.
 void giveCornersCoordinates(TriangleMesh& mesh, std::vector<uint32_t>& corners) {
     TriangleMesh separate;
     for (size_t i = 0; i < corners.size(); ++i) {
@@ -136,7 +136,7 @@ Geometry triangleMesh(const ShapeContext& context) {
     return geometryOf(context, std::move(mesh));
 }
 
-// A patch is two triangles along the diagonal from (0,0) to (1,1): exact where it is flat.
+// A patch is split along the diagonal from (0,0) to (1,1), which is exact if it is flat.
 Geometry bilinearMesh(const ShapeContext& context) {
     const ParamSet& params = context.params;
     auto mesh = readVertices(params);
@@ -169,7 +169,7 @@ Geometry loopSubdivision(const ShapeContext& context) {
         std::make_shared<const std::vector<uint32_t>>(readIndices(params, positions->size(), 3, false));
     const int levels = params.getInt("levels", params.getInt("nlevels", 3));
     if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
-    params.ignore({"scheme"});  // pbrt knows one alone
+    params.ignore({"scheme"});  // pbrt has only one
     return {.loadMesh = [=, placing = Placing(
                                 context)] { return placed(subdivideLoop(*positions, *indices, levels), placing); },
             .subdivided = subdividedTriangles(indices->size() / 3, levels)};

@@ -1,4 +1,5 @@
-// The shapes that are triangle meshes: inline, of patches, in a PLY file, or made here.
+// The shapes that become triangle meshes: inline meshes, bilinear patches, PLY files, subdivision surfaces, height
+// fields.
 #pragma once
 #include "pbrt/shape_factory.h"
 

@@ -71,7 +71,7 @@ constexpr Metal kMetals[] = {{"Ag", kSilver}, {"Al", kAluminium}, {"Au", kGold},
 }  // namespace
 
 std::optional<std::vector<SpectrumSample>> metalSpectrum(const std::string& name) {
-    const std::string file = name.substr(name.find_last_of("/\\") + 1);  // from 0 on if there is no folder
+    const std::string file = name.substr(name.find_last_of("/\\") + 1);  // the whole name if it has no folder
     for (const Metal& metal : kMetals) {
         const std::string symbol(metal.symbol);
         const bool isEta = file == symbol + ".eta.spd" || name == "metal-" + symbol + "-eta";

@@ -36,7 +36,7 @@ TEST(MetalSpectra, CoverTheVisibleInOrder) {
     }
 }
 
-// The default of the metal material is copper as pbrt has it, from other measurements.
+// The metal material's default is pbrt's copper, from other measurements.
 TEST(MetalSpectra, CopperIsTheMaterialsDefault) {
     const Rgb eta = colorOf("Cu", "eta"), k = colorOf("Cu", "k"), here = reflectanceOf("Cu");
     const Rgb there = fresnelConductor(1, kCopperEta, kCopperK);

@@ -1,4 +1,4 @@
-// What moves, and when, as scene files say it.
+// Motion in scene files.
 #include <gmock/gmock.h>
 
 #include "base/log.h"
@@ -16,10 +16,10 @@ std::unique_ptr<Scene> withOptions(const std::string& options, const std::string
     return loadPbrtString(options + "\nWorldBegin\n" + world + "\nWorldEnd\n", ".", {}, "moving.pbrt");
 }
 Ray rayAt(const Scene& scene, float u) { return scene.camera->generateRay(Vec2(640, 360), Vec2(0.5f, 0.5f), u).ray; }
-// The warnings that loading gives.
+// Number of warnings that loading gives.
 template <typename F>
 std::string warningsOf(const F& f) {
-    forgetWarnings();  // each prints once
+    forgetWarnings();  // identical warnings are printed once, so earlier ones must be forgotten
     testing::internal::CaptureStderr();
     f();
     return testing::internal::GetCapturedStderr();
@@ -56,13 +56,13 @@ TEST(MovingScene, BlocksAndWorldBeginRestoreTheActiveTransforms) {
 }
 
 TEST(MovingScene, CamerasMove) {
-    // The world moves by +4 x in camera space: the camera by -4.
+    // The world moves by +4 along x in camera space, so the camera moves by -4.
     const auto scene = withOptions(kEnd + "Camera \"perspective\"");
     EXPECT_LT(length(rayAt(*scene, 0).o), 1e-6f);
     EXPECT_LT(length(rayAt(*scene, 0.25f).o - Vec3(-1, 0, 0)), 1e-5f);
     EXPECT_LT(length(rayAt(*scene, 1).o - Vec3(-4, 0, 0)), 1e-5f);
     EXPECT_LT(length(scene->camera->position() - Vec3(-2, 0, 0)), 1e-5f);
-    // Turning about its own place it stays there, and halfway it has turned by half.
+    // A camera that rotates about its own position stays there, and halfway it has rotated by half the angle.
     for (const char* type : {"perspective", "orthographic", "environment"}) {
         const auto turning = withOptions(
             "ActiveTransform EndTime Rotate 90 0 1 0 ActiveTransform All Translate 1 2 3\n"
@@ -83,15 +83,15 @@ TEST(MovingScene, TransformTimesAndShutter) {
     EXPECT_EQ(timeAt("", "", 0.25f), 0.25f);
     EXPECT_EQ(timeAt("TransformTimes 0 2", "", 0.5f), 0.25f);
     EXPECT_EQ(timeAt("TransformTimes 1 3", "\"float shutteropen\" 2 \"float shutterclose\" 4", 0), 0.5f);
-    // Before and after, the ends hold.
+    // Before and after the motion, the ends hold.
     EXPECT_EQ(timeAt("TransformTimes 1 3", "\"float shutteropen\" 2 \"float shutterclose\" 4", 0.9f), 1);
     EXPECT_EQ(timeAt("TransformTimes 0.5 1", "", 0.25f), 0);
-    // Without a time between them, all is at the start until then and at the end after it.
+    // If both times are equal, everything jumps from the start to the end at that time.
     EXPECT_EQ(timeAt("TransformTimes 0.5 0.5", "", 0.25f), 0);
     EXPECT_EQ(timeAt("TransformTimes 0.5 0.5", "", 0.75f), 1);
     EXPECT_THAT(warningsOf([&] { EXPECT_EQ(timeAt("TransformTimes 0.5 0", "", 0.75f), 1); }),
                 HasSubstr("moving.pbrt:1:1: warning: the second of the TransformTimes"));
-    // Also after the camera, as long as it is before WorldBegin.
+    // TransformTimes may also follow the camera, as long as it is before WorldBegin.
     EXPECT_EQ(rayAt(*withOptions("Camera \"perspective\"\nTransformTimes 0 4"), 0.5f).time, 0.125f);
     EXPECT_THAT(errorOfWorld("TransformTimes 0 1"), HasSubstr("s.pbrt:2:1"));
 }
@@ -113,7 +113,7 @@ TEST(MovingScene, WhatCannotMoveSaysSo) {
         HasSubstr("moving.pbrt:6:21: warning: textures cannot move; the transformation of the start time is used"));
 }
 
-// On its way it would be flat, and rays cannot be taken to the space of what is flat.
+// The object would be flat on the way, and rays cannot be transformed to a flat space.
 TEST(MovingScene, NothingMovesToItsMirrorImage) {
     const std::string mirror = "ActiveTransform EndTime Scale 1 -1 1 ActiveTransform All\n";
     const std::string why = " cannot move from a place to one where it is mirrored";
@@ -125,7 +125,7 @@ TEST(MovingScene, NothingMovesToItsMirrorImage) {
                 StartsWith("s.pbrt:6:16: the object 'o'" + why));
     EXPECT_THAT(errorOfScene(mirror + "Camera \"perspective\"\nWorldBegin\nWorldEnd"),
                 StartsWith("s.pbrt:2:8: the camera" + why));
-    // What mirrors at both times, by whatever axis, or takes a mirror along, moves as it always did.
+    // Motions that mirror at both times, about any axis, or that carry a mirrored object along, must work.
     const std::string both = "ActiveTransform StartTime Scale -1 1 1 " + mirror;
     EXPECT_EQ(errorOfWorld(both + "Shape \"disk\"\n" + mirror + mirror + "Shape \"disk\""), "");
     EXPECT_EQ(

@@ -1,4 +1,4 @@
-// A map from names to shared things that is cheap to copy: AttributeBegin saves it, and few blocks add to it.
+// A copy-on-write map from names to shared objects. AttributeBegin copies it, and few blocks add to it.
 #pragma once
 #include <map>
 #include <memory>
@@ -11,12 +11,12 @@ namespace drc::pbrt {
 template <typename T>
 class NamedMap {
   public:
-    // Null if there is none.
+    // Null if there is no such name.
     std::shared_ptr<const T> find(const std::string& name) const {
         const auto found = entries_->find(name);
         return found == entries_->end() ? nullptr : found->second;
     }
-    // Copies of this map that were made before do not change.
+    // Does not affect copies of this map that were made before.
     void set(const std::string& name, std::shared_ptr<const T> value) {
         if (entries_.use_count() > 1) entries_ = std::make_shared<Entries>(*entries_);
         (*entries_)[name] = std::move(value);

@@ -15,8 +15,8 @@ std::optional<std::vector<SpectrumSample>> namedIndex(const std::string& name, b
             isStandIn = true;
             return metalSpectrum("metal-Cu-" + part);
         }
-        // Oxides that absorb nothing: their indices at the sodium line. R. E. Stephens and I. H. Malitson (1952);
-        // J. R. DeVore (1951), the ordinary ray of rutile.
+        // Oxides without absorption: their indices at the sodium line. R. E. Stephens and I. H. Malitson (1952); J. R.
+        // DeVore (1951), the ordinary ray of rutile.
         if (name == "metal-MgO-" + part) return {{{589.3f, part == "k" ? 0 : 1.7375f}}};
         if (name == "metal-TiO2-" + part) return {{{589.3f, part == "k" ? 0 : 2.6131f}}};
     }

@@ -1,4 +1,4 @@
-// The spectra that pbrt-v4 has built in and its scenes name.
+// The spectra that pbrt-v4 has built in.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace drc::pbrt {
 
-// Indices of refraction, and k of metals: "glass-BK7", "metal-Cu-eta", ... None: no such name. Brass (CuZn), which we
-// have no measurements of, is copper, and isStandIn is then set.
+// Indices of refraction, and k of metals: "glass-BK7", "metal-Cu-eta", ... None for any other name. isStandIn is set
+// for brass (CuZn), for which copper is returned, because we have no measurements of it.
 std::optional<std::vector<SpectrumSample>> namedIndex(const std::string& name, bool& isStandIn);
 
 }  // namespace drc::pbrt

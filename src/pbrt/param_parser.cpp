@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\n\r";
 
-// What a colour is of. Indices of refraction and the like are numbers for each of red, green and blue, and no colours.
+// The meaning of a colour. Indices of refraction and the like are three numbers for red, green and blue, not a colour.
 enum class ColorUse { Light, Reflectance, Index };
 
 ColorUse useOf(const std::string& param, const ColorRules& rules) {
@@ -66,7 +66,7 @@ class ParamParser {
         }
         for (;;) {
             const Token& token = tokens_.peek();
-            // An array does not go on in another file: its bracket was forgotten.
+            // An array cannot continue in another file, so its closing bracket is missing.
             if (token.kind == TokenKind::End || token.pos.source != first.pos.source)
                 fail(first.pos,
                      "unterminated '[': the file ends before the ']' of parameter '" + param_.name + "' of " + owner_);
@@ -151,7 +151,7 @@ class ParamParser {
             param_.colors.push_back(blackbodyToRgb(float(n[i])) * float(n[i + 1]));
     }
 
-    // A colour of the file's own space.
+    // Converts from the file's colour space.
     Rgb fromSpace(const Rgb& c) const {
         if (rules_.dialect == Dialect::V3 || rules_.space == &ColorSpace::srgb()) return c;
         switch (useOf(param_.name, rules_)) {
@@ -165,7 +165,7 @@ class ParamParser {
         return c;
     }
 
-    // pbrt-v4 divides what a spectrum makes lights emit by its luminance.
+    // pbrt-v4 normalises spectra of lights to a luminance of one.
     Rgb scaled(const Rgb& c) const { return rules_.dialect == Dialect::V4 && rules_.isLight ? atUnitLuminance(c) : c; }
 
     Rgb colorOf(std::vector<SpectrumSample> samples) const {

@@ -1,4 +1,4 @@
-// Reads a directive's parameter list:  "type name" value-or-[values]  "type name" ...
+// Parses a directive's parameter list:  "type name" value-or-[values]  "type name" ...
 #pragma once
 #include <string>
 
@@ -10,24 +10,24 @@
 
 namespace drc::pbrt {
 
-// How what a file says of a colour becomes linear RGB.
+// How colours of a file are converted to linear RGB.
 struct ColorRules {
     Dialect dialect = Dialect::V3;
-    // The rest is pbrt-v4's. Colours of lights are told from those of surfaces: an "rgb" of light is the colour of it,
-    // a spectrum or a temperature gives the colour alone, with a luminance of one.
+    // For pbrt-v4 only. Colours of lights are treated differently from those of surfaces: an "rgb" of a light is its
+    // radiance, whereas a spectrum or temperature only gives the chromaticity, with a luminance of one.
     const ColorSpace* space = &ColorSpace::srgb();  // of "rgb"
     bool isLight = false;
 };
 
-// Reads for as long as quoted strings follow. owner ("shape 'sphere'") and pos are the directive's, for messages.
-// files finds the spectra that parameters name. Throws Error at whatever is malformed.
+// Parses as long as quoted strings follow. owner ("shape 'sphere'") and pos are those of the directive, for messages.
+// files finds the spectra that parameters name. Throws Error at malformed input.
 ParamSet parseParams(TokenStream& tokens, const std::string& owner, const SourcePos& pos, const FileSearch& files,
                      const ColorRules& rules = {});
 
-// The two words of a declaration, "type name"; empty if they are missing.
+// The two words of a declaration "type name"; empty if they are missing.
 struct ParamName {
     std::string type, name;
-    bool hasMore = false;  // there is a third word
+    bool hasMore = false;  // whether there is a third word
 };
 ParamName paramNameOf(const std::string& declaration);
 

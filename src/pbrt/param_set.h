@@ -1,4 +1,4 @@
-// The typed parameters of one directive, with the places where they were written.
+// The typed parameters of one directive, with their positions in the file.
 #pragma once
 #include <initializer_list>
 #include <map>
@@ -20,36 +20,36 @@ struct Param {
     std::string name;
     SourcePos pos;       // of the declaration
     SourcePos valuePos;  // of the first value
-    // Exactly one of these has the values, as `type` says: numbers for floats, integers, points, vectors and normals
-    // (their components in a row), strings for strings and textures.
+    // Exactly one of these has the values, depending on `type`: numbers for floats, integers, points, vectors and
+    // normals (as consecutive components), strings for strings and textures.
     std::vector<double> numbers;
     std::vector<std::string> strings;
     std::vector<bool> bools;
     std::vector<Rgb> colors;  // rgb, xyz, blackbody and spectrum, converted
-    bool inherited = false;   // from pbrt-v4's Attribute: may be meant for others
+    bool inherited = false;   // from pbrt-v4's Attribute, which may be meant for other directives
     mutable bool used = false;
 
-    // Of type's units: points, not coordinates.
+    // The number of values of `type`: points, not their coordinates.
     size_t count() const;
 };
 
-// Each getter marks the parameter as used, returns the default where there is none, and throws Error, at the
-// parameter, if it is there with another type or not with exactly one value.
+// Each getter marks the parameter as used, and returns the default if there is none. It throws Error at the parameter
+// if it has another type or not exactly one value.
 class ParamSet {
   public:
     ParamSet() = default;
-    // owner is for messages: "material 'matte'".
+    // owner is used in messages: "material 'matte'".
     ParamSet(std::string owner, const SourcePos& pos) : owner_(std::move(owner)), pos_(pos) {}
 
-    // One of the same name and type is replaced, as in pbrt.
+    // Replaces a parameter of the same name and type, as in pbrt.
     void add(Param param);
-    // In place of all of that name, whatever their type.
+    // Replaces all parameters of that name, whatever their type.
     void replace(Param param);
-    // What the set does not name itself. Nobody need look these up.
+    // Adds the defaults that the set does not have itself. Unused ones give no warning.
     void inherit(const ParamSet& defaults);
 
     float getFloat(std::string_view name, float fallback) const;
-    // Throw Error, at the parameter, for a value below the bound or no number. The fallback must be within it.
+    // Throw Error at the parameter for values below the bound or NaN. The fallback must satisfy the bound.
     float getPositiveFloat(std::string_view name, float fallback) const;
     float getNonNegativeFloat(std::string_view name, float fallback) const;
     int getInt(std::string_view name, int fallback) const;
@@ -60,11 +60,11 @@ class ParamSet {
 
     // Any number of values; null if there is no such parameter. Throws Error if it has none of these types.
     const Param* find(std::string_view name, std::initializer_list<ParamType> types) const;
-    // The same, but a parameter of another type counts as none and no error: it is meant for somebody else.
+    // The same, but a parameter of another type is ignored, since it is meant for something else.
     const Param* findIfTyped(std::string_view name, std::initializer_list<ParamType> types) const;
     bool has(std::string_view name) const;
 
-    // Which parameters were asked for, there or not: what whoever uses the set knows.
+    // Which parameters have been looked up, whether they are there or not: the names that the directive knows.
     struct Known {
         std::map<std::string, std::optional<ParamType>, std::less<>> types;  // none: accepted without effect
         bool anything = false;                                               // ignoreAll() was called
@@ -72,13 +72,13 @@ class ParamSet {
     // From now on, look-ups are noted there.
     void noteLookups(Known& known) { known_ = &known; }
 
-    // Accepts without effect.
+    // Accepts these parameters, which have no effect.
     void ignore(std::initializer_list<std::string_view> names) const;
-    // Accepts with the warning that it is not supported yet.
+    // Accepts these parameters with a warning that they are not supported yet.
     void notBuilt(std::initializer_list<std::string_view> names) const;
-    // Accepts everything, for what is not built as a whole.
+    // Accepts all parameters, for directives that are not supported.
     void ignoreAll() const;
-    // One warning for each parameter that nobody looked up.
+    // Warns of each parameter that was never read.
     void warnUnused() const;
     size_t unusedCount() const;
 
@@ -98,11 +98,11 @@ class ParamSet {
     Known* known_ = nullptr;
 };
 
-// "float", "rgb", "point3", ...; none: no such type.
+// The type named "float", "rgb", "point3", ...; none for any other name.
 std::optional<ParamType> paramTypeNamed(std::string_view typeName);
-// For messages: what a user writes for this type.
+// The type as a user writes it, for messages.
 std::string describe(ParamType type);
-// Numbers to one value; 1 where values are not numbers.
+// Numbers per value; 1 for types that are not numeric.
 size_t componentsOf(ParamType type);
 
 Vec2 vec2At(const std::vector<double>& numbers, size_t index);

@@ -26,7 +26,7 @@ void Parser::directive(const Token& word) {
 }
 
 void Parser::endImports() {
-    tokens_.peek();  // leaves the files that have ended
+    tokens_.peek();  // leaves files that have ended
     while (!imports_.empty() && tokens_.depth() < imports_.back().depth) {
         builder_.endBlock("Import", imports_.back().pos);
         imports_.pop_back();

@@ -1,4 +1,4 @@
-// Reads a scene's directives one after the other and has the scene built.
+// Reads the directives of a scene in order and builds the scene.
 #pragma once
 #include <memory>
 
@@ -13,13 +13,13 @@ namespace drc::pbrt {
 class Parser {
   public:
     explicit Parser(std::shared_ptr<const Source> main);
-    // In the dialect that the file is written in. To be called once.
+    // Parses in the dialect of the file. To be called once.
     std::unique_ptr<Scene> parse(const LoadOptions& options);
 
   private:
     Parser(std::shared_ptr<const Source> main, const FileSearch& files);
     void directive(const Token& word);
-    // Ends the blocks of imported files that have been left.
+    // Ends the blocks of imported files that have ended.
     void endImports();
 
     TokenStream tokens_;
@@ -27,10 +27,10 @@ class Parser {
     DialectFinding dialect_;
     SceneBuilder builder_;
     struct Import {
-        size_t depth;  // of files while it is read
+        size_t depth;  // include depth while it is read
         SourcePos pos;
     };
-    std::vector<Import> imports_;  // those still open
+    std::vector<Import> imports_;  // those that have not ended
     bool worldEnded_ = false;
 };
 

@@ -105,13 +105,13 @@ class HeaderParser {
         header_.elements.back().properties.push_back(std::move(property));
     }
 
-    // A header that lies must not make us reserve memory for it.
+    // Rejects element counts that the file cannot contain, before memory is allocated for them.
     void checkSize() {
         uint64_t left = file_.size() - at_;
         for (const PlyElement& element : header_.elements) {
             const uint64_t size = element.minimumSize(header_.format);
             if (size == 0 && element.count > 0) fail("has an element '" + element.name + "' without properties");
-            // The last ASCII value needs no blank after it.
+            // The last ASCII value need not be followed by a blank.
             const uint64_t slack = header_.format == PlyFormat::Ascii ? 1 : 0;
             if (element.count > 0 && element.count > (left + slack) / size)
                 fail("is cut short: it promises " + std::to_string(element.count) + " of '" + element.name +

@@ -1,4 +1,4 @@
-// The header of a PLY file: what elements follow, with which properties, in which encoding.
+// The header of a PLY file: its elements with their properties, and the encoding.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -13,26 +13,26 @@ size_t sizeOf(PlyType type);
 
 struct PlyProperty {
     std::string name;
-    PlyType type = PlyType::Float32;  // of the value, or of a list's items
+    PlyType type = PlyType::Float32;  // of the value, or of the items of a list
     bool isList = false;
-    PlyType countType = PlyType::UInt8;  // of a list's length
+    PlyType countType = PlyType::UInt8;  // of the length of a list
 };
 
 struct PlyElement {
     std::string name;
     uint64_t count = 0;
     std::vector<PlyProperty> properties;
-    // Bytes that one takes at least: a list may be empty, an ASCII value is a digit and a blank.
+    // Minimum size of an element in bytes: lists may be empty, and an ASCII value takes a digit and a blank.
     uint64_t minimumSize(PlyFormat format) const;
 };
 
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    size_t dataOffset = 0;  // of the first byte after the header
+    size_t dataOffset = 0;  // offset of the first byte after the header
 };
 
-// Throws Error "path: ..." for a header that is malformed, or that promises more than the file can hold.
+// Throws Error "path: ..." for a header that is malformed, or that promises more data than the file has.
 PlyHeader parsePlyHeader(std::string_view file, const std::string& path);
 
 }  // namespace drc::pbrt

@@ -24,7 +24,7 @@ static_assert(std::endian::native == std::endian::little, "BinaryValues swaps by
     throw Error({path, 0, 0}, "the PLY file " + what);
 }
 
-// Both kinds of values offer next(type): the value, as a double, which holds every PLY type exactly.
+// Both classes of values offer next(type), which returns the value as a double; a double holds every PLY type exactly.
 template <bool kSwap>
 class BinaryValues {
   public:
@@ -52,7 +52,7 @@ class BinaryValues {
         }
         return 0;
     }
-    // Most values that a list of n items can still have.
+    // Maximum number of values that the file still has.
     uint64_t left(PlyType type) const { return uint64_t(end_ - at_) / sizeOf(type); }
 
   private:
@@ -101,11 +101,12 @@ class AsciiValues {
     const std::string& path_;
 };
 
-// What a vertex property is for: an index into x y z nx ny nz u v, or kSkip.
+// The meaning of a vertex property: an index into x y z nx ny nz u v, or kSkip.
 constexpr int kNormal = 3, kUv = 6, kSlots = 8, kSkip = kSlots;
 using SlotNames = std::array<std::string_view, kSlots>;
 
-// By what names a file calls these. It may have several pairs of texture coordinates; pbrt takes them in this order.
+// The property names that this file uses. It may have several pairs of texture coordinates, of which pbrt takes the
+// first in this order.
 SlotNames slotNamesFor(const PlyElement& vertex) {
     const auto has = [&](std::string_view name) {
         return std::any_of(vertex.properties.begin(), vertex.properties.end(),
@@ -123,7 +124,7 @@ SlotNames slotNamesFor(const PlyElement& vertex) {
     return names;
 }
 
-// So many vertices or indices are read before a claim is told of them.
+// Number of vertices or indices that are read between two calls of MemoryClaim::taken().
 constexpr size_t kTakenTogether = size_t(1) << 16;
 
 template <typename Values>
@@ -168,7 +169,7 @@ class MeshReader {
         std::array<bool, kSlots + 1> present{};
         for (const PlyProperty& property : element.properties) {
             const int slot = property.isList ? kSkip : slotOf(property.name);
-            // The second of two of the same name is skipped.
+            // If two properties have the same meaning, the second one is skipped.
             slots.push_back(present[size_t(slot)] ? kSkip : slot);
             present[size_t(slot)] = true;
         }
@@ -220,7 +221,7 @@ class MeshReader {
     void readCorners(const PlyProperty& property) {
         const uint64_t n = listLength(property);
         if (n < 3) {
-            // No surface, and pbrt leaves it out, too.
+            // A degenerate face, which pbrt drops as well.
             for (uint64_t i = 0; i < n; ++i) values_.next(property.type);
             ++emptyFaces_;
             return;
@@ -231,7 +232,7 @@ class MeshReader {
         addTriangle(first, second, previous);
         for (uint64_t i = 3; i < n; ++i) {
             const uint32_t next = corner(property.type);
-            // In pbrt's order of corners: they carry the texture coordinates of a mesh that has none.
+            // In pbrt's order of corners, which determines the texture coordinates of meshes that have none.
             addTriangle(next, first, previous);
             previous = next;
         }
@@ -242,7 +243,7 @@ class MeshReader {
         mesh_.indices.reserve(count);
     }
 
-    // A list of small numbers becomes twelve times as many bytes of triangles.
+    // A list of small integers becomes up to twelve times as many bytes of triangles.
     void addTriangle(uint32_t a, uint32_t b, uint32_t c) {
         std::vector<uint32_t>& indices = mesh_.indices;
         if (indices.capacity() - indices.size() < 3) reserveIndices(2 * indices.capacity() + 3);
@@ -273,7 +274,7 @@ class MeshReader {
     Values values_;
     const std::string& path_;
     TriangleMesh mesh_;
-    std::optional<MemoryClaim> indexMemory_;  // for what mesh_.indices has room for, while they are read
+    std::optional<MemoryClaim> indexMemory_;  // for the capacity of mesh_.indices while the file is read
     uint64_t emptyFaces_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Triangle meshes from PLY files: ASCII and binary of either byte order, compressed by gzip or not.
+// Reads triangle meshes from PLY files: ASCII and binary of either byte order, optionally gzipped.
 #pragma once
 #include <string>
 
@@ -6,10 +6,10 @@
 
 namespace drc::pbrt {
 
-// Positions x y z; normals nx ny nz and texture coordinates (u v, s t, texture_u texture_v or texture_s texture_t) if
-// the file has them; other properties and elements are skipped. Faces of more than three corners become fans; those of
-// fewer are left out with a warning. Nothing is transformed. Throws Error "path: ..." for a file that is missing,
-// malformed or cut short, or whose faces name vertices that are not there.
+// Reads positions x y z, and normals nx ny nz and texture coordinates (u v, s t, texture_u texture_v or texture_s
+// texture_t) if the file has them. Other properties and elements are skipped. Faces with more than three corners become
+// triangle fans; faces with fewer are dropped with a warning. Nothing is transformed. Throws Error "path: ..." if the
+// file is missing, malformed or truncated, or if faces have invalid vertex indices.
 TriangleMesh readPly(const std::string& path);
 
 }  // namespace drc::pbrt

@@ -109,7 +109,7 @@ TEST_F(PlyReader, TextureCoordinatesUnderAllNames) {
     EXPECT_EQ(readWith(four("s", "t", "a", "b")).uvs.at(0), Vec2(1, 2));
     EXPECT_EQ(readWith(four("a", "texture_u", "b", "texture_v")).uvs.at(0), Vec2(2, 4));
     EXPECT_EQ(readWith(four("texture_t", "texture_s", "a", "b")).uvs.at(1), Vec2(6, 5));
-    // Of several pairs the one that pbrt looks for first, wherever it stands; one of a pair is none.
+    // Of several pairs, pbrt's preferred one is taken, wherever it is in the file. An incomplete pair is ignored.
     EXPECT_EQ(readWith(four("s", "t", "u", "v")).uvs.at(0), Vec2(3, 4));
     EXPECT_EQ(readWith(four("u", "s", "a", "t")).uvs.at(0), Vec2(2, 4));
     EXPECT_TRUE(readWith(four("u", "t", "a", "b")).uvs.empty());
@@ -126,7 +126,7 @@ TEST_F(PlyReader, FacesOfAnyNumberOfCorners) {
     EXPECT_EQ(mesh.positions[0], Vec3(3, 2, 1));
     EXPECT_EQ(mesh.positions[1], Vec3(6, 5, 4));
     EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2, 3, 0, 2, 4, 0, 3, 4, 3, 2, 1, 4, 2, 0, 1, 2));
-    EXPECT_EQ(warningCount(), 1);  // the face of two corners is left out
+    EXPECT_EQ(warningCount(), 1);  // for the face of two corners, which is dropped
 }
 
 TEST_F(PlyReader, CutShortAnywhereIsAnError) {

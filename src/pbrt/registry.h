@@ -1,4 +1,4 @@
-// The form of every table of named things that a scene can ask for: shapes, materials, textures, ...
+// Tables of the types that a scene may name: shapes, materials, textures, ...
 #pragma once
 #include <span>
 #include <string>
@@ -10,15 +10,16 @@
 
 namespace drc::pbrt {
 
-// Make is a function pointer; null: pbrt knows the name, and we have not built the thing.
+// Make is a function pointer; null for types that pbrt has and DRC does not support.
 template <typename Make>
 struct Registered {
     std::string_view name;
     Make make;
 };
 
-// The maker of that name. Throws Error at pos for a name that pbrt does not know either; for one that is not built,
-// warns with the consequence ("the shape is left out") and returns null. kind is for messages: "shape".
+// Finds the factory function of a type. Throws Error at pos for types that are not in the table. For types that are not
+// supported it warns, stating the consequence ("the shape is left out"), and returns null. kind is used in messages:
+// "shape".
 template <typename Make>
 Make findMaker(std::span<const Registered<Make>> table, const std::string& kind, const std::string& name,
                const SourcePos& pos, const std::string& consequence) {

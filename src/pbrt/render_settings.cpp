@@ -25,11 +25,11 @@ void applySampler(const std::string& type, const ParamSet& params, RenderSetting
     } else {
         settings.samplesPerPixel =
             positiveOf(params, "pixelsamples", type == "random" ? 4 : 16, limits::kSamplesPerPixel);
-        // As in pbrt: these are good at powers of two alone.
+        // As in pbrt, the count is rounded up to a power of two, for which these samplers work best.
         if (type != "random" && type != "halton")
             settings.samplesPerPixel = int(std::bit_ceil(unsigned(settings.samplesPerPixel)));
     }
-    // How the samples are laid out is ours to choose.
+    // The sampling pattern is chosen by the renderer.
     params.ignore({"dimensions", "jitter", "samplepixelcenter"});
     params.warnUnused();
     logDebug("sampler '" + type + "': Owen-scrambled Sobol points are used, as for every sampler");

@@ -1,4 +1,4 @@
-// Film, sampler, filter and integrator as scene files write them.
+// Film, sampler, filter and integrator in scene files.
 #include "pbrt/render_settings.h"
 
 #include <gmock/gmock.h>
@@ -43,7 +43,7 @@ TEST(RenderSettings, FiltersHavePbrtsDefaults) {
     const float edge = std::exp(-8.f);  // alpha 2 at radius 2
     const auto gaussian = filter("\"gaussian\"");
     EXPECT_NEAR(gaussian->eval(Vec2(1, 0)) / gaussian->eval(Vec2(0, 0)), (std::exp(-2.f) - edge) / (1 - edge), 1e-6);
-    // B = C = 1/3: 16/18 in the middle, 1/18 halfway out.
+    // B = C = 1/3: 16/18 at the centre, 1/18 halfway to the edge.
     const auto mitchell = filter("\"mitchell\"");
     EXPECT_NEAR(mitchell->eval(Vec2(1, 0)) / mitchell->eval(Vec2(0, 0)), 1 / 16.f, 1e-5);
     EXPECT_NE(filter("\"mitchell\" \"float B\" 0 \"float C\" .5")->eval(Vec2(1, 0)), mitchell->eval(Vec2(1, 0)));
@@ -57,7 +57,7 @@ TEST(RenderSettings, Film) {
     EXPECT_THAT(errorOfOptions("Film \"image\" \"float diagonal\" 0"), HasSubstr("must be positive"));
     EXPECT_THAT(errorOfOptions("Film \"image\" \"float scale\" -1"), HasSubstr("must not be negative"));
     EXPECT_THAT(errorOfOptions("Film \"image\" \"float maxsampleluminance\" 0"), HasSubstr("must be positive"));
-    // The resolution alone is overridden.
+    // Only the resolution is overridden.
     const auto scene =
         loadPbrtString("Film \"image\" \"float diagonal\" 10 WorldBegin WorldEnd", ".", {FilmGeometry{40, 30}});
     EXPECT_EQ(scene->settings.film.diagonal, 10);

@@ -14,7 +14,8 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
         warn(params.pos(), "film '" + type + "' is not supported yet; the picture is written as film 'rgb' has it");
     applyFrame(params, settings);
     applyPixelBounds(params, settings);
-    // pbrt multiplies by the time that the shutter is open, too: see the camera. Its first versions had that here.
+    // pbrt also multiplies by the exposure time, see exposureTimeV4(). In its first versions it was a parameter of the
+    // film.
     settings.filmScale = params.getPositiveFloat("iso", 100) / 100 * params.getPositiveFloat("exposuretime", 1);
     const std::string sensor = params.getString("sensor", "cie1931");
     if (sensor != "cie1931")
@@ -23,7 +24,7 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
     if (params.getFloat("whitebalance", 0) != 0)
         warn(params.find("whitebalance", {ParamType::Float})->pos,
              "parameter 'whitebalance' of " + params.owner() + " is not supported yet; the picture is not balanced");
-    // White of that value: what is brighter in one channel alone is cut a little later than by pbrt.
+    // Applied to luminance, so a sample that is bright in one channel only is clamped slightly later than in pbrt.
     settings.maxSampleLuminance = params.getPositiveFloat("maxcomponentvalue", kInfinity);
     params.ignore({"savefp16"});
     if (type == "gbuffer") params.ignore({"coordinatesystem"});

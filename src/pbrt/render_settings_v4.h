@@ -1,4 +1,4 @@
-// Film, Sampler and Integrator of pbrt-v4, as render_settings.h has those of pbrt-v3.
+// Film, Sampler and Integrator of pbrt-v4; the counterpart of render_settings.h.
 #pragma once
 #include <string>
 

@@ -165,7 +165,7 @@ void SceneBuilder::attribute(const std::string& target, const ParamSet& params, 
     const std::vector<std::string_view> targets = {"light", "material", "medium", "shape", "texture"};
     if (std::find(targets.begin(), targets.end(), target) == targets.end())
         fail(pos, "unknown target '" + target + "' of Attribute" + suggestion(target, targets));
-    // The last of each name counts.
+    // If a name occurs several times, the last one counts.
     ParamSet all = params;
     std::shared_ptr<const ParamSet>& shared = state_.attributes[target];
     if (shared) all.inherit(*shared);
@@ -239,7 +239,7 @@ void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
 
 void SceneBuilder::shape(const std::string& type, ParamSet params) {
     params = completed("shape", std::move(params));
-    const bool moves = state_.ctm.isAnimated();  // then its instance has the transformation
+    const bool moves = state_.ctm.isAnimated();  // if so, the transformation is applied by an instance
     const ShapeContext context{
         params,   state_.textures, files_, moves ? Transform() : state_.ctm.start(), state_.reverseOrientation,
         dialect_, curvePiecesLeft_};
@@ -331,7 +331,7 @@ void SceneBuilder::loadMeshes(const LoadOptions& options) {
                                     "are made; use fewer levels",
                                     subdivided, options.subdividedTriangles));
     }
-    // Kept by place, so that of several errors the first in the file is reported whatever thread was first.
+    // Errors are stored by position, so that the first one in the file is reported, whichever thread found one first.
     std::vector<std::exception_ptr> errors(pending_.size());
     parallelFor(0, int(pending_.size()), 1, [&](int begin, int end) {
         for (int k = begin; k < end; ++k) {
@@ -342,7 +342,7 @@ void SceneBuilder::loadMeshes(const LoadOptions& options) {
             } catch (...) {
                 errors[size_t(k)] = std::current_exception();
             }
-            p.geometry.loadMesh = nullptr;  // frees what it owns
+            p.geometry.loadMesh = nullptr;  // frees the data that it owns
         }
     });
     for (size_t i = 0; i < errors.size(); ++i) {
@@ -369,7 +369,7 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     make_.integrator(integrator_.type, integrator_.params, settings);
     if (dialect_ == Dialect::V4) {
         settings.filmScale *= exposureTimeV4(camera_.params);
-        settings.maxSampleLuminance /= settings.filmScale;  // the limit is one of the exposed picture
+        settings.maxSampleLuminance /= settings.filmScale;  // the limit applies to the exposed picture
     }
     if (options.resolution) {
         settings.film.width = options.resolution->width;

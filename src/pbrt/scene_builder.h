@@ -1,4 +1,4 @@
-// What the directives do: each changes the graphics state or adds to the scene. Knows nothing of tokens.
+// Executes directives: each changes the graphics state or adds to the scene. Independent of tokens and files.
 #pragma once
 #include <map>
 #include <memory>
@@ -17,24 +17,24 @@
 
 namespace drc::pbrt {
 
-// Every pos is the directive's, for messages. All throw Error for what is wrong and cannot be mended with a warning.
+// Every pos is that of the directive, for messages. All functions throw Error for faults that a warning cannot excuse.
 class SceneBuilder {
   public:
     SceneBuilder(const FileSearch& files, Dialect dialect);
 
-    // Pieces that the curves to come may be cut into.
+    // Maximum number of pieces into which all further curves may be split.
     void limitCurves(size_t pieces) { curvePiecesLeft_ = pieces; }
 
-    // Transformations. apply multiplies the current one from the right.
+    // Transformations. apply() multiplies the current transformation from the right.
     void apply(const Transform& t, const SourcePos& pos);
     void setTransform(const Transform& t, const SourcePos& pos);
     void setActiveTransforms(bool start, bool end);
-    // When the two current transformations hold.
+    // The times of the two current transformations.
     void transformTimes(float start, float end, const SourcePos& pos);
     void nameCoordinateSystem(const std::string& name);
     void useCoordinateSystem(const std::string& name, const SourcePos& pos);
 
-    // Before WorldBegin. The last of each counts.
+    // Before WorldBegin. If one is given several times, the last one counts.
     void camera(const std::string& type, ParamSet params);
     void film(const std::string& type, ParamSet params);
     void filter(const std::string& type, ParamSet params);
@@ -43,7 +43,7 @@ class SceneBuilder {
 
     bool inWorld() const { return worldBegin_.has_value(); }
     void worldBegin(const SourcePos& pos);
-    // Throws Error for blocks that are still open.
+    // Throws Error if blocks are still open.
     void worldEnd(const SourcePos& pos);
 
     // kind: "Attribute", "Transform", "Import".
@@ -53,10 +53,10 @@ class SceneBuilder {
     void objectEnd(const SourcePos& pos);
     void objectInstance(const std::string& name, const SourcePos& pos);
 
-    // pbrt-v4's. Throws Error for a target that does not exist.
+    // For pbrt-v4. Throws Error for unknown targets and colour spaces.
     void attribute(const std::string& target, const ParamSet& params, const SourcePos& pos);
     void colorSpace(const std::string& name, const SourcePos& pos);
-    // By which colours are to be read now.
+    // The rules by which colours are to be read at present.
     ColorRules colorRules(bool isLight) const;
 
     void reverseOrientation();
@@ -68,9 +68,9 @@ class SceneBuilder {
     void areaLight(const std::string& type, ParamSet params);
     void shape(const std::string& type, ParamSet params);
 
-    // Throws Error, at the end of the file, if the scene is cut short.
+    // Throws Error, at the end of the file, if the scene is incomplete.
     void checkComplete(const SourcePos& end) const;
-    // Loads the meshes and gives the scene away.
+    // Loads the meshes and returns the finished scene.
     std::unique_ptr<Scene> finish(const LoadOptions& options);
 
   private:
@@ -83,36 +83,36 @@ class SceneBuilder {
         std::string type;
         ParamSet params;
     };
-    // A primitive whose mesh is still to be loaded.
+    // A primitive whose mesh has not been loaded yet.
     struct PendingPrimitive {
         Primitive primitive;
         Geometry geometry;
         AreaLightBuilder areaLight;
-        std::optional<size_t> lightSlot;  // index into Scene::lights that is kept for areaLight
-        std::optional<size_t> object;     // index into Scene::objects; none: the scene itself
+        std::optional<size_t> lightSlot;  // index into Scene::lights that is reserved for areaLight
+        std::optional<size_t> object;     // index into Scene::objects; none for the scene itself
         SourcePos pos;
     };
 
-    // What moves within an object, in the object's space.
+    // A moving instance within an object, in the object's space.
     struct MovingPart {
         size_t object;
         AnimatedTransform motion;
     };
 
-    // The transformation for what cannot move: `what` and pos are those of what is being placed.
+    // The transformation for things that cannot move; `what` and pos are used in messages.
     const Transform& staticTransform(const std::string& what, const SourcePos& pos) const;
-    // What the current transformation does to `what`, which may move. Throws Error if that cannot be rendered.
+    // The current transformation for `what`, which may move. Throws Error if it cannot be rendered.
     AnimatedTransform motionOf(const std::string& what, const SourcePos& pos) const;
-    // The object for shapes that move with the current transformation, of which there is one instance: shapes that come
-    // after each other and move alike share it.
+    // The object for shapes that move with the current transformation; it has one instance. Consecutive shapes with the
+    // same motion share it.
     size_t movingObject(const std::string& shape, const SourcePos& pos);
     void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
-    // Adds curves to the ones just before them if they look alike: hair comes as a shape for each.
+    // Appends curves to the preceding ones if they are of the same type, because hair comes as one shape per curve.
     bool joinCurves(const PendingPrimitive& next);
     void pop(const std::string& kind, const SourcePos& pos);
     void loadMeshes(const LoadOptions& options);
 
-    // With what Attribute gives to things of that kind.
+    // The parameters, with those added that Attribute has set for this target.
     ParamSet completed(const std::string& target, ParamSet params) const;
 
     const FileSearch& files_;
@@ -132,7 +132,7 @@ class SceneBuilder {
     std::optional<size_t> openObject_;
     std::map<std::string, size_t> objects_;
     std::map<size_t, std::vector<MovingPart>> movingParts_;  // by index into Scene::objects
-    // The latest movingObject, the object that was open then, and the transformation.
+    // The last movingObject(), the object that was being defined at the time, and the transformation.
     struct MovingObject {
         size_t object;
         std::optional<size_t> within;

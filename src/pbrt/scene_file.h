@@ -1,4 +1,4 @@
-// Scenes from files of pbrt-v3 and pbrt-v4.
+// Loads scenes from pbrt-v3 and pbrt-v4 files.
 #pragma once
 #include <memory>
 #include <optional>
@@ -11,20 +11,20 @@
 namespace drc::pbrt {
 
 struct LoadOptions {
-    std::optional<FilmGeometry> resolution{};  // instead of the file's
-    // Parameters of film, sampler and integrator instead of the file's, each as in overrides.h.
+    std::optional<FilmGeometry> resolution{};  // overrides that of the file
+    // Parameters of film, sampler and integrator that override the file's, each as in overrides.h.
     std::vector<std::string> overrides{};
-    // That all subdivision surfaces together may come to.
+    // Maximum number of triangles of all subdivision surfaces together.
     double subdividedTriangles = limits::kSubdividedTriangles;
-    // That all curves together may be cut into.
+    // Maximum number of pieces of all curves together.
     size_t curvePieces = limits::kCurvePieces;
 };
 
-// Which of the two a file is written in is found out by its words (dialect_scan.h); -v says which, and by what.
-// Everything that the scene needs is read, and everything that can be wrong found out, before this returns. Throws
-// Error for what is malformed, missing or unknown; what pbrt knows and we have not built gives a warning.
+// The dialect is determined by the words of the file (dialect_scan.h); -v reports it and the deciding word. Everything
+// that the scene needs is read, and all faults are found, before this returns. Throws Error for input that is
+// malformed, missing or unknown. Features of pbrt that DRC does not support give a warning.
 std::unique_ptr<Scene> loadPbrtFile(const std::string& path, const LoadOptions& options = {});
-// The same for a text. Relative paths start in directory; messages call the text name.
+// The same for a text. Relative paths start in `directory`; messages call the text `name`.
 std::unique_ptr<Scene> loadPbrtString(const std::string& text, const std::string& directory = ".",
                                       const LoadOptions& options = {}, const std::string& name = "<string>");
 

@@ -17,7 +17,7 @@ using testing::StartsWith;
 
 const std::string kTriangle = "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point P\" [0 0 0  1 0 0  0 1 0]\n";
 
-// How many new warnings f causes.
+// Number of new warnings that f causes.
 template <typename F>
 int warningsOf(const F& f) {
     forgetWarnings();
@@ -275,7 +275,7 @@ TEST(SceneFiles, IncludeErrors) {
                 HasSubstr("open.pbrt:1:31: unterminated '['"));
 }
 
-// Every scene in a folder that is not part of the project: DRC_SHARED, or beside it.
+// Loads every scene of a folder outside the project (DRC_SHARED, or a folder beside the project).
 TEST(SceneFiles, SharedScenesLoadWithoutWarnings) {
     const char* variable = std::getenv("DRC_SHARED");
     const std::filesystem::path root = variable != nullptr ? variable : DRC_SOURCE_DIR "/../shared";

@@ -1,4 +1,4 @@
-// Scenes in pbrt-v4's words: what is read otherwise than in pbrt-v3's.
+// Scenes in pbrt-v4's format: what is interpreted differently from pbrt-v3's.
 #include <gmock/gmock.h>
 
 #include "base/log.h"
@@ -100,7 +100,7 @@ TEST(SceneFileV4, WhatIsKnownButNotBuiltIsNamed) {
               3);
     EXPECT_EQ(scene->primitives.size(), 1u);
     EXPECT_NE(scene->primitives[0].material, nullptr);
-    // What is left out need not be as pbrt-v3 has it either.
+    // Unsupported directives need not have valid parameters of pbrt-v3.
     EXPECT_EQ(errorOfWorldV4("MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"blackbody Le\" 6500"), "");
     EXPECT_THAT(errorOfOptions("Sampler \"sobl\""), HasSubstr("did you mean 'sobol'?"));
     EXPECT_THAT(errorOfOptions("Camera \"perspective\" \"float shutterclose\" 0"), HasSubstr("shutter"));
@@ -141,7 +141,7 @@ TEST(SceneFileV4, MaterialsAndTextures) {
                         "MakeNamedMaterial \"b\" \"string type\" \"diffuse\" \"float reflectance\" 0\n"
                         "Material \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25"),
                Rgb(.75f));
-    // A spectrum that is constant is grey, as seen by daylight.
+    // A constant spectrum is grey under daylight.
     expectNear(albedoOf("Material \"diffuse\" \"spectrum reflectance\" [400 .3 700 .3]"), Rgb(.3f));
     const std::string texture = "Texture \"t\" \"spectrum\" ",
                       use = "\nMaterial \"diffuse\" \"texture reflectance\" \"t\"";
@@ -179,7 +179,7 @@ TEST(SceneFileV4, ImageMaps) {
 }
 
 TEST(SceneFileV4, SolidTexturesLieInTheirOwnSpace) {
-    // Cubes of side 10: the point (1/4, ..) and its neighbour at (5, ..) lie in one. In pbrt-v3 they would have side
+    // Cubes of side 10 contain both the point (1/4, ..) and its neighbour at (5, ..). In pbrt-v3 their side would be
     // 1/10.
     const std::string board =
         "Scale 10 10 10 Texture \"t\" \"spectrum\" \"checkerboard\" \"integer dimension\" 3\n"
@@ -202,7 +202,7 @@ TEST(SceneFileV4, ColorSpaces) {
     expectNear(albedoOf("ColorSpace \"aces2065-1\" " + grey), Rgb(.5f), 1e-3f);
     expectNear(albedoOf("ColorSpace \"rec2020\" Material \"diffuse\" \"rgb reflectance\" [.5 .4 .3]"),
                Rgb(.5734f, .3884f, .2863f), 1e-3f);
-    // The space ends with its block.
+    // The colour space is restored at the end of its block.
     expectNear(albedoOf("AttributeBegin ColorSpace \"rec2020\" AttributeEnd Material \"diffuse\" \"rgb reflectance\" "
                         "[.5 .4 .3]"),
                Rgb(.5f, .4f, .3f));
@@ -212,7 +212,7 @@ TEST(SceneFileV4, ColorSpaces) {
             ->escaped(Vec3(0, 0, 1));
     };
     expectNear(sky("dci-p3"), Rgb(1.f), 1e-3f);
-    EXPECT_GT(sky("aces2065-1").x, 1.02f);  // its white is warmer
+    EXPECT_GT(sky("aces2065-1").x, 1.02f);  // its white point is warmer
     EXPECT_THAT(errorOfWorldV4("ColorSpace \"rec2002\""),
                 StartsWith("s.pbrt:2:12: unknown colour space 'rec2002'; did you mean 'rec2020'?"));
 }
@@ -248,7 +248,7 @@ TEST(SceneFileV4, BilinearMeshes) {
     EXPECT_EQ(one.area(0) + one.area(1), 6);
     for (uint32_t i = 0; i < 2; ++i) EXPECT_EQ(one.geometricNormal(i), Vec3(0, 0, 1));
     for (size_t i = 0; i < 4; ++i) EXPECT_EQ(one.uvs[i], Vec2(one.positions[i].x / 2, one.positions[i].y / 3));
-    // Patches that share vertices have each the whole of (u, v).
+    // Patches that share vertices must each cover the whole range of (u, v).
     const TriangleMesh& two = *scene->primitives[1].mesh;
     EXPECT_EQ(two.triangleCount(), 4u);
     EXPECT_EQ(two.uvs[two.indices[6]], Vec2(0, 0));
@@ -272,7 +272,7 @@ TEST(SceneFileV4, ImportsAreIncludesThatLeaveNothingBehind) {
     EXPECT_EQ(scene->primitives[1].mesh->positions[0].x, 0);
     EXPECT_FALSE(scene->primitives[1].mesh->flipNormal);
     EXPECT_NE(scene->primitives[0].material, scene->primitives[1].material);
-    // Includes leave everything.
+    // Unlike Import, Include leaves its changes of the graphics state in effect.
     EXPECT_EQ(loadWorldV4("Include \"part.pbrt\"\n" + kTriangle, folder.path())->primitives[1].mesh->positions[0].x, 1);
     folder.write("nested.pbrt", "Translate 0 1 0 Import \"part.pbrt\" " + kTriangle);
     EXPECT_EQ(loadWorldV4("Import \"nested.pbrt\" Import \"nested.pbrt\"", folder.path())->primitives.size(), 4u);

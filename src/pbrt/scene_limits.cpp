@@ -27,8 +27,8 @@ Affine affine(const Transform& t) {
     return m;
 }
 
-// Embree inverts placements in floats: cofactors over the determinant. Far from the inverse, or no numbers, if that
-// does not suffice.
+// The inverse as Embree computes it in floats, by cofactors over the determinant. It is far from the true inverse, or
+// not finite, if float precision does not suffice.
 Affine floatInverse(const Affine& m) {
     const Vec3 rows[3] = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
     const float scale = 1 / dot(m[0], rows[0]);
@@ -40,7 +40,7 @@ Affine floatInverse(const Affine& m) {
     return r;
 }
 
-// Whether rounding leaves something of that determinant: what its products and their sum lose is less than half of it.
+// Whether rounding errors of the determinant are less than half of its value.
 bool hasFloatDeterminant(const Affine& m) {
     float determinant = 0, products = 0;
     for (int i = 0; i < 3; ++i)
@@ -63,7 +63,7 @@ bool isUsable(const Transform& t) {
 }
 
 void checkPlacement(const AnimatedTransform& objectToWorld, const SourcePos& pos) {
-    constexpr int kMoments = 9;  // stretch is interpolated linearly
+    constexpr int kMoments = 9;  // between which the stretch is interpolated linearly
     for (int i = 0; i < (objectToWorld.isAnimated() ? kMoments : 1); ++i) {
         const Transform t = objectToWorld.at(float(i) / (kMoments - 1));
         const Affine placement = affine(t);

@@ -1,4 +1,4 @@
-// What the front end refuses although pbrt's format allows it, because no machine could render it: see limits.h.
+// Rejects what pbrt's format allows but no machine could render: see limits.h.
 #pragma once
 #include <memory>
 
@@ -9,17 +9,18 @@
 
 namespace drc::pbrt {
 
-// Takes floats to floats, and back.
+// Whether the transform and its inverse map finite floats to finite floats.
 bool isUsable(const Transform& t);
-// False also for what has no bounds: made of what is no number.
+// False also for bounds that are NaN.
 bool isWithinReach(const Bounds& bounds);
 
-// Of the texture that params describe, which asks for others at that cost. Throws Error if it is too much.
+// The cost of the texture that params describe, given the cost of the textures that it uses. Throws Error if it is too
+// large.
 std::shared_ptr<const TextureCost> costAbove(const TextureCost& others, const ParamSet& params);
-// Throws Error, at pos, if rays cannot be taken to the space of an object that is placed so: their coordinates must
-// stay below limits::kCoordinate there, and Embree finds the inverse in floats.
+// Throws Error at pos if rays cannot be transformed to the space of an object with this placement: their coordinates
+// must stay below limits::kCoordinate, and Embree must be able to invert the transform in floats.
 void checkPlacement(const AnimatedTransform& objectToWorld, const SourcePos& pos);
-// Throws Error, at pos, if what all things of this target ("shape") get a copy of is too much.
+// Throws Error at pos if Attribute gives too many values to each object of this target ("shape").
 void checkShared(const ParamSet& params, const std::string& target, const SourcePos& pos);
 
 }  // namespace drc::pbrt

@@ -1,4 +1,4 @@
-// Scenes that ask for more than any machine has, in few words: each is an error at its place, and at once.
+// Scenes that in few words ask for more than any machine has. Each must give an error at its place, without delay.
 #include <gmock/gmock.h>
 
 #include "base/log.h"
@@ -44,14 +44,15 @@ TEST(SceneLimits, AttributesThatEveryShapeGetsACopyOf) {
 }
 
 TEST(SceneLimits, TexturesOfTextures) {
-    // A chain, each of which scales the one before it under the same name.
+    // A chain of textures, each of which scales the previous one under the same name.
     const std::string first = "Texture \"t\" \"spectrum\" \"checkerboard\"\n";
     const std::string next = "Texture \"t\" \"spectrum\" \"scale\" \"texture tex1\" \"t\"\n";
     const std::string use = "Material \"matte\" \"texture Kd\" \"t\"\nShape \"sphere\"\n";
     EXPECT_EQ(errorOfWorld(first + repeated(next, 99) + use), "");
     EXPECT_THAT(errorOfWorld(first + repeated(next, 100) + use),
                 AllOf(StartsWith("s.pbrt:102:24: "), HasSubstr("is made of textures of textures, 101 deep")));
-    // One that uses the one before it twice doubles the lookups with each line; so may one of numbers and of colours.
+    // A texture that uses the previous one twice doubles the lookups with each line, for float and colour textures
+    // alike.
     const std::string twice =
         "Texture \"t\" \"float\" \"mix\" \"texture tex1\" \"t\" \"texture tex2\" \"t\" \"texture amount\" \"t\"\n";
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\"\n" + repeated(twice, 60)),
@@ -91,12 +92,12 @@ TEST(SceneLimits, ShapesBeyondWhatCanBeIntersected) {
     EXPECT_EQ(errorOfWorld("Shape \"sphere\" \"float radius\" 1e15"), "");
 }
 
-// Bounds do not tell of what is no number.
+// Comparisons with NaN are false, so bounds do not notice NaN.
 TEST(SceneLimits, CurvesThroughPointsThatAreNoNumbers) {
     const std::string large = "Scale 1e20 1e20 1e20 Shape \"curve\" \"float width\" 0 \"point P\" ";
     EXPECT_THAT(errorOfWorld(large + "[1e19 0 0 1e19 1e-5 0 1e19 2e-5 0 1e19 3e-5 1e-5]"),
                 StartsWith("s.pbrt:2:28: the shape 'curve' reaches farther from the origin than 1e18"));
-    // The first of its two segments is sound.
+    // The first of its two segments is valid.
     EXPECT_THAT(errorOfWorld(large + "[0 0 0 1e-20 0 0 0 1e-20 0 1e-20 1e-20 0 1e19 0 0 0 1e19 0 0 0 1e19]"),
                 HasSubstr("farther"));
     EXPECT_EQ(errorOfWorld(large + "[0 0 0 1e-20 0 0 0 1e-20 0 1e-20 1e-20 0]"), "");
@@ -109,7 +110,7 @@ TEST(SceneLimits, InstancesThatRaysCannotBeTakenTo) {
     EXPECT_EQ(errorOfWorld(object + "Scale 1e-8 1e-8 1e-8\nObjectInstance \"o\""), "");
 }
 
-// Embree inverts placements in floats, and ends the program at rays that are no numbers.
+// Embree inverts placements in floats, and aborts on rays with NaN coordinates.
 TEST(SceneLimits, PlacementsThatFloatsCannotInvert) {
     const std::string object = "ObjectBegin \"o\"\nShape \"sphere\"\nObjectEnd\n";
     const auto placed = [&](const std::string& placement) {
@@ -133,7 +134,7 @@ TEST(SceneLimits, MotionsThatFloatsCannotInvert) {
                 StartsWith("s.pbrt:3:7: an object may be made larger by a factor of 1e12 at most; where"));
     EXPECT_EQ(errorOfWorld(motion("Scale 1 500 1", "Rotate 90 1 2 0 Scale 1 1 500")), "");
     EXPECT_EQ(errorOfWorld(motion("Scale 1e-8 1e-8 1e-8", "Scale 1e8 1e8 1e8")), "");
-    // Turned by nothing or by a quarter, a part is stretched along its axes; aslant between.
+    // Rotated by 0 or 90 degrees, the part is stretched along its axes, but not between.
     const auto turning = [](const std::string& placement) {
         return "ObjectBegin \"o\"\nActiveTransform EndTime Rotate 90 0 0 1\nShape \"sphere\"\nObjectEnd\n"
                "Rotate 45 0 0 1 " +
@@ -143,7 +144,7 @@ TEST(SceneLimits, MotionsThatFloatsCannotInvert) {
     EXPECT_EQ(errorOfWorld(turning("Scale 1 500 1")), "");
 }
 
-// Each instance of an object of many moving parts places every one of them anew.
+// Each instance of an object with many moving parts places every one of them again.
 TEST(SceneLimits, InstancesOfManyMovingParts) {
     std::string object = "ObjectBegin \"o\"\nActiveTransform EndTime\n";
     object += repeated("Translate 1 0 0 Shape \"sphere\"\n", 1000) + "ObjectEnd\n";
@@ -162,7 +163,7 @@ TEST(SceneLimits, ShapesThatPromiseMoreThanTheyBring) {
                              "\"point P\" [0 0 0 1 0 0 0 1 0]"),
                 AllOf(StartsWith("s.pbrt:2:7: with this one, subdivision surfaces come to 1.15e+18 triangles"),
                       HasSubstr("use fewer levels")));
-    // Each of them is small.
+    // Each surface by itself is small.
     const std::string surface =
         "Shape \"loopsubdiv\" \"integer levels\" 12 \"integer indices\" [0 1 2] \"point P\" [0 0 0 1 0 0 0 1 0]\n";
     EXPECT_THAT(errorOfWorld(repeated(surface, 5)), StartsWith("s.pbrt:6:7: with this one, subdivision surfaces come"));

@@ -1,5 +1,5 @@
-// Scenes that blow up a few bytes into more than there is memory for: each is an error at its place. See
-// scene_limits_test.cpp for what no machine has.
+// Scenes in which a few bytes expand to more than the available memory. Each must give an error at its place.
+// scene_limits_test.cpp has scenes that no machine could render.
 #include <gmock/gmock.h>
 
 #include "base/memory_testing.h"
@@ -15,7 +15,7 @@ using testing::StartsWith;
 
 constexpr uint64_t kMiB = 1 << 20;
 
-// So thin that each segment is cut into as many pieces as one may have, 64.
+// So thin that each segment is split into the maximum of 64 pieces.
 const std::string kBent = "Shape \"curve\" \"float width\" 1e-6 \"point P\" [0 0 0  1 5 0  2 -5 1  3 0 0]\n";
 
 std::string errorWithPieces(const std::string& world, size_t pieces) {
@@ -28,7 +28,7 @@ TEST(SceneMemory, PiecesOfCurvesAreCounted) {
     EXPECT_THAT(errorWithPieces(kBent + kBent, 127),
                 StartsWith("s.pbrt:3:7: this curve is so thin and bent that it is cut into 64 pieces, "
                            "and 63 may be added to the scene's"));
-    // Whether they are kept together, as those that look alike are, or apart.
+    // Whether they are stored together, as curves of the same type are, or separately.
     EXPECT_THAT(errorWithPieces(kBent + "Material \"mirror\"\n" + kBent + kBent, 130), StartsWith("s.pbrt:5:7: "));
     EXPECT_EQ(errorWithPieces("Shape \"curve\" \"point P\" [0 0 0  1 0 0  2 0 0  3 0 0]\n", 1), "");
 }
@@ -43,7 +43,7 @@ TEST(SceneMemory, CurvesOfManyPieces) {
               HasSubstr(" are available")));
 }
 
-// Each is small, and they are kept together.
+// Each curve is small, and they are stored together.
 TEST(SceneMemory, ManyCurvesOfSomePieces) {
     std::string segments, shapes;
     for (int i = 0; i < 5; ++i) segments += "0 5 0  1 -5 1  2 0 0  ";
@@ -60,7 +60,7 @@ std::string subdividedSphere(int levels) {
            " \"point P\" [1 0 0 0 1 0 -1 0 0 0 -1 0 0 0 1 0 0 -1]\n";
 }
 
-// Subdividing alone would fit; what rays need of the triangles does not.
+// Subdividing alone would fit into memory, but not the acceleration structure of the triangles.
 TEST(SceneMemory, SubdivisionSurfaces) {
     const AddressSpaceLimit limit(256 * kMiB);
     EXPECT_THAT(errorOfWorld(subdividedSphere(9)),

@@ -15,7 +15,7 @@
 namespace drc::pbrt {
 namespace {
 
-// What all shapes have; Params is the parameter struct of one of them.
+// Sets the parameters that all shapes have; Params is the parameter struct of a shape.
 template <typename Params>
 Params placedParams(const ShapeContext& context) {
     Params p;
@@ -86,7 +86,7 @@ Geometry hyperboloid(const ShapeContext& context) {
         fail(params.pos(), "'p1' and 'p2' of a hyperboloid must differ in z: use a disk for a flat ring");
     if (p.p1.x == 0 && p.p1.y == 0 && p.p2.x == 0 && p.p2.y == 0)
         fail(params.pos(), "'p1' and 'p2' of a hyperboloid must not both lie on the z axis");
-    if (p.p2.z == 0) std::swap(p.p1, p.p2);  // as pbrt does, which turns v and the normals
+    if (p.p2.z == 0) std::swap(p.p1, p.p2);  // as in pbrt, which reverses v and the normals
     ShapePtr shape = makeHyperboloid(p);
     if (!shape)
         warn(params.pos(),
@@ -94,7 +94,7 @@ Geometry hyperboloid(const ShapeContext& context) {
     return {.shape = std::move(shape)};
 }
 
-// Null: opaque. Only a mask that is zero everywhere needs a texture when it is a number.
+// Null if opaque. A numeric mask needs a texture only if it is zero, that is, transparent everywhere.
 FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
     FloatTexturePtr mask = TextureParams(context.params, context.textures).scalarOrNull(name);
     return mask && mask->isConstant() && mask->eval({}) != 0 ? nullptr : mask;

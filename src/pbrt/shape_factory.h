@@ -1,4 +1,4 @@
-// Shapes. A new one is one entry in the table of shape_factory.cpp.
+// Creates shapes. A new shape is an entry in the table of shape_factory.cpp.
 #pragma once
 #include <functional>
 #include <memory>
@@ -22,24 +22,24 @@ struct ShapeContext {
     Transform objectToWorld;
     bool reverseOrientation = false;
     Dialect dialect = Dialect::V3;
-    size_t curvePieces = limits::kCurvePieces;  // that a curve may come to
+    size_t curvePieces = limits::kCurvePieces;  // maximum number of pieces of a curve
 };
 
 // Exactly one of shape and loadMesh is set.
 struct Geometry {
     ShapePtr shape{};
-    std::shared_ptr<Curves> curves{};  // if shape is curves, the same: those of several shapes can be made one
-    // Reads and transforms the mesh: slow, and to be called once, on any thread. Owns all that it needs.
+    std::shared_ptr<Curves> curves{};  // the same as `shape` if it is curves, so that several can be joined
+    // Reads and transforms the mesh. Slow; to be called once, on any thread. Owns everything that it needs.
     std::function<TriangleMeshPtr()> loadMesh{};
-    double subdivided = 0;                   // triangles that the mesh becomes by subdivision
-    FloatTexturePtr alpha{}, shadowAlpha{};  // of any shape: filled in by makeShape
+    double subdivided = 0;                   // number of triangles after subdivision
+    FloatTexturePtr alpha{}, shadowAlpha{};  // for all shapes; set by makeShape()
 };
 
-// None, with a warning, for what is not built. Throws Error for a type that pbrt-v3 does not know either and for wrong
-// parameters; a missing file is found here, a damaged one when the mesh is loaded. Leaves unknown parameters for the
-// material.
+// None, with a warning, for types that are not supported. Throws Error for types that pbrt-v3 does not have either, and
+// for wrong parameters. A missing file is reported here, a damaged one when the mesh is loaded. Unknown parameters are
+// left for the material.
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context);
-// pbrt-v4's, which may all have an alpha mask.
+// The counterpart for pbrt-v4, where all shapes may have an alpha mask.
 std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext& context);
 
 }  // namespace drc::pbrt

@@ -1,4 +1,4 @@
-// Shapes as a scene file writes them.
+// Shapes in scene files.
 #include "pbrt/shape_factory.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The only primitive of a world that must load without a warning.
+// The only primitive of a world, which must load without a warning.
 Primitive onlyPrimitive(const std::string& world) {
     forgetWarnings();
     const auto scene = loadWorld(world);
@@ -50,7 +50,7 @@ TEST(ShapeFactory, ReverseOrientationTurnsEveryShape) {
     }
 }
 
-// pbrt swaps the ends of a hyperboloid whose second one lies in the plane z = 0.
+// pbrt swaps the ends of a hyperboloid whose second end is in the plane z = 0.
 TEST(ShapeFactory, HyperboloidThatEndsAtZeroStartsThere) {
     const auto hit = [](const std::string& points) {
         Ray ray;
@@ -83,7 +83,7 @@ TEST(ShapeFactory, AlphaOfEveryShape) {
     for (const char* shape : {"sphere", "disk", "cylinder", "cone", "paraboloid", "hyperboloid"}) {
         const Primitive p = onlyPrimitive("Texture \"m\" \"float\" \"constant\" \"float value\" .5\nShape \"" +
                                           std::string(shape) + "\" \"texture alpha\" \"m\" \"float shadowalpha\" 0");
-        EXPECT_EQ(p.alpha, nullptr) << shape;  // a mask without a hole
+        EXPECT_EQ(p.alpha, nullptr) << shape;  // a mask that is opaque everywhere
         ASSERT_NE(p.shadowAlpha, nullptr) << shape;
         EXPECT_EQ(p.shadowAlpha->eval({}), 0) << shape;
     }
@@ -96,7 +96,8 @@ TEST(ShapeFactory, LoopSubdivision) {
     EXPECT_EQ(onlyPrimitive(octahedron).mesh->triangleCount(), 8u * 64);
     EXPECT_EQ(onlyPrimitive(octahedron + "\"integer nlevels\" 1 \"string scheme\" \"loop\"").mesh->triangleCount(),
               32u);
-    // As in pbrt, normals look against the winding; ReverseOrientation and mirrors count as for any mesh with normals.
+    // As in pbrt, normals point against the winding; ReverseOrientation and mirroring apply as for any mesh with
+    // normals.
     const auto outward = [&](const std::string& before) {
         const TriangleMeshPtr mesh = onlyPrimitive(before + octahedron).mesh;
         return dot(mesh->geometricNormal(0), mesh->positions[mesh->indices[0]]) > 0;
@@ -124,7 +125,7 @@ TEST(ShapeFactory, HeightField) {
                 HasSubstr("must be at least 2"));
 }
 
-// The control points of the pieces, one after the other.
+// The control points of all pieces in order.
 std::vector<Vec3> controlPoints(const Primitive& p) {
     std::vector<Vec3> points;
     for (const Curves::ControlPoint& c : p.shape->asCurves()->controlPoints()) points.push_back(c.p);
@@ -132,7 +133,7 @@ std::vector<Vec3> controlPoints(const Primitive& p) {
 }
 
 TEST(ShapeFactory, CurvesOfAllKinds) {
-    // Wide, so that each segment is one piece.
+    // Wide, so that each segment becomes a single piece.
     const std::string wide = "Shape \"curve\" \"float width\" 100 ";
     const std::string cubic = wide + "\"point P\" [0 0 0 1 3 0 2 3 0 3 0 0 4 -3 0 5 -3 0 6 0 0] ";
     const Primitive bezier = onlyPrimitive("Scale 2 2 2\n" + cubic + "\"integer splitdepth\" 2");
@@ -140,11 +141,12 @@ TEST(ShapeFactory, CurvesOfAllKinds) {
     EXPECT_EQ(controlPoints(bezier)[5], Vec3(8, -6, 0));
     EXPECT_EQ(bezier.shape->asCurves()->controlPoints()[5].radius, 100);
     EXPECT_EQ(bezier.shape->asCurves()->type(), CurveType::Flat);
-    // Degree two is the same curve as its elevation.
+    // A quadratic curve equals its degree elevation.
     const auto quadratic = controlPoints(onlyPrimitive(wide + "\"integer degree\" 2 \"point P\" [0 0 0 3 3 0 6 0 0]"));
     const Vec3 expected[4] = {Vec3(0, 0, 0), Vec3(2, 2, 0), Vec3(4, 2, 0), Vec3(6, 0, 0)};
     for (size_t i = 0; i < 4; ++i) EXPECT_LT(length(quadratic.at(i) - expected[i]), 1e-5f);
-    // B-splines: a segment begins at (p0 + 4 p1 + p2) / 6, or in the middle of p0 and p1 for degree two; segments join.
+    // A segment of a B-spline begins at (p0 + 4 p1 + p2) / 6, or for degree two halfway between p0 and p1. Segments
+    // join.
     const std::string spline = "\"string basis\" \"bspline\" \"point P\" [0 0 0 6 0 0 6 6 0 0 6 0 0 12 0]";
     const auto cubicSpline = controlPoints(onlyPrimitive(wide + spline));
     ASSERT_EQ(cubicSpline.size(), 8u);
@@ -164,7 +166,7 @@ TEST(ShapeFactory, CurveWidthsAndNormals) {
         "0 1 0]\n"
         "\"point P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0 5 0 0 6 0 0]");
     const Curves& curves = *ribbon.shape->asCurves();
-    ASSERT_EQ(curves.pieceCount(), 1u + 6u);  // where the normals turn, a piece for each 15 degrees
+    ASSERT_EQ(curves.pieceCount(), 1u + 6u);  // where the normals rotate, one piece per 15 degrees
     EXPECT_EQ(curves.controlPoints()[0].radius, 20);
     EXPECT_FLOAT_EQ(curves.controlPoints()[3].radius, 30);
     EXPECT_FLOAT_EQ(curves.controlPoints().back().radius, 40);

@@ -11,7 +11,7 @@
 namespace drc::pbrt {
 namespace {
 
-// Meshes are often written on one line of megabytes.
+// Meshes are often written as a single line of megabytes.
 constexpr size_t kExcerptWidth = 100;
 
 }  // namespace
@@ -74,7 +74,7 @@ std::string SourcePos::excerpt() const {
         const bool control = static_cast<unsigned char>(c) < 32 && c != '\t';
         if (c == '\r') continue;
         line += control ? '?' : c;
-        // Tabs are kept so that the caret stands right whatever their width; the later bytes of a character have none.
+        // Tabs are copied so that the caret is aligned whatever their width. Continuation bytes of UTF-8 have no width.
         if (i < at && (static_cast<unsigned char>(c) & 0xC0) != 0x80) marker += c == '\t' ? '\t' : ' ';
     }
     if (last < lineEnd) line += "...";

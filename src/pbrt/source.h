@@ -1,4 +1,4 @@
-// The text of a scene file, and places in it.
+// The text of a scene file, and positions in it.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -14,14 +14,14 @@
 
 namespace drc::pbrt {
 
-// One file, or a text in memory, that is being read. Lives as long as anything refers to places in it.
+// A file, or a text in memory, that is being read. Lives as long as any position in it is used.
 class Source {
   public:
-    // Maps the file, or unpacks it if gzip has compressed it. Throws Error if it cannot be read, or is larger than most
-    // bytes. `what` names the file in the message.
+    // Maps the file, or decompresses it if it is gzipped. Throws Error if it cannot be read or is larger than `most`
+    // bytes. `what` is used in messages.
     static std::unique_ptr<Source> fromFile(const std::string& path, const std::string& what = "scene file",
                                             uint64_t most = limits::kFileBytes);
-    // name stands for the file in messages; directory is where relative paths start.
+    // name is used in place of a file name; relative paths start in directory.
     static std::unique_ptr<Source> fromText(std::string text, std::string name, std::string directory);
 
     const std::string& name() const { return name_; }
@@ -30,7 +30,7 @@ class Source {
 
   private:
     friend struct SourcePos;
-    // The number of the line, from 0, that a byte is in, and where that begins.
+    // The number, from 0, of the line that contains a byte, and the offset where the line begins.
     struct Line {
         size_t number, start;
     };
@@ -38,25 +38,26 @@ class Source {
 
     std::string name_, directory_, text_;
     std::unique_ptr<MappedFile> file_;
-    // Where lines begin; made when first asked for. A file that deserves one warning often deserves thousands.
+    // Offsets of all lines, computed when first needed. A file that deserves one warning often deserves thousands.
     mutable std::vector<size_t> lineStarts_;
     mutable std::once_flag linesFound_;
 };
 
-// A byte in a source. Line and column are counted only when somebody asks, so that tokens are cheap.
+// A byte offset in a source. Line and column are computed only on demand, so that tokens are cheap.
 struct SourcePos {
     const Source* source = nullptr;
     size_t offset = 0;
 
     // Line and column count from 1; the column counts bytes.
     SourceLocation location() const;
-    // The line, cut to a readable length, and beneath it a caret.
+    // The line, shortened to a readable length, with a caret below it.
     std::string excerpt() const;
 };
 
 // Throws Error at pos, with an excerpt.
 [[noreturn]] void fail(const SourcePos& pos, const std::string& message);
-// What f returns. An Error of it that has no place in a file of its own (one that cannot be opened) is thrown at pos.
+// Returns what f returns. An Error from f without a position in a file of its own (such as a file that cannot be
+// opened) is thrown again at pos.
 template <typename F>
 auto placedAt(const SourcePos& pos, const F& f) -> decltype(f()) {
     try {
@@ -66,7 +67,7 @@ auto placedAt(const SourcePos& pos, const F& f) -> decltype(f()) {
         fail(pos, error.what());
     }
 }
-// The warning "file:line:column: warning: message".
+// Logs the warning "file:line:column: warning: message".
 void warn(const SourcePos& pos, const std::string& message);
 
 }  // namespace drc::pbrt

@@ -12,7 +12,7 @@
 namespace drc::pbrt {
 namespace {
 
-// Integral of spectrum(nm) against the observer. pbrt sums at every nanometre, and sharp spectra need no less.
+// Integral of spectrum(nm) times the CIE observer, in steps of one nanometre as in pbrt, which sharp spectra need.
 template <typename Spectrum>
 Rgb integrate(const Spectrum& spectrum) {
     double x = 0, y = 0, z = 0, norm = 0;
@@ -27,7 +27,7 @@ Rgb integrate(const Spectrum& spectrum) {
     return xyzToRgb(Vec3(float(x / norm), float(y / norm), float(z / norm)));
 }
 
-// Sorts the samples, and is then a function of the wavelength.
+// A piecewise linear function of wavelength from unsorted samples.
 class Interpolated {
   public:
     explicit Interpolated(std::vector<SpectrumSample> samples) : samples_(std::move(samples)) {

@@ -23,7 +23,7 @@ TEST(Cie, IntegralsAreEqual) {
     EXPECT_NEAR(z / y, 1, 1e-4);
 }
 
-// Equal energy has x = y = 1/3, which Rec. 709 shows as a warm white.
+// Equal energy has x = y = 1/3, which in Rec. 709 is a warm white.
 TEST(Spectrum, EqualEnergyWhite) { expectNear(spectrumToRgb({{500, 1}}), Rgb(1.205f, 0.948f, 0.909f), 2e-3f); }
 
 TEST(Spectrum, OrderDoesNotMatter) {
@@ -45,7 +45,7 @@ TEST(Spectrum, BlackbodyOfDaylightIsNearlyWhiteAndOfALampWarm) {
     EXPECT_EQ(blackbodyToRgb(0), Rgb(0.f));
 }
 
-// Chromaticities that the CIE gives: illuminant A is a black body of 2856 K.
+// Compares with the CIE's chromaticities; illuminant A is a black body of 2856 K.
 TEST(Spectrum, BlackbodyHasTheChromaticityOfPlancksLaw) {
     for (const auto& [kelvin, x, y] : {std::tuple(2856.f, 0.4476f, 0.4074f), std::tuple(6500.f, 0.3135f, 0.3237f),
                                        std::tuple(10000.f, 0.2807f, 0.2884f)}) {
@@ -54,7 +54,8 @@ TEST(Spectrum, BlackbodyHasTheChromaticityOfPlancksLaw) {
         EXPECT_NEAR(xyz.x / sum, x, 1e-3f) << kelvin;
         EXPECT_NEAR(xyz.y / sum, y, 1e-3f) << kelvin;
     }
-    // Scaled to a maximum of one: the most of it is seen if that lies where the eye is most sensitive, near 5200 K.
+    // With the maximum scaled to one, luminance is highest where the spectrum peaks near the eye's sensitivity, at
+    // about 5200 K.
     EXPECT_NEAR(luminance(blackbodyToRgb(5200)), 0.986f, 0.003f);
     EXPECT_LT(luminance(blackbodyToRgb(1500)), 0.1f);
 }

@@ -1,4 +1,4 @@
-// "did you mean ...?" for misspelt names.
+// "Did you mean ...?" for misspelt names.
 #pragma once
 #include <string>
 #include <string_view>
@@ -6,7 +6,7 @@
 
 namespace drc::pbrt {
 
-// "; did you mean 'x'?" with the candidate nearest to name, or "" if none is near.
+// "; did you mean 'x'?" with the candidate closest to name; "" if none is close.
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates);
 
 }  // namespace drc::pbrt

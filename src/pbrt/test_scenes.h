@@ -1,4 +1,4 @@
-// What the tests of the pbrt front end share.
+// Helpers for tests of the pbrt front end.
 #pragma once
 #include <memory>
 #include <string>
@@ -12,14 +12,14 @@ namespace drc::pbrt {
 inline std::string errorOfScene(const std::string& text, const std::string& directory = ".") {
     return errorOf([&] { loadPbrtString(text, directory, {}, "s.pbrt"); });
 }
-// The same for what stands between WorldBegin, on line 1, and WorldEnd; it begins on line 2.
+// The same for text between WorldBegin, on line 1, and WorldEnd. The text begins on line 2.
 inline std::string errorOfWorld(const std::string& text, const std::string& directory = ".") {
     return errorOfScene("WorldBegin\n" + text + "\nWorldEnd\n", directory);
 }
 inline std::unique_ptr<Scene> loadWorld(const std::string& text, const std::string& directory = ".") {
     return loadPbrtString("WorldBegin\n" + text + "\nWorldEnd\n", directory, {}, "s.pbrt");
 }
-// The same in pbrt-v4's words: between the film and WorldBegin, on line 1, and the end.
+// The same for pbrt-v4: between the film and WorldBegin, on line 1, and the end of the file.
 inline std::unique_ptr<Scene> loadWorldV4(const std::string& text, const std::string& directory = ".") {
     return loadPbrtString("Film \"rgb\" WorldBegin\n" + text + "\n", directory, {}, "s.pbrt");
 }

@@ -32,7 +32,7 @@ TexturePtr<T> part(const TextureRequest& request, std::string_view name, float f
         return request.params.color(name, Rgb(fallback));
 }
 
-// What stands for a texture that is not built.
+// The replacement for a texture that is not supported.
 template <typename T>
 TexturePtr<T> placeholder() {
     return std::make_shared<ConstantTexture<T>>(T(0.5f));
@@ -61,7 +61,7 @@ TexturePtr<T> scale(const TextureRequest& request) {
     return makeScaleTexture<T>(part<T>(request, "tex1", 1), part<T>(request, "tex2", 1));
 }
 
-// pbrt-v4's second factor is a number.
+// In pbrt-v4, the second factor is a number.
 template <typename T>
 TexturePtr<T> scaleV4(const TextureRequest& request) {
     const FloatTexturePtr factor = request.params.scalar("scale", 1);
@@ -104,8 +104,8 @@ TexturePtr<T> checkerboard(const TextureRequest& request) {
     return makeCheckerboardTexture<T>(a, b, mapping2DOf(request), edges);
 }
 
-// Both versions of pbrt hand the two over in the wrong order: "inside" is what lies around the dots. Scenes are made to
-// look right that way.
+// Both versions of pbrt exchange the two parameters by mistake: "inside" is the colour around the dots. Scenes are
+// tuned to that.
 template <typename T>
 TexturePtr<T> dots(const TextureRequest& request) {
     return makeDotsTexture<T>(part<T>(request, "outside", 0), part<T>(request, "inside", 1), mapping2DOf(request));
@@ -138,7 +138,7 @@ TexturePtr<T> windy(const TextureRequest& request) {
     return makeWindyTexture<T>(mapping3DOf(request));
 }
 
-// For textures whose values pbrt has no numbers for.
+// For textures that pbrt does not have as float textures.
 [[noreturn]] void failForNumbers(const TextureRequest& request, const std::string& type) {
     const ParamSet& own = request.params.own();
     fail(own.pos(), own.owner() + " must be of type 'spectrum': '" + type + "' gives colours, not numbers");
@@ -181,7 +181,7 @@ TexelGamma gammaOf(const ParamSet& own) {
     return own.getBool("gamma", true) ? TexelGamma::Srgb : TexelGamma::Linear;
 }
 
-// What pbrt-v4 takes the numbers of pictures for that store small integers; those of others are linear.
+// pbrt-v4's encoding of images that store integers; other images are linear.
 TexelGamma encodingOf(const ParamSet& own) {
     const std::string encoding = own.getString("encoding", "sRGB");
     if (encoding == "sRGB") return TexelGamma::FromFile;
@@ -194,8 +194,8 @@ TexelGamma encodingOf(const ParamSet& own) {
     return TexelGamma::FromFile;
 }
 
-// Every lookup is filtered over what the ray's cone covers, whatever pbrt-v4 is told: 'point', 'bilinear', its default,
-// and 'EWA' come to the same picture with enough samples.
+// Every lookup is filtered over the ray cone's footprint, whatever the scene says: 'point', 'bilinear' (pbrt-v4's
+// default) and 'EWA' converge to the same picture.
 bool isTrilinear(const ParamSet& own) {
     const std::string filter = own.getString("filter", "bilinear");
     if (filter != "point" && filter != "bilinear" && filter != "trilinear" && filter != "EWA" && filter != "ewa")

@@ -1,4 +1,4 @@
-// Textures. A new one is one entry in the table of texture_factory.cpp, for both value types.
+// Creates textures. A new texture is an entry in the table of texture_factory.cpp, for both value types.
 #pragma once
 #include <string>
 
@@ -19,8 +19,8 @@ struct TextureRequest {
     Dialect dialect = Dialect::V3;
 };
 
-// By the request's dialect. What is not built becomes the constant 0.5, with a warning. Throw Error for a type that
-// pbrt does not know either, for wrong parameters and for an image that is missing or damaged.
+// In the request's dialect. Types that are not supported become the constant 0.5, with a warning. Throw Error for types
+// that pbrt does not have either, for wrong parameters, and for an image that is missing or damaged.
 FloatTexturePtr makeFloatTexture(const std::string& type, const TextureRequest& request);
 RgbTexturePtr makeRgbTexture(const std::string& type, const TextureRequest& request);
 

@@ -26,7 +26,7 @@ class TextureFactoryTest : public testing::Test {
         set.warnUnused();
         return texture;
     }
-    // A texture from its parameters, as they stand in a file; `type` is pbrt's.
+    // A float texture of pbrt's given type, from parameters in the syntax of the file.
     FloatTexturePtr number(const std::string& type, const std::string& params = "", const Transform& ctm = {}) {
         return request(params, ctm, [&](const TextureRequest& r) { return makeFloatTexture(type, r); });
     }
@@ -41,7 +41,7 @@ class TextureFactoryTest : public testing::Test {
     }
 
     NamedTextures textures_;
-    std::string directory_ = ".";  // of the file that the parameters stand in
+    std::string directory_ = ".";  // of the file that contains the parameters
     FileSearch files_{directory_};
     TextureFiles images_;
 };
@@ -73,7 +73,7 @@ TEST_F(TextureFactoryTest, Parameters) {
     Rgb mean(0.f);
     for (int i = 0; i < 4096; ++i) mean += dots->eval(at(Vec2(float(i % 64) / 64, float(i / 64) / 64))) * (1 / 4096.f);
     EXPECT_NEAR(mean.x + mean.z, 1, 1e-4f);
-    // As in both versions of pbrt, "inside" is what lies around the dots.
+    // As in both versions of pbrt, "inside" is the colour around the dots.
     EXPECT_GT(mean.z, 0.05f);
     EXPECT_GT(mean.x, 0.5f);
     const auto board = number("checkerboard", R"("integer dimension" 3 "float tex1" 2 "float tex2" 3)");
@@ -101,19 +101,19 @@ TEST_F(TextureFactoryTest, MappingsInTheSpaceOfTheirDefinition) {
     const auto uvOf = [&](const std::string& params, const Vec3& p) {
         return color("uv", params, ctm)->eval(at(Vec2(0.5f, 0.5f), p));
     };
-    // The sphere's centre is at x = 5; along +y the angle to z is a quarter of a turn, and so is that about it.
+    // The sphere's centre is at x = 5. Along +y, both the polar angle and the azimuth are 90 degrees.
     const Rgb spherical = uvOf("\"string mapping\" \"spherical\"", Vec3(5, 8, 0));
     EXPECT_NEAR(spherical.x, 0.5f, 1e-5f);
     EXPECT_NEAR(spherical.y, 0.25f, 1e-5f);
     const Rgb cylindrical = uvOf("\"string mapping\" \"cylindrical\"", Vec3(5, 3, 4));
     EXPECT_NEAR(cylindrical.x, 0.75f, 1e-5f);
     EXPECT_NEAR(cylindrical.y, 0.8f, 1e-5f);
-    // Planes are given in world space.
+    // Planes are in world space.
     const Rgb planar = uvOf(R"("string mapping" "planar" "vector v1" [.1 0 0] "vector v2" [0 0 1] "float vdelta" .25)",
                             Vec3(2, 7, 0.5f));
     EXPECT_NEAR(planar.x, 0.2f, 1e-5f);
     EXPECT_NEAR(planar.y, 0.75f, 1e-5f);
-    // Solid textures, by the transformation itself.
+    // Solid textures use the transformation itself, not its inverse.
     EXPECT_EQ(number("fbm", "", Transform::scale(3, 3, 3))->eval(at(Vec2(0, 0), Vec3(0.1f, 0.2f, 0.3f))),
               number("fbm")->eval(at(Vec2(0, 0), Transform::scale(3, 3, 3).point(Vec3(0.1f, 0.2f, 0.3f)))));
 }
@@ -139,7 +139,7 @@ TEST_F(TextureFactoryTest, ImageMaps) {
         EXPECT_NEAR(number("imagemap", all)->eval(at(Vec2(u, 0.5f))), value, 1e-4f) << all;
         return value;
     };
-    // Integers are taken for sRGB and floats for linear, unless the scene says otherwise.
+    // Integers are taken as sRGB and floats as linear, unless the scene says otherwise.
     EXPECT_NEAR(valueAt(0.25f, ""), 0.2f, 5e-3f);
     EXPECT_NEAR(valueAt(0.25f, "\"bool gamma\" \"false\""), srgbEncode(0.2f), 5e-3f);
     EXPECT_NEAR(valueAt(0.25f, "", "a.exr"), 0.2f, 1e-4f);

@@ -1,4 +1,4 @@
-// The images of a scene's textures, each read and kept once however many textures show it.
+// The image files of a scene's textures. Each is read once and shared by all textures that use it.
 #pragma once
 #include <map>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace drc::pbrt {
 
-// Whether texels are taken for sRGB-encoded: as pbrt's "gamma" says, or by what the file is.
+// Whether texels are sRGB-encoded: as pbrt's parameter "gamma" says, or depending on the file's format.
 enum class TexelGamma { FromFile, Srgb, Linear };
 
 class TextureFiles {

@@ -13,7 +13,7 @@ Vec3 vectorOf(const ParamSet& texture, std::string_view name, const Vec3& fallba
     return vec3At(param->numbers, 0);
 }
 
-// Exporters write every mapping's parameters whatever the mapping is.
+// Only warns, since exporters write the parameters of all mappings.
 void warnOfOthers(const ParamSet& texture, const std::string& mapping, std::initializer_list<std::string_view> others) {
     for (const std::string_view name : others)
         if (texture.has(name))
@@ -22,8 +22,8 @@ void warnOfOthers(const ParamSet& texture, const std::string& mapping, std::init
     texture.ignore(others);
 }
 
-// pbrt-v4's planes lie in the texture's space, pbrt-v3's in the world's. With M p + t the texture's point for p,
-// vs . (M p + t) = (transposed M vs) . p + vs . t.
+// pbrt-v4's planes are in texture space, pbrt-v3's in world space. If M p + t is the point in texture space, vs . (M p
+// + t) = (transposed M vs) . p + vs . t.
 Mapping2D planarIn(const Transform& worldToTexture, const Vec3& vs, const Vec3& vt, const Vec2& delta) {
     const Vec3 x = worldToTexture.vector(Vec3(1, 0, 0)), y = worldToTexture.vector(Vec3(0, 1, 0)),
                z = worldToTexture.vector(Vec3(0, 0, 1)), t = worldToTexture.point(Vec3(0, 0, 0));
@@ -60,9 +60,9 @@ Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld
          "unknown texture mapping '" + type + "'" + suggestion(type, {"uv", "planar", "spherical", "cylindrical"}));
 }
 
-// pbrt-v3 applies the current transformation itself to points of the world, not its inverse, as it does for the 2D
-// mappings. Its scenes are made to look right that way: "Scale 10 10 10" makes noise ten times as fine. In pbrt-v4 it
-// makes it ten times as coarse.
+// For solid textures pbrt-v3 transforms world-space points by the current transformation itself, not by its inverse as
+// for 2D mappings. Its scenes are tuned to that: "Scale 10 10 10" makes noise ten times as fine. In pbrt-v4 it becomes
+// ten times as coarse.
 Mapping3D makeMapping3D(const Transform& textureToWorld, Dialect dialect) {
     return Mapping3D(dialect == Dialect::V3 ? textureToWorld : textureToWorld.inverse());
 }

@@ -1,4 +1,4 @@
-// The mappings that textures have in common.
+// The mappings from surface points to texture coordinates.
 #pragma once
 #include "math/transform.h"
 #include "pbrt/dialect.h"
@@ -7,8 +7,8 @@
 
 namespace drc::pbrt {
 
-// By the parameter "mapping", "uv" unless given. textureToWorld is the transformation current where the texture is
-// defined. Throws Error for a mapping that does not exist; warns of parameters that the mapping does not have.
+// Reads the parameter "mapping", which is "uv" by default. textureToWorld: the current transformation where the texture
+// is defined. Throws Error for an unknown mapping; warns of parameters that belong to other mappings.
 Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld, Dialect dialect = Dialect::V3);
 Mapping3D makeMapping3D(const Transform& textureToWorld, Dialect dialect = Dialect::V3);
 

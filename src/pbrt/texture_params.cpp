@@ -7,7 +7,7 @@
 namespace drc::pbrt {
 namespace {
 
-// The texture that the set's parameter of this name refers to. Adds its cost.
+// The texture that a parameter of the set names. Adds its cost.
 template <typename T, typename Other>
 std::shared_ptr<const Texture<T>> named(const ParamSet& set, const Param& param, const NamedMap<Texture<T>>& textures,
                                         const NamedMap<Texture<Other>>& others, const std::string& kind,

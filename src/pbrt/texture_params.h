@@ -1,4 +1,4 @@
-// Parameters that may be values or textures, of a material or a texture.
+// Parameters of materials and textures that may be constants or textures.
 #pragma once
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace drc::pbrt {
 
-// What one lookup of a texture leads to: how deep textures are looked up by textures, and how many lookups that is.
+// The cost of evaluating a texture: how deep textures are nested, and how many texture lookups one lookup leads to.
 struct TextureCost {
     int depth = 0, lookups = 0;
 };
@@ -16,18 +16,18 @@ struct TextureCost {
 struct NamedTextures {
     NamedMap<FloatTexture> scalars;
     NamedMap<RgbTexture> colors;
-    NamedMap<TextureCost> scalarCosts, colorCosts;  // by the same names
+    NamedMap<TextureCost> scalarCosts, colorCosts;  // with the same names as the textures
 };
 
-// As in pbrt-v3, a shape's own parameter goes before the material's one of the same name.
+// As in pbrt-v3, a parameter of the shape overrides the material's parameter of the same name.
 class TextureParams {
   public:
-    // All must outlive this. shape may be null.
+    // All arguments must outlive this object. shape may be null.
     TextureParams(const ParamSet& own, const NamedTextures& textures, const ParamSet* shape = nullptr)
         : own_(own), textures_(textures), shape_(shape) {}
 
-    // A texture, or the constant. Each throws Error at a parameter that names a texture which does not exist, or has
-    // the wrong type. The OrNull ones return null where there is no such parameter.
+    // The texture, or a constant one. Each throws Error at a parameter that names a texture which does not exist or has
+    // the wrong type. The OrNull functions return null if there is no such parameter.
     RgbTexturePtr color(std::string_view name, const Rgb& fallback) const;
     RgbTexturePtr colorOrNull(std::string_view name) const;
     FloatTexturePtr scalar(std::string_view name, float fallback) const;
@@ -38,11 +38,11 @@ class TextureParams {
     std::string getString(std::string_view name, const std::string& fallback) const;
 
     const ParamSet& own() const { return own_; }
-    // Of looking up every texture that was asked for: the deepest, and the sum.
+    // Cost of evaluating all textures that were requested: the largest depth, and the sum of the lookups.
     const TextureCost& cost() const { return cost_; }
 
   private:
-    // The set in which a parameter of that name and one of these types is to be looked up.
+    // The set (the shape's or the material's own) that provides a parameter of this name and one of these types.
     const ParamSet& setWith(std::string_view name, std::initializer_list<ParamType> types) const;
 
     const ParamSet& own_;

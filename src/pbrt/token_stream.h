@@ -1,4 +1,4 @@
-// The tokens of a scene: those of its file with every Include replaced by the tokens of the file it names.
+// The tokens of a scene: those of its main file, with every Include replaced by the tokens of the included file.
 #pragma once
 #include <map>
 #include <memory>
@@ -11,11 +11,11 @@
 
 namespace drc::pbrt {
 
-// What all Includes of a scene may come to: see limits.h.
+// Limits for all Includes of a scene together: see limits.h.
 struct IncludeLimit {
     size_t files = limits::kIncludes;
     uint64_t bytes = limits::kIncludedBytes;
-    uint64_t ratio = limits::kIncludedRatio;  // to the bytes of different files
+    uint64_t ratio = limits::kIncludedRatio;  // relative to the total size of the distinct files
 };
 
 class TokenStream {
@@ -24,15 +24,16 @@ class TokenStream {
 
     const Token& peek();
     Token next();
-    // Goes on with the tokens of this file, then with those after the Include. Throws Error, at pos, for a file that
-    // cannot be read, includes itself, lies too deep, or goes beyond the limit. To be called with nothing peeked.
+    // Continues with the tokens of this file, and then with those after the Include. Throws Error at pos for a file
+    // that cannot be read, includes itself, is nested too deep, or exceeds the limits. Must not be called while a token
+    // is peeked at.
     void include(const std::string& path, const SourcePos& pos);
 
-    // Each throws Error, with what the token is for, if the next token is something else.
+    // Each throws Error, naming `purpose`, if the next token is of another kind.
     Token expectString(const std::string& purpose);
     double expectNumber(const std::string& purpose);
 
-    // How many files are open: 1 in the main one. A file is left when the token after its last is peeked at.
+    // Number of open files; 1 in the main file. A file is closed when the token after its last one is peeked at.
     size_t depth() const { return stack_.size(); }
     const Source& mainSource() const { return *main_; }
 
@@ -46,7 +47,7 @@ class TokenStream {
     size_t includes_ = 0;
     uint64_t bytes_ = 0, differentBytes_ = 0;  // of them
     std::shared_ptr<const Source> main_;
-    // All that were ever included, by their path, each read once: places refer to them.
+    // All included files by path, each read once. They are kept because positions refer to them.
     std::map<std::string, std::unique_ptr<const Source>> sources_;
     std::vector<Frame> stack_;
     std::optional<Token> ahead_;

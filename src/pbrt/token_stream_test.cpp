@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The words of a text, each "@file" of which is included from the folder.
+// The words of a text in which each "@file" is included from the folder.
 std::vector<std::string> wordsOf(const std::string& text, const TemporaryFolder& folder,
                                  const IncludeLimit& limit = {}) {
     TokenStream tokens(Source::fromText(text, "main", folder.path()), limit);
@@ -31,7 +31,7 @@ TEST(TokenStream, IncludesStandWhereTheyAreNamed) {
               (std::vector<std::string>{"1", "x", "inner", "y", "2", "x", "inner", "y", "inner", "3"}));
 }
 
-// Each of forty files includes the next one twice: 2^40 in all.
+// Each of forty files includes the next one twice: 2^40 Includes in all.
 TEST(TokenStream, FilesThatDoubleEndByTheirNumber) {
     const TemporaryFolder folder;
     for (int i = 0; i < 40; ++i) {

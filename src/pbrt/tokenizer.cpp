@@ -60,14 +60,14 @@ std::string Token::value() const {
 double Token::number() const {
     const char* first = text.data();
     const char* const last = first + text.size();
-    // from_chars knows no leading plus; "+-1" must stay an error.
+    // from_chars does not accept a leading plus; "+-1" must remain an error.
     if (text.size() > 1 && *first == '+' && first[1] != '-') ++first;
     double result = 0;
     const auto [end, error] = std::from_chars(first, last, result);
     if (kind != TokenKind::Number || end != last || error == std::errc::invalid_argument)
         fail(pos, "expected a number, found " + describe());
     if (error == std::errc::result_out_of_range) result = std::strtod(std::string(first, last).c_str(), nullptr);
-    // Scenes are made of floats: what overflows one, or is no number ("-nan"), would spread over the picture.
+    // Scenes consist of floats. Numbers that overflow a float or are NaN ("-nan") would spread over the picture.
     if (!std::isfinite(static_cast<float>(result)))
         fail(pos, "expected a number within 3.4e38 of zero, found " + describe());
     return result;
@@ -100,7 +100,7 @@ Token Tokenizer::next() {
 
     const size_t start = at_;
     const char c = text_[at_++];
-    // Of binary files, and of sparse ones that would be one word without end.
+    // Binary and sparse files may look like a single word without end.
     if (c == '\0') fail(token.pos, "found a zero byte where text should be");
     if (c == '"') return string();
     if (c == '[') {

@@ -1,4 +1,4 @@
-// Splits one pbrt file into tokens.
+// Splits a pbrt file into tokens.
 #pragma once
 #include <string>
 #include <string_view>
@@ -11,22 +11,22 @@ enum class TokenKind { Word, Number, String, OpenBracket, CloseBracket, End };
 
 struct Token {
     TokenKind kind = TokenKind::End;
-    std::string_view text;  // as written; a string without its quotes
-    SourcePos pos;          // first character; for End, the end of the last file read
+    std::string_view text;  // as written; strings without their quotes
+    SourcePos pos;          // of the first character; for End, the end of the file
     bool hasEscapes = false;
 
-    // A string's value, with escapes replaced. Throws Error for an escape that does not exist.
+    // The value of a string, with escapes replaced. Throws Error for an unknown escape.
     std::string value() const;
-    // Throws Error unless the whole token is a number. Beyond a double's range: 0 or infinity.
+    // Throws Error unless the whole token is a finite number that fits a float.
     double number() const;
-    // For messages: "'Foo'", "string \"x\"", "the end of the file".
+    // The token for messages: "'Foo'", "string \"x\"", "the end of the file".
     std::string describe() const;
 };
 
 class Tokenizer {
   public:
     explicit Tokenizer(const Source& source);
-    // Throws Error for an unterminated string. After the end, End for ever.
+    // The next token; after the last one, always End. Throws Error for an unterminated string.
     Token next();
     const Source& source() const { return *source_; }
 

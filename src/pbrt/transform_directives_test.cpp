@@ -1,4 +1,4 @@
-// Transform directives, seen through where they put a point light or a vertex.
+// Transform directives, tested by the resulting positions of a point light or a vertex.
 #include <gmock/gmock.h>
 
 #include "pbrt/test_scenes.h"
@@ -14,7 +14,7 @@ const std::string kTriangle =
     "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point P\" [1 2 3  4 2 3  1 5 3] \"normal N\" [0 0 1 0 0 1 0 "
     "0 1]\n";
 
-// Where the directives take the point (1, 2, 3).
+// The position to which the directives transform the point (1, 2, 3).
 Vec3 placed(const std::string& directives) {
     return loadWorld(directives + "\n" + kTriangle)->primitives.at(0).mesh->positions[0];
 }

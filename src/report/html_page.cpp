@@ -12,17 +12,17 @@
 namespace drc {
 namespace {
 
-// table.measures   columns of one width, so that several tables line up
-// .name, td.text   text in a table, which else has numbers; td.text wraps
+// table.measures   columns of equal width, so that several tables line up
+// .name, td.text   text in a table, whose other cells are numbers; td.text wraps
 // tbody.group      a block of rows with a line above it; th.block: its title; td.best: bold
-// div.wide         may be wider than the page, and scrolls by itself
-// .lead, .note     softer, and smaller, than other paragraphs
-// .plots           drawings (svg.plot, svg_box_plot.h, svg_line_plot.h) side by side
-// .legend          the names of their colours
+// div.wide         may be wider than the page and scrolls on its own
+// .lead, .note     less prominent and smaller than other paragraphs
+// .plots           plots (svg.plot; svg_box_plot.h, svg_line_plot.h) side by side
+// .legend          the names that belong to the plots' colours
 // .contents        links to the sections
-// small, .failure  what qualifies a number, below it; what went wrong instead of one
-// .example, .maps  pictures in a row, each of --map pixels, with what belongs to them above and below
-// .c0 to .c7       colours of series, for whatever is drawn in currentColor
+// small, .failure  a qualification below a number; an error message in place of one
+// .example, .maps  images in a row, each --map pixels wide, with captions above and below
+// .c0 to .c7       the colours of series, for everything drawn in currentColor
 constexpr const char* kStyle = R"(
 :root { color-scheme: light dark;
   --paper: #fdfdfb; --ink: #1d1f21; --soft: #63676b; --rule: #d9d9d4; --faint: #f2f2ee;
@@ -102,7 +102,7 @@ small { display: block; font-size: .82em; color: var(--soft); font-weight: 400; 
 std::string minus(int x) { return fmt::format("{}{}", x < 0 ? "&#8722;" : "", std::abs(x)); }
 
 std::string scientific(double x, int decimals) {
-    const std::string text = fmt::format("{:.{}e}", x, decimals);  // rounds 9.96e-5 to 1.0e-04
+    const std::string text = fmt::format("{:.{}e}", x, decimals);  // note that 9.96e-5 is rounded to 1.0e-04
     const size_t e = text.find('e');
     return fmt::format("{}&#8201;&#215;&#8201;10<sup>{}</sup>", text.substr(0, e),
                        minus(std::stoi(text.substr(e + 1))));
@@ -163,7 +163,7 @@ std::string htmlNumber(double x) { return std::isnan(x) ? "&#8211;" : fmt::forma
 std::string htmlSignificant(double x) {
     if (std::isnan(x)) return htmlNumber(x);
     if (std::isinf(x)) return x > 0 ? "&#8734;" : "&#8722;&#8734;";
-    const double size = std::abs(std::stod(fmt::format("{:.2e}", x)));  // as rounded: 9.996 has one decimal
+    const double size = std::abs(std::stod(fmt::format("{:.2e}", x)));  // rounded first: 9.996 becomes 10.0
     if (size == 0) return "0";
     if (size >= 1e-4 && size < 1e5) {
         const int decade = int(std::floor(std::log10(size) + 1e-9));

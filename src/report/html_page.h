@@ -1,4 +1,4 @@
-// Pages that are one file: style, drawings and pictures are in it, and nothing is fetched. Tags are closed as in XML.
+// Self-contained HTML pages: styles, plots and images are embedded, and nothing is fetched. Tags are closed as in XML.
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,23 +7,23 @@
 
 namespace drc {
 
-// For text and for attributes in double quotes.
+// Escapes text, also for attributes in double quotes.
 std::string escapeHtml(std::string_view text);
 
 std::string base64(std::string_view bytes);
-// An 8-bit sRGB PNG of linear values, as writePng makes it: for the `src` of an img.
+// Linear values as an 8-bit sRGB PNG (as writePng encodes it) in a data URI, for the `src` of an img.
 std::string pngDataUri(const Image& linear);
 
-// The whole page. title is escaped here; body is not. Tables have right-aligned numbers; the classes of the style are
-// listed at its definition. `style`: CSS of this page alone, after that of all.
+// The whole page. title is escaped here, body is not. Table cells are right-aligned for numbers. The style's classes
+// are documented at its definition. `style`: additional CSS for this page.
 std::string htmlPage(const std::string& title, const std::string& body, const std::string& style = "");
 
 // "0.1234", or a dash for NaN.
 std::string htmlNumber(double x);
-// Three digits that count: "0.00123", "12.3", "1234"; very small and very large ones as powers of ten in tags; a dash
-// for NaN.
+// Three significant digits: "0.00123", "12.3", "1234". Very small and very large numbers are written as powers of ten
+// with tags, NaN as a dash.
 std::string htmlSignificant(double x);
-// "1.3 x 10^-82" in tags, or "< 10^-300".
+// A p-value: "1.3 x 10^-82" with tags, or "< 10^-300".
 std::string htmlP(double p);
 
 }  // namespace drc

@@ -26,7 +26,7 @@ TEST(HtmlPage, Base64AgreesWithRfc4648) {
 }
 
 TEST(HtmlPage, PicturesArePngs) {
-    // The signature's first six of eight bytes.
+    // Begins with the base64 encoding of the first six bytes of the PNG signature.
     EXPECT_EQ(pngDataUri(Image(2, 2)).substr(0, 30), "data:image/png;base64,iVBORw0K");
 }
 

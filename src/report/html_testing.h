@@ -1,4 +1,4 @@
-// For tests: whether HTML as html_page.h makes it is well-formed.
+// Checks for tests that HTML as made by html_page.h is well-formed.
 #pragma once
 #include <cctype>
 #include <set>
@@ -7,7 +7,7 @@
 
 namespace drc {
 
-// What is wrong with the nesting of the tags, all of which must be closed as in XML; empty if nothing is.
+// Describes the first error in the nesting of tags, all of which must be closed as in XML; empty if there is none.
 inline std::string brokenNesting(const std::string& html) {
     std::vector<std::string> open;
     for (size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at)) {

@@ -12,14 +12,14 @@ constexpr double kSliver = 0.03;
 constexpr double kExact = 1e-9;
 constexpr size_t kMostTicks = 8;
 
-// 1, 2 or 5 times a power of ten, at least x.
+// The smallest of 1, 2 and 5 times a power of ten that is at least x.
 double roundUp(double x) {
     const double decade = std::pow(10, std::floor(std::log10(x)));
     for (const double factor : {1, 2, 5})
         if (factor * decade >= x * (1 - kExact)) return factor * decade;
     return 10 * decade;
 }
-// The same, at most x.
+// The largest of them that is at most x.
 double roundDown(double x) {
     const double decade = std::pow(10, std::floor(std::log10(x) + kExact));
     for (const double factor : {5, 2})
@@ -27,7 +27,7 @@ double roundDown(double x) {
     return decade;
 }
 
-// Those of the factors times powers of ten that lie between the ends.
+// The products of `factors` and powers of ten that lie between low and high.
 std::vector<double> ticksBetween(double low, double high, std::initializer_list<double> factors) {
     std::vector<double> ticks;
     for (int decade = int(std::floor(std::log10(low) + kExact)); std::pow(10, decade) <= high * (1 + kExact); ++decade)
@@ -46,7 +46,7 @@ double PlotAxis::place(double value) const {
 }
 
 PlotAxis linearAxis(double low, double high) {
-    // From nought, also where a sliver is below it, which is not worth a step.
+    // The axis begins at zero, also if a sliver of the data lies below it that is not worth a tick.
     if (low > -kSliver * (high - low)) low = std::min(0.0, high);
     if (!(high > low)) high = low + 1;
     const double step = roundUp((high - low) / 5);

@@ -1,4 +1,4 @@
-// The axis of a plot: where a value stands on it, and where its ticks are.
+// The axis of a plot: the position of values on it, and its ticks.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,21 +10,21 @@ struct PlotAxis {
     bool logarithmic = false;
     std::vector<double> ticks;  // increasing, from low to high
 
-    // 0 at low, 1 at high; what is outside is clamped.
+    // Position of a value: 0 at low, 1 at high. Values outside are clamped.
     double place(double value) const;
 };
 
-// With round ends around all values from low to high. It begins at nought if no value is much below it.
+// A linear axis with round ends around the values from low to high. It begins at zero if no value is far below zero.
 PlotAxis linearAxis(double low, double high);
 
-// Of positive values; from a power of ten to another.
+// A logarithmic axis for positive values, from one power of ten to another.
 PlotAxis decadeAxis(double low, double high);
 
-// Of positive values; its ends fit closer: 1, 2 or 5 times a power of ten. So do the ticks, or, where those are too
-// many, powers of ten.
+// A logarithmic axis for positive values with tighter ends: 1, 2 or 5 times a power of ten. Ticks are at the same
+// numbers, or at powers of ten only if those would be too many.
 PlotAxis logarithmicAxis(double low, double high);
 
-// "0", "0.02", "2000", "2·10⁻⁵".
+// The label of a tick: "0", "0.02", "2000", "2·10⁻⁵".
 std::string tickText(double value);
 
 }  // namespace drc

@@ -14,7 +14,7 @@ constexpr double kWidth = 360, kTop = 24, kRow = 24, kBox = 12, kFoot = 18, kRig
 constexpr size_t kLabelLetters = 18;
 constexpr double kLetter = 6.1;
 
-// Cut between letters of UTF-8.
+// Truncated between UTF-8 characters.
 std::string shortened(const std::string& text) {
     size_t letters = 0, end = 0;
     for (size_t i = 0; i < text.size(); ++i) {

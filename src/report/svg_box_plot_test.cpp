@@ -57,11 +57,11 @@ TEST(SvgBoxPlot, DrawsABoxARow) {
     EXPECT_NE(svg.find("median 0.3, quartiles 0.2 and 0.4"), std::string::npos);
 }
 
-// The whiskers' ends, the box and the median stand where the axis has their values.
+// The ends of the whiskers, the box and the median must be at the axis positions of their values.
 TEST(SvgBoxPlot, PlacesFollowTheAxis) {
     const std::vector<BoxPlotRow> rows{{"abcd", spread(1), 0}};
     const std::string svg = boxPlotSvg("", rows, PlotAxis{0, 10, false, {}});
-    // From 34.4 (four letters and a gap) to 348.
+    // The axis runs from 34.4 (after a label of four letters and a gap) to 348.
     EXPECT_NE(svg.find("M65.8 "), std::string::npos);          // 1, the 5th percentile
     EXPECT_NE(svg.find("x=\"97.1\""), std::string::npos);      // 2, the first quartile
     EXPECT_NE(svg.find("width=\"62.7\""), std::string::npos);  // 4 - 2

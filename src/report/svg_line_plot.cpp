@@ -10,7 +10,7 @@ namespace drc {
 namespace {
 
 constexpr double kWidth = 360, kHeight = 250;
-constexpr double kMark = 2.9;  // half of a mark's width
+constexpr double kMark = 2.9;  // half the width of a marker
 
 bool shows(const PlotAxis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
 

@@ -13,30 +13,30 @@ enum class PlotMark { Circle, Square, Diamond };
 
 struct LinePlotPoint {
     double x = 0, y = 0;
-    std::string title;  // shown where the pointer rests on it
-    // The ends of a bar for what is uncertain of y; NaN: no bar.
+    std::string title;  // tooltip
+    // Ends of the error bar; NaN for none.
     double low = std::numeric_limits<double>::quiet_NaN(), high = std::numeric_limits<double>::quiet_NaN();
 };
 
-// Points joined in their order.
+// Points joined by lines in the given order.
 struct LinePlotSeries {
     std::string label;
     std::vector<LinePlotPoint> points;
-    int colour = 0;  // of the page's series
+    int colour = 0;  // index of the page's series colours
     PlotMark mark = PlotMark::Circle;
 };
 
-// The drawing is 360 by 250 units; kLinePlotArea says where in it the axes end.
+// The rectangle within the drawing that the axes enclose. The drawing is 360 by 250 units.
 struct LinePlotArea {
     double left, right, top, bottom;
 };
 inline constexpr LinePlotArea kLinePlotArea{46, 350, 24, 210};
 
-// What an axis cannot show is left out: NaN and, on a logarithmic one, what is not positive.
+// Values that an axis cannot show are left out: NaN and, on a logarithmic axis, values that are not positive.
 std::string linePlotSvg(const std::string& title, const std::string& xLabel, std::span<const LinePlotSeries> series,
                         const PlotAxis& xAxis, const PlotAxis& yAxis);
 
-// A mark and a name a series, for below plots that share them.
+// A legend entry, for plots below each other that share their series.
 struct LegendEntry {
     std::string label;
     int colour = 0;

@@ -11,7 +11,7 @@ namespace {
 
 const PlotAxis kSeconds{1, 100, true, {1, 10, 100}}, kError{0.01, 1, true, {0.01, 0.1, 1}};
 
-// The area is 304 units wide from 46 and 186 high above 210.
+// The plot area is 304 units wide from x = 46 and 186 high above y = 210.
 TEST(SvgLinePlot, PointsStandWhereTheAxesHaveTheirValues) {
     const std::vector<LinePlotSeries> series{{"a", {{1, 1, "first"}, {10, 0.1, "second"}, {100, 0.01, "third"}}, 3}};
     const std::string svg = linePlotSvg("error", "s", series, kSeconds, kError);

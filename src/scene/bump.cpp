@@ -5,14 +5,14 @@ namespace drc {
 Frame bumpFrame(const TextureContext& at, const Frame& shading, const FloatTexture& displacement, const Vec3& dndu,
                 const Vec3& dndv) {
     if (displacement.isConstant() && lengthSquared(dndu) == 0 && lengthSquared(dndv) == 0) return shading;
-    // On meshes the derivatives lie in the triangle; those of the smooth surface that the shading normal stands for lie
-    // in its tangent plane, so that no displacement gives back the shading normal exactly.
+    // On meshes the derivatives lie in the triangle's plane. They are projected to the tangent plane of the smooth
+    // surface that the shading normal approximates, so that zero displacement gives exactly the shading normal.
     const Vec3& n = shading.n;
     const Vec3 dpdu = at.dpdu - n * dot(n, at.dpdu);
     const Vec3 dpdv = at.dpdv - n * dot(n, at.dpdv);
     if (!(lengthSquared(cross(dpdu, dpdv)) > 0)) return shading;
 
-    // Half the footprint: finer than what the pixel resolves would be noise.
+    // The step is half the footprint, because details finer than the footprint would only be noise.
     const float delta = at.uvFootprint > 0 ? 0.5f * at.uvFootprint : 0.0005f;
     const auto heightAt = [&](const Vec2& step) {
         TextureContext shifted = at;

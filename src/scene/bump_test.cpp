@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// Height a u + b v + c.
+// A texture with the height a u + b v + c.
 class Plane final : public FloatTexture {
   public:
     Plane(float a, float b, float c) : a_(a), b_(b), c_(c) {}
@@ -28,7 +28,7 @@ TextureContext contextFor(const Frame& frame) {
 
 TEST(Bump, SlopeTiltsTheNormal) {
     const Frame frame = Frame::fromNormal(normalize(Vec3(0.3f, 0.2f, -0.9f)));
-    // Slopes per length: 0.6 / 2 along s and -0.8 / 4 along t.
+    // Slopes per unit length: 0.6 / 2 along s and -0.8 / 4 along t.
     const Frame bumped = bumpFrame(contextFor(frame), frame, Plane(0.6f, -0.8f, 0.1f));
     const Vec3 expected = normalize(frame.n - frame.s * 0.3f + frame.t * 0.2f);
     EXPECT_LT(length(bumped.n - expected), 1e-4f);
@@ -50,7 +50,7 @@ TEST(Bump, KeepsTheSideOfTheShadingNormal) {
 TEST(Bump, FlatHeightsChangeNothing) {
     const Frame frame = Frame::fromNormal(normalize(Vec3(0.3f, 0.2f, 0.9f)));
     TextureContext at = contextFor(frame);
-    // Derivatives of a triangle that is not perpendicular to the shading normal.
+    // As on a triangle that is not perpendicular to the shading normal.
     at.dpdu += frame.n * 0.5f;
     EXPECT_LT(length(bumpFrame(at, frame, Plane(0, 0, 5)).n - frame.n), 1e-5f);
     at.dpdu = at.dpdv = Vec3(0.f);
@@ -59,14 +59,14 @@ TEST(Bump, FlatHeightsChangeNothing) {
 }
 
 TEST(Bump, HeightOverACurvedSurface) {
-    // A sphere of radius r about the origin at (0, 0, r), raised by a constant: its normal stays.
+    // A sphere of radius r, raised by a constant, keeps its normals.
     const Frame frame;
     TextureContext at = contextFor(frame);
     at.dpdu = Vec3(2, 0, 0);
     at.dpdv = Vec3(0, 2, 0);
     const Frame bumped = bumpFrame(at, frame, Plane(0, 0, 0.5f), Vec3(1, 0, 0), Vec3(0, 1, 0));
     EXPECT_LT(length(bumped.n - frame.n), 1e-5f);
-    // And the slope is measured along the longer, raised surface: 1 / (2 + 0.5).
+    // A slope is measured along the raised surface, which is larger: 1 / (2 + 0.5).
     const Frame tilted = bumpFrame(at, frame, Plane(1, 0, 0.25f), Vec3(1, 0, 0), Vec3(0, 1, 0));
     EXPECT_NEAR(-tilted.n.x / tilted.n.z, 0.4f, 1e-3f);
 }

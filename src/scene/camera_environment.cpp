@@ -1,5 +1,5 @@
-// Environment camera: a lat-long picture of all directions (PBR 3e, section 6.3). As in pbrt the film's left edge looks
-// along camera space's +x, and a quarter of the way to the right along +z.
+// Environment camera: a lat-long image of all directions (PBR 3e, section 6.3). As in pbrt, the left edge of the film
+// looks along +x of camera space, and a quarter of the width further along +z.
 #include "scene/camera.h"
 #include "scene/camera_placement.h"
 
@@ -19,7 +19,7 @@ class EnvironmentCamera final : public Camera {
         const float sinTheta = std::sin(theta);
         const Vec3 d(sinTheta * std::cos(phi), std::cos(theta), sinTheta * std::sin(phi));
         Ray ray = placement_.ray(Vec3(0, 0, 0), d, uTime);
-        // The pixel's solid angle; at a pole, that of half a row below it.
+        // From the pixel's solid angle; at a pole, from that at half a row's distance.
         ray.coneSpread = std::sqrt(dTheta_ * dPhi_ * std::max(std::abs(sinTheta), std::sin(0.5f * dTheta_)));
         return {ray};
     }
@@ -34,7 +34,7 @@ class EnvironmentCamera final : public Camera {
   private:
     EnvironmentCameraParams params_;
     CameraPlacement placement_;
-    float dTheta_, dPhi_;  // radians a pixel
+    float dTheta_, dPhi_;  // radians per pixel
 };
 
 }  // namespace

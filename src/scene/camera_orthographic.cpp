@@ -1,5 +1,5 @@
-// Orthographic camera (PBR 3e, section 6.2.1): parallel rays along +z, from the screen window in the plane z = 0 of
-// camera space. With a thin lens each of them spreads over a disk and meets again at the focal distance.
+// Orthographic camera (PBR 3e, section 6.2.1): parallel rays along +z from the screen window in the plane z = 0 of
+// camera space. With a thin lens, the rays of a film position start on a disk and meet at the focal distance.
 #include "scene/camera.h"
 #include "scene/camera_placement.h"
 #include "scene/screen_window.h"
@@ -48,13 +48,13 @@ class OrthographicCamera final : public Camera {
     }
 
   private:
-    // Where rays go at that cosine to the axis.
+    // Film area in pixels per unit area facing the ray, for rays at this cosine to the axis.
     float pixelsPerFacingArea(float cosine) const { return 1 / (sqr(pixelWidth_) * cosine); }
 
     ProjectiveCameraParams params_;
     CameraPlacement placement_;
     ScreenWindow window_;
-    float pixelWidth_ = 0;  // world units
+    float pixelWidth_ = 0;  // in world units
     bool keepsAngles_;
 };
 

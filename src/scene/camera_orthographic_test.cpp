@@ -33,7 +33,7 @@ TEST(OrthographicCamera, ParallelRaysFromTheScreenWindow) {
 
 TEST(OrthographicCamera, ConeIsAPixelWideEverywhere) {
     ProjectiveCameraParams p;
-    p.worldToCamera = Transform::scale(0.5f, 0.5f, 0.5f);  // world units are half as long in camera space
+    p.worldToCamera = Transform::scale(0.5f, 0.5f, 0.5f);  // a world unit is half a unit of camera space
     const Ray r = rayAt(*makeOrthographicCamera(p, {100, 100}), 3, 5);
     EXPECT_NEAR(r.coneWidth, 0.04f, 1e-6);
     EXPECT_EQ(r.coneSpread, 0);

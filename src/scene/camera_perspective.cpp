@@ -20,12 +20,13 @@ class PerspectiveCamera final : public Camera {
     }
 
     CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const override {
-        // Where the ray through the lens's centre meets the plane z = 1.
+        // The intersection of the ray through the lens's centre with the plane z = 1.
         const Vec2 at = window_.at(film);
-        // Towards focalDistance * (x, y, 1), scaled down, so that a focus at infinity does not overflow.
+        // Towards focalDistance * (x, y, 1), divided by focalDistance, so that an infinite focal distance does not
+        // overflow.
         const Vec3 o = onLens(params_, uLens), d = Vec3(at.x, at.y, 1) - o / params_.focalDistance;
         Ray ray = placement_.ray(o, d, uTime);
-        // The pixel as seen along the ray: its solid angle is its area at z = 1 times cos^3.
+        // The pixel's solid angle is its area on z = 1 times cos^3.
         const float cosine2 = 1 / (1 + at.x * at.x + at.y * at.y);
         ray.coneSpread = std::sqrt(window_.pixelArea() * cosine2 * std::sqrt(cosine2));
         return {ray};
@@ -55,7 +56,7 @@ class PerspectiveCamera final : public Camera {
     }
 
   private:
-    // Of the film, in a direction at that cosine to the axis.
+    // Film area in pixels per unit solid angle, in a direction at this cosine to the axis.
     float pixelsPerSolidAngle(float cosine) const { return 1 / (window_.pixelArea() * cosine * sqr(cosine)); }
 
     ProjectiveCameraParams params_;

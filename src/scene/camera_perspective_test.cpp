@@ -38,16 +38,16 @@ TEST(PerspectiveCamera, LookAtIsLeftHanded) {
     const auto camera = makePerspectiveCamera(p, {100, 100});
     expectNear(camera->position(), Vec3(0, 0, 5));
     expectNear(camera->up(), Vec3(0, 1, 0));
-    // Looking along -z, pbrt has world -x on the right.
+    // When looking along -z, pbrt has world -x on the right.
     expectNear(directionAt(*camera, 100, 50), normalize(Vec3(-1, 0, -1)));
     expectNear(directionAt(*camera, 50, 0), normalize(Vec3(0, 1, -1)));
-    // Scale(-1, 1, 1) before LookAt, the usual remedy, mirrors it.
+    // Scale(-1, 1, 1) before LookAt, the usual remedy, mirrors the image.
     p.worldToCamera = Transform::scale(-1, 1, 1) * p.worldToCamera;
     expectNear(directionAt(*makePerspectiveCamera(p, {100, 100}), 100, 50), normalize(Vec3(1, 0, -1)));
 }
 
 TEST(PerspectiveCamera, FrameAspectAndScreenWindow) {
-    // A frame of 4:1 stretched over a square film.
+    // A frame of aspect ratio 4:1 stretched to a square film.
     expectNear(
         directionAt(*makePerspectiveCamera({.worldToCamera = Transform(), .frameAspectRatio = 4}, {100, 100}), 0, 0),
         normalize(Vec3(-4, 1, 1)));
@@ -88,7 +88,7 @@ TEST(PerspectiveCamera, ThinLensFocuses) {
     const auto pinhole = makePerspectiveCamera(p, {160, 90});
     const Vec2 film(20, 70);
     const Vec3 forward = directionAt(*pinhole, 80, 45), d = directionAt(*pinhole, film.x, film.y);
-    // All rays of a film position meet on the plane at the focal distance, and leave from a disk.
+    // All rays of a film position start on a disk and meet on the plane at the focal distance.
     const Vec3 focus = pinhole->position() + d * (5 / dot(d, forward));
     for (const Vec2& u : {Vec2(0.1f, 0.2f), Vec2(0.9f, 0.5f), Vec2(0.5f, 0.5f), Vec2(1, 1)}) {
         const Ray r = camera->generateRay(film, u, 0).ray;
@@ -96,7 +96,7 @@ TEST(PerspectiveCamera, ThinLensFocuses) {
         EXPECT_LE(length(r.o - camera->position()), 0.2f + 1e-5f);
         EXPECT_NEAR(dot(r.o - camera->position(), forward), 0, 1e-5);
     }
-    // Focus at pbrt's default distance does not overflow.
+    // pbrt's very large default focal distance must not overflow.
     p.lensRadius = 0.2f;
     p.focalDistance = 1e30f;
     expectNear(directionAt(*makePerspectiveCamera(p, {160, 90}), film.x, film.y), d);

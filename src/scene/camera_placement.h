@@ -1,4 +1,4 @@
-// Where a camera stands while its shutter is open: what all cameras have in common.
+// The position and orientation of a camera during the exposure, shared by all cameras.
 #pragma once
 #include "math/animated_transform.h"
 #include "scene/ray.h"
@@ -12,7 +12,7 @@ class CameraPlacement {
     CameraPlacement(const AnimatedTransform& worldToCamera, const Shutter& shutter)
         : shutter_(shutter), toWorld_(worldToCamera.inverse()), inTheMiddle_(toWorld_.at(shutter.motion(0.5f))) {}
 
-    // From o along d, both in camera space and d of any length, at the u-th part of the exposure.
+    // The ray from o along d, in camera space and d of any length, at time u in [0,1] of the exposure.
     Ray ray(const Vec3& o, const Vec3& d, float u) const {
         Ray ray;
         ray.time = shutter_.motion(u);
@@ -23,9 +23,9 @@ class CameraPlacement {
         return ray;
     }
 
-    // To world space, at the time of a ray.
+    // Camera-to-world transform at a ray's time.
     Transform toWorldAt(float time) const { return toWorld_.isAnimated() ? toWorld_.at(time) : toWorld_.start(); }
-    // Whether lengths are the same along all axes, at all times.
+    // Whether the transform scales all axes equally at all times.
     bool keepsAngles() const {
         for (unsigned i = 0, n = toWorld_.steps(); i < n; ++i)
             if (!Turn(toWorldAt(n > 1 ? float(i) / float(n - 1) : 0)).keepsAngles()) return false;
@@ -33,7 +33,7 @@ class CameraPlacement {
     }
 
     const Shutter& shutter() const { return shutter_; }
-    // To world space, in the middle of the exposure.
+    // Camera-to-world transform in the middle of the exposure.
     const Transform& inTheMiddle() const { return inTheMiddle_; }
     Vec3 position() const { return inTheMiddle_.point(Vec3(0, 0, 0)); }
     Vec3 up() const { return normalize(inTheMiddle_.vector(Vec3(0, 1, 0))); }

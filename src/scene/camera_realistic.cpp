@@ -1,5 +1,6 @@
-// Camera with a photographic lens (PBR 3e, section 6.4). A point of the film sees the scene through the lens's exit
-// pupil; rays are aimed at a box about it, which is found beforehand for rings of the film, so that few are lost.
+// Camera with a photographic lens (PBR 3e, section 6.4). A film point sees the scene through the exit pupil. Rays are
+// aimed at a bounding box of the pupil, which is computed in advance for rings of the film, so that few rays are
+// blocked.
 #include "base/parallel.h"
 #include "math/sampler.h"
 #include "scene/camera.h"
@@ -9,10 +10,10 @@
 namespace drc {
 namespace {
 
-constexpr int kRings = 64;  // of the film, between its centre and its corners
-constexpr int kGrid = 64;   // rays to a side, to find a ring's pupil
+constexpr int kRings = 64;  // number of rings between the film's centre and its corners
+constexpr int kGrid = 64;   // rays along each side of the grid that finds a ring's pupil
 
-// On the plane of the rear element.
+// A bounding box of the exit pupil on the plane of the rear element.
 struct PupilBox {
     float x0 = kInfinity, x1 = -kInfinity, y0 = kInfinity, y1 = -kInfinity;
 
@@ -52,11 +53,11 @@ class RealisticCamera final : public Camera {
     }
 
     CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const override {
-        // The lens turns the picture upside down, and left to right.
+        // The lens turns the image upside down and swaps left and right.
         const Vec2 at(-(film.x / resolution_.x - 0.5f) * size_.x, (film.y / resolution_.y - 0.5f) * size_.y);
         const float r = std::sqrt(at.x * at.x + at.y * at.y);
         const PupilBox& pupil = pupils_[size_t(std::min(int(r / radius_ * kRings), kRings - 1))];
-        // The rings' boxes are those of film points on the x axis.
+        // The boxes were computed for film points on the x axis.
         const Vec2 p = pupil.at(uLens);
         const Vec2 turn = r > 0 ? at * (1 / r) : Vec2(1, 0);
         const Vec3 start(at.x, at.y, 0);
@@ -73,7 +74,7 @@ class RealisticCamera final : public Camera {
                             : cos4 * pupil.area() / sqr(lens_.rearZ()) * (params_.shutter.close - params_.shutter.open);
         Ray& ray = result.ray;
         ray = placement_.ray(line->o, line->d, uTime);
-        // As a pinhole in the rear principal plane would have it.
+        // The cone angle of a pinhole in the rear principal plane.
         const float cosine = line->d.z;
         ray.coneSpread = coneSpread_ * cosine * std::sqrt(cosine);
         return result;
@@ -90,7 +91,7 @@ class RealisticCamera final : public Camera {
     PupilBox findPupil(int ring) const {
         const float reach = 1.5f * lens_.rearAperture();
         const PupilBox whole{-reach, reach, -reach, reach};
-        // Once over the whole plane, and once closely over what that found.
+        // First over the whole plane, then over what that found.
         PupilBox box = whole;
         for (int pass = 0; pass < 2; ++pass) {
             PupilBox found;
@@ -100,7 +101,7 @@ class RealisticCamera final : public Camera {
                 const Vec2 p = box.at(Vec2((float(i % kGrid) + 0.5f) / kGrid, (float(i / kGrid) + 0.5f) / kGrid));
                 if (lens_.trace({Vec3(film, 0, 0), Vec3(p.x - film, p.y, lens_.rearZ())})) found.extend(p);
             }
-            // What lies between two rays of the grid may pass as well, and what only the ring's other points see.
+            // Enlarged by the spacing of the grid's rays and for the other points of the ring.
             const float dx = 2 * (box.x1 - box.x0) / kGrid, dy = 2 * (box.y1 - box.y0) / kGrid;
             if (found.x0 > found.x1) return pass == 0 ? whole : box;
             found.grow(dx, dy);
@@ -112,10 +113,10 @@ class RealisticCamera final : public Camera {
     RealisticCameraParams params_;
     CameraPlacement placement_;
     LensSystem lens_;
-    Vec2 size_;             // of the film, metres
-    float radius_ = 0;      // from its centre to its corners
-    Vec2 resolution_;       // pixels
-    float coneSpread_ = 0;  // of the film's middle
+    Vec2 size_;             // of the film, in metres
+    float radius_ = 0;      // distance from the film's centre to its corners
+    Vec2 resolution_;       // in pixels
+    float coneSpread_ = 0;  // at the film's centre
     std::vector<PupilBox> pupils_;
 };
 

@@ -22,7 +22,7 @@ TEST(RealisticCamera, SeesWhatAPinholeWouldSee) {
     LensSystem lens(p.lens);
     lens.focus(3);
     const LensSystem::Cardinal c = lens.cardinal();
-    const float size = 0.036f / c.rear * (3 - c.front);  // of the film, at the focused distance
+    const float size = 0.036f / c.rear * (3 - c.front);  // width of the field of view at the focus distance
     const auto at = [&](float x, float y) {
         const CameraRay r = camera->generateRay(Vec2(x, y), Vec2(0.5f, 0.5f), 0);
         EXPECT_GT(r.weight, 0);
@@ -30,11 +30,11 @@ TEST(RealisticCamera, SeesWhatAPinholeWouldSee) {
         return r.ray.o + r.ray.d * ((3 - r.ray.o.z) / r.ray.d.z);
     };
     EXPECT_LT(length(at(180, 120) - Vec3(0, 0, 3)), 1e-3f);
-    // Right of the middle is right, above it is up: no mirror.
+    // Right and up in the image are right and up in the scene: the image is not mirrored.
     EXPECT_NEAR(at(216, 120).x / (0.1f * size), 1, 0.02);
     EXPECT_NEAR(at(216, 120).y, 0, 1e-3);
     EXPECT_NEAR(at(180, 84).y / (0.1f * size), 1, 0.02);
-    // The cone covers a pixel at the focused distance.
+    // The cone's width at the focus distance is that of a pixel.
     const Ray ray = camera->generateRay(Vec2(180, 120), Vec2(0.5f, 0.5f), 0).ray;
     EXPECT_NEAR(ray.coneSpread * (3 - c.front) / (size / 360), 1, 0.01);
 }
@@ -59,7 +59,8 @@ TEST(RealisticCamera, FocusesWithAnOpenStop) {
     EXPECT_GT(blurred, 0.015f) << "nine times the stop's radius";
 }
 
-// The irradiance that a film point gets from a white world: over the box about the pupil as over the whole rear plane.
+// Irradiance at film points from a uniform environment must be the same when rays are aimed at the pupil's box and at
+// the whole rear plane.
 void checkPupils(std::vector<LensElement> elements, float half) {
     RealisticCameraParams p;
     p.lens = std::move(elements);
@@ -96,7 +97,7 @@ void checkPupils(std::vector<LensElement> elements, float half) {
 TEST(RealisticCamera, PupilsMissNothing) {
     checkPupils(camera50mm(0.001f).lens, 0.002f);
     checkPupils(camera50mm(0.008f).lens, 0.015f);
-    // With the stop before the glass the pupil is elsewhere for each point of the film, and its rim is cut.
+    // With the stop in front of the glass, each film point has a different pupil, with a clipped rim.
     checkPupils({{0, 0.012f, 0, 0.004f}, {0.05f, 0.006f, 1.5f, 0.01f}, {-0.05f, 0.045f, 1, 0.01f}}, 0.015f);
 }
 

@@ -1,4 +1,4 @@
-// How cameras see points: view() is the inverse of generateRay().
+// view() must be the inverse of generateRay().
 #include <gtest/gtest.h>
 
 #include "scene/camera.h"
@@ -52,7 +52,7 @@ TEST_P(CameraView, TurnsRaysBack) {
                 EXPECT_NEAR(view->film.y, film.y, 2e-3);
                 EXPECT_LT(length(view->from - ray.o), 1e-4f);
                 EXPECT_NEAR(view->pixelsPerArea / camera.pixelsPerArea(ray, distance), 1, 1e-3);
-                // A piece of a plane that faces the lens, as the film's corners of it lie.
+                // A small patch of a plane that faces the lens, with the corners where film positions project to.
                 const Vec3 s = normalize(cross(ray.d, Vec3(0.3f, 1, 0.1f))), t = cross(ray.d, s);
                 constexpr float kSide = 0.02f;
                 const auto seen = [&](float a, float b) {
@@ -75,7 +75,7 @@ TEST(CameraViews, SomeCannotTell) {
     const auto camera = makeEnvironmentCamera({}, kFilm);
     EXPECT_FALSE(camera->view(Vec3(1, 1, 1), Vec2(0.5f, 0.5f), 0));
     EXPECT_EQ(camera->pixelsPerArea(camera->generateRay(Vec2(30, 20), Vec2(0.5f, 0.5f), 0).ray, 1), 0);
-    // One that stretches space.
+    // A camera transform that scales axes unequally.
     const auto stretched = makePerspectiveCamera({.worldToCamera = Transform::scale(1, 2, 1)}, kFilm);
     EXPECT_FALSE(stretched->view(Vec3(0, 0, 1), Vec2(0.5f, 0.5f), 0));
 }

@@ -1,5 +1,5 @@
-// For tests: does a sampling routine follow the density that it claims? Pearson's chi-square test over bins of the
-// sphere of directions, with bins of small expectation pooled.
+// Pearson's chi-square test, for tests that samples follow their claimed pdf. The bins cover the sphere of directions;
+// bins with a small expectation are pooled.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace drc::test {
 
-// Tests across the whole suite, rounded up: each is held to 1% divided by this (Bonferroni), so that a right program
-// fails one run of the suite in a hundred seeds, and seeds are fixed.
+// Number of chi-square tests in the whole suite, rounded up. Each test is held to a significance level of 1 % divided
+// by this (Bonferroni), so that a correct program fails a run of the suite for one seed in a hundred. Seeds are fixed.
 inline constexpr double kChiSquareTests = 500;
 inline constexpr double kChiSquareLevel = 0.01 / kChiSquareTests;
 
@@ -24,7 +24,7 @@ struct ChiSquare {
     double pdfIntegral = 0;
 };
 
-// Integral of g over [x0, x1] x [y0, y1]: Gauss-Legendre on ever smaller quarters where it matters.
+// Integral of g over [x0, x1] x [y0, y1], by Gauss-Legendre quadrature on recursively quartered cells.
 template <typename F>
 double integrateCell(const F& g, double x0, double x1, double y0, double y1, int depth, double tolerance = 1e-6) {
     constexpr int kMinDepth = 1, kMaxDepth = 9;
@@ -49,7 +49,7 @@ double integrateCell(const F& g, double x0, double x1, double y0, double y1, int
            integrateCell(g, xm, x1, ym, y1, depth + 1, tolerance);
 }
 
-// Integral over the sphere of a function of direction.
+// Integral of a function of direction over each bin of the sphere.
 inline constexpr int kZBins = 16, kPhiBins = 24;
 template <typename F>
 double integrateBin(const F& g, int iz, int iphi, double tolerance = 1e-6) {
@@ -68,8 +68,8 @@ double integrateSphere(const F& g, double tolerance = 1e-6) {
     return sum;
 }
 
-// sample(rng) gives a unit vector or nothing; pdf(w) its density per solid angle. What the density lacks to one must
-// be the frequency of nothing. tolerance: of integrals where the density has edges.
+// sample(rng) returns a unit vector or none; pdf(w) is its density per solid angle. The probability of none must be one
+// minus the integral of the pdf. tolerance: of the integrals, for pdfs with discontinuities.
 template <typename Sample, typename Pdf>
 ChiSquare chiSquareTest(const Sample& sample, const Pdf& pdf, int samples, uint32_t seed, double tolerance = 1e-6) {
     std::mt19937 rng(seed);
@@ -108,7 +108,7 @@ ChiSquare chiSquareTest(const Sample& sample, const Pdf& pdf, int samples, uint3
             pooledExpected += expected[i];
         }
     }
-    // Draws where there is no density at all are an error however few; a handful may be rounding at a bin's edge.
+    // Samples where the pdf is zero are an error, except for a few that rounding at the edge of a bin explains.
     if (pooledExpected >= 5)
         count(pooledObserved, pooledExpected);
     else if (pooledObserved > pooledExpected + 5 * std::sqrt(pooledExpected + 1) + 3)

@@ -3,8 +3,8 @@
 namespace drc {
 namespace {
 
-// A rough face of this alpha turns light that is refracted through it twice by as much as microfacets of the base
-// would that are spread so far: each crossing turns by (1 - 1/eta) times the slope, a reflection by twice the slope.
+// Increase of the base's roughness that models the blur by a rough interface. Each of the two refractions deflects
+// light by (1 - 1/eta) times the slope of a facet, a reflection by twice the slope.
 float blurThrough(float eta, float coatAlpha) { return std::sqrt(0.5f) * (1 - 1 / eta) * coatAlpha; }
 
 }  // namespace
@@ -13,8 +13,8 @@ CoatedConductor::CoatedConductor(const DielectricCoat& coat, float coatAlpha, co
                                  const Fresnel& base)
     : coat_(coat), distribution_(distribution.widened(blurThrough(coat.eta(), coatAlpha))), base_(base) {
     alpha_ = distribution_.meanAlpha();
-    // What single scattering off microfacets loses, and there is no critical angle without an index: fits to random
-    // walks, like those below.
+    // Fits to random walks, here and below, of the energy that single scattering off microfacets conserves. Without a
+    // difference of indices there is no critical angle.
     kept_ = 1 / (1 + 1.8f * sqr(alpha_));
     trapped_ = std::min(1.f, 1.8f * (1 - 1 / sqr(coat.eta())));
 }
@@ -24,7 +24,7 @@ Vec3 CoatedConductor::refractIn(const Vec3& w) const {
 }
 
 float CoatedConductor::scatteredAway(float cosTheta) const {
-    // How far the mirror direction is from the critical angle, by the width of the reflection.
+    // Distance of the mirror direction from the critical angle, relative to the width of the reflection lobe.
     const float x = (1 - safeSqrt(1 - cosTheta * cosTheta)) / (coat_.eta() * 2.2f * alpha_);
     const float beyond = 0.4f * (1 - x / std::sqrt(1 + x * x));
     return lerp(std::min(1.f, 0.7f * sqr(alpha_)), beyond, 1);
@@ -46,10 +46,10 @@ LobeValue CoatedConductor::evaluate(const Vec3& wo, const Vec3& wi) const {
     const float once =
         d * distribution_.visibility(o, i) * inverseEta2 * coat_.transmittance(cosO) * coat_.transmittance(cosI);
     LobeValue value;
-    // Once, and after all reflections between base and coat.
+    // The first reflection off the base, and all further reflections between base and coat.
     const float again = 0.5f * (comesBack(cosO) + comesBack(cosI));
     for (int c = 0; c < 3; ++c) value.f[c] = once * fresnel[c] / (1 - fresnel[c] * again);
-    // Solid angles widen on the way out.
+    // Refraction out of the coat widens solid angles.
     value.pdf = microfacetPdf(distribution_, o, i, d) * inverseEta2 * cosI / absCosTheta(i);
     return value;
 }
@@ -63,7 +63,7 @@ LobeSample CoatedConductor::sample(const Vec3& wo, float, const Vec2& u, Transpo
     if (!sameHemisphere(o, i)) return {};
     const float x = i.x * coat_.eta(), y = i.y * coat_.eta();
     const float cos2 = 1 - x * x - y * y;
-    if (!(cos2 > 0)) return {};  // totally reflected: comes back
+    if (!(cos2 > 0)) return {};  // totally reflected inside the coat
     return sampleTowards(*this, wo, normalize(Vec3(x, y, std::copysign(std::sqrt(cos2), i.z))));
 }
 
@@ -83,7 +83,7 @@ Rgb CoatedMirror::albedo(const Vec3& wo) const {
     const float inside = coat_.cosineInside(c);
     const Rgb base = base_.eval(inside) * sqr(coat_.passed(inside));
     const float r = coat_.reflectance(c);
-    // r + t base t + t base r base t + ..., with t = 1 - r.
+    // The series r + t base t + t base r base t + ..., with t = 1 - r.
     Rgb sum;
     for (int k = 0; k < 3; ++k) sum[k] = r + sqr(1 - r) * base[k] / std::max(1e-6f, 1 - r * base[k]);
     return sum;

@@ -1,5 +1,5 @@
-// A conductor under a dielectric coat, without what the coat itself reflects where that is a lobe of its own
-// (pbrt-v4's "coatedconductor" in closed form; see docs/layered-materials.md).
+// A conductor under a dielectric coat, without the reflection off the coat itself, which is a lobe of its own if the
+// surface is rough (pbrt-v4's "coatedconductor" in closed form; see docs/layered-materials.md).
 #pragma once
 #include "scene/dielectric_coat.h"
 #include "scene/fresnel.h"
@@ -7,10 +7,11 @@
 
 namespace drc {
 
-// A rough base: microfacets seen through the coat.
+// A rough conductor: microfacets seen through the coat.
 class CoatedConductor {
   public:
-    // coatAlpha: of the coat's upper face, which blurs what is seen through it. base: seen from within the coat.
+    // coatAlpha: roughness of the coat's interface, which blurs the base. base: Fresnel term of the base as seen from
+    // inside the coat.
     CoatedConductor(const DielectricCoat& coat, float coatAlpha, const TrowbridgeReitz& distribution,
                     const Fresnel& base);
 
@@ -20,25 +21,25 @@ class CoatedConductor {
     Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }
     LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
-    Rgb albedo(const Vec3& wo) const;  // an estimate
+    Rgb albedo(const Vec3& wo) const;  // approximate
 
   private:
     Vec3 refractIn(const Vec3& w) const;
-    // Of what the base reflects along this direction, the part that roughness takes so far out of the mirror direction
-    // that the coat's face may reflect it totally.
+    // Share of the light reflected by the base along this direction that roughness scatters so far from the mirror
+    // direction that the coat's interface may reflect it totally.
     float scatteredAway(float cosTheta) const;
-    // Of what the base reflects along this direction, the part that comes back to it.
+    // Share of the light reflected by the base along this direction that the coat sends back to the base.
     float comesBack(float cosTheta) const;
 
     DielectricCoat coat_;
     TrowbridgeReitz distribution_;
     Fresnel base_;
-    float alpha_;    // of the base
-    float kept_;     // by one reflection off the base, of what is not absorbed
-    float trapped_;  // of what is scattered away
+    float alpha_;    // roughness of the base
+    float kept_;     // share of unabsorbed light that one single-scattering reflection off the base conserves
+    float trapped_;  // share of the scatteredAway() light that is totally reflected
 };
 
-// A smooth base under a smooth coat: one mirror, with the coat's own reflection.
+// A smooth conductor under a smooth coat: a single mirror that includes the coat's own reflection.
 class CoatedMirror : public MirrorLobe<CoatedMirror> {
   public:
     CoatedMirror(const DielectricCoat& coat, const Fresnel& base) : coat_(coat), base_(base) {}

@@ -43,7 +43,7 @@ TEST(CoatedConductor, WithoutACoatIsAMicrofacetReflection) {
     }
 }
 
-// How far docs/layered-materials.md says it is. Grey, so that one channel is all.
+// The errors stated in docs/layered-materials.md. Grey, so one channel is enough.
 TEST(CoatedConductor, IsNearTheRandomWalk) {
     const Fresnel grey = Fresnel::conductor(Rgb(1.f), Rgb(3.f));
     for (const float coatAlpha : {0.f, 0.2f})

@@ -1,4 +1,4 @@
-// A Lambertian base under a dielectric coat, without what the coat itself reflects: that is a lobe of its own
+// A Lambertian base under a dielectric coat, without the reflection off the coat itself, which is a lobe of its own
 // (pbrt-v4's "coateddiffuse" in closed form; see docs/layered-materials.md).
 #pragma once
 #include "scene/dielectric_coat.h"
@@ -15,7 +15,7 @@ class CoatedDiffuse : public DiffuseReflectionLobe<CoatedDiffuse> {
 
   private:
     DielectricCoat coat_;
-    Rgb scattered_;  // of the light that has entered: reflectance with all reflections inside, over eta^2
+    Rgb scattered_;  // reflectance of the base for light inside the coat, with all interreflections, divided by eta^2
 };
 
 }  // namespace drc

@@ -21,7 +21,7 @@ TEST(CoatedDiffuse, EnergyReciprocityAndAlbedo) {
             for (const float c : {0.1f, 0.5f, 1.f, -0.7f}) {
                 const Rgb total = furnace(lobe, direction(c), 10000);
                 expectClose(total, lobe.albedo(direction(c)), 0.02f);
-                // A white base gives back all that the coat lets in.
+                // A white base returns all light that the coat transmits.
                 EXPECT_NEAR(lobe.albedo(direction(c)).x, coat.transmittance(std::abs(c)), 3e-4f);
             }
         }
@@ -38,7 +38,7 @@ Bsdf face(float eta, float alpha) {
     return bsdf;
 }
 
-// The albedo of coat and base together; that of a rough face's own reflection by samples.
+// Albedo of coat and base together; the reflection off a rough interface is estimated by sampling.
 double closedAlbedo(float reflectance, float eta, float alpha, float depth, const Vec3& wo) {
     const double base = CoatedDiffuse(Rgb(reflectance), DielectricCoat(eta, alpha, depth)).albedo(wo).x;
     if (alpha == 0) return base + fresnelDielectric(wo.z, 1, eta);
@@ -57,8 +57,8 @@ TEST(CoatedDiffuse, SmoothIsTheRandomWalk) {
             }
 }
 
-// How far docs/layered-materials.md says it is, from a walk that loses nothing at the face; and never below one that
-// does.
+// The errors stated in docs/layered-materials.md against a lossless walk. The result must not be below that of a walk
+// that loses energy at the interface.
 TEST(CoatedDiffuse, RoughIsNearTheRandomWalk) {
     for (const float alpha : {0.1f, 0.3f, 0.6f})
         for (const float reflectance : {0.2f, 0.8f})

@@ -1,4 +1,4 @@
-// A conductor's index of refraction at each point of a surface: measured, or such that it reflects a given colour.
+// A conductor's complex index of refraction at each point of a surface, measured or derived from a reflectance.
 #pragma once
 #include "scene/fresnel.h"
 #include "scene/material_params.h"
@@ -11,13 +11,14 @@ inline const Rgb kCopperK(3.9129485f, 2.4528477f, 2.1421880f);
 
 class ConductorTextures {
   public:
-    // Null eta and k are copper's. reflectance: in place of both, what is reflected at normal incidence; may be null.
+    // Null eta and k are copper's. reflectance: the reflectance at normal incidence, in place of eta and k; may be
+    // null.
     ConductorTextures(RgbTexturePtr eta, RgbTexturePtr k, RgbTexturePtr reflectance = nullptr)
         : eta_(orConstant(std::move(eta), kCopperEta)),
           k_(orConstant(std::move(k), kCopperK)),
           reflectance_(std::move(reflectance)) {}
 
-    // outside: index of refraction of what lies on the conductor.
+    // outside: index of refraction of the medium above the conductor.
     Fresnel at(const TextureContext& point, float outside = 1) const {
         const Rgb eta = reflectance_ ? Rgb(1.f) : eta_->eval(point);
         const Rgb k = reflectance_ ? extinctionOf(reflectance_->eval(point)) : k_->eval(point);
@@ -26,7 +27,7 @@ class ConductorTextures {
     bool areAllConstant() const { return areConstant(eta_, k_, reflectance_); }
 
   private:
-    // k of the conductor that reflects this much at normal incidence in air, where eta is 1.
+    // The k for which a conductor with eta = 1 in air has this reflectance at normal incidence.
     static Rgb extinctionOf(const Rgb& reflectance) {
         Rgb k;
         for (int c = 0; c < 3; ++c) {

@@ -9,10 +9,10 @@
 namespace drc {
 namespace {
 
-constexpr int kStepsPerPiece = 4;  // of the table of lengths
-constexpr int kMaxPieces = 64;     // of one curve
+constexpr int kStepsPerPiece = 4;  // resolution of lengths_
+constexpr int kMaxPieces = 64;     // per curve
 
-// The Bezier curve's blossom, from which the control points of its parts can be read (PBR 3e, section 3.7).
+// The blossom of the Bezier curve, which gives the control points of its parts (PBR 3e, section 3.7).
 Vec3 blossom(const std::array<Vec3, 4>& c, float u, float v, float w) {
     const auto mix = [](const Vec3& a, const Vec3& b, float t) { return a * (1 - t) + b * t; };
     const Vec3 a = mix(c[0], c[1], u), b = mix(c[1], c[2], u), d = mix(c[2], c[3], u);
@@ -23,25 +23,26 @@ std::array<Vec3, 4> partOf(const std::array<Vec3, 4>& c, float u0, float u1) {
     return {blossom(c, u0, u0, u0), blossom(c, u0, u0, u1), blossom(c, u0, u1, u1), blossom(c, u1, u1, u1)};
 }
 
-// So many that chords stray from the curve by no more than a fiftieth of its width. A chord over 1/n of the parameter
-// strays by the second derivative, at most 6 times the second difference of the control points, over 8 n^2.
+// Number of pieces such that chords deviate from the curve by at most a fiftieth of its width. The deviation of a chord
+// over 1/n of the parameter range is at most the second derivative over 8 n^2, and the second derivative is at most 6
+// times the second difference of the control points.
 int piecesFor(const std::array<Vec3, 4>& c, float width) {
     const float bend = std::max(length(c[0] - c[1] * 2.f + c[2]), length(c[1] - c[2] * 2.f + c[3]));
     const float lines = std::sqrt(6 * bend / (8 * 0.02f * width));
     return std::isfinite(lines) ? int(std::clamp(std::ceil(lines / Curves::kLines), 1.f, float(kMaxPieces))) : 1;
 }
 
-// Where a ray in direction d (unit) meets a curve that turns its broad side to it, with the axis at `axis` from the
-// ray's origin: at its depth, but a bit nearer, so that the straight lines that Embree sees do not hide it.
+// Distance along a ray in direction d (unit) to a curve that faces it, whose axis is at `axis` relative to the ray's
+// origin. Slightly nearer than the axis, so that the line segments that Embree intersects do not occlude the hit point.
 float depthFacing(const Vec3& axis, const Vec3& d, float radius) { return dot(d, axis) - 0.25f * radius; }
 
-// Of a ribbon whose normals turn from one to the other: none of more than 15 degrees, where its edges, which Embree
-// takes for cubic curves, would stray.
+// Number of pieces for a ribbon whose normals rotate, at most 15 degrees each. Embree represents the edges by cubic
+// curves, which would deviate for larger rotations.
 int piecesForTurn(const Vec3& n0, const Vec3& n1) {
     return int(std::ceil(std::acos(std::clamp(dot(n0, n1), -1.f, 1.f)) * (12 / kPi)));
 }
 
-// Control points of a Bezier curve through both normals that leaves and arrives as the arc between them does.
+// Control points of a Bezier curve through both normals that has the tangents of the arc between them at its ends.
 std::array<Vec3, 4> arcBetween(const Vec3& n0, const Vec3& n1) {
     const float cosine = std::clamp(dot(n0, n1), -1.f, 1.f), angle = std::acos(cosine), sine = std::sin(angle);
     if (!(sine > 1e-4f)) return {n0, n0 * (2 / 3.f) + n1 * (1 / 3.f), n0 * (1 / 3.f) + n1 * (2 / 3.f), n1};
@@ -49,7 +50,7 @@ std::array<Vec3, 4> arcBetween(const Vec3& n0, const Vec3& n1) {
     return {n0, n0 + (n1 - n0 * cosine) * step, n1 + (n0 - n1 * cosine) * step, n1};
 }
 
-// Distance to the triangle's plane point along the ray with its barycentric coordinates (Moeller and Trumbore, 1997).
+// Intersection with a triangle: distance and barycentric coordinates (Moeller and Trumbore, 1997).
 struct TriangleHit {
     float t, b1, b2;
 };
@@ -76,7 +77,7 @@ int Curves::piecesOf(const std::array<Vec3, 4>& points, const std::array<float, 
 void Curves::reserve(size_t pieces) {
     const size_t wanted = ranges_.size() + pieces;
     if (wanted <= ranges_.capacity()) return;
-    // As vectors grow by themselves: sets that are appended to one by one are not copied for each.
+    // Doubles the capacity like std::vector, so that appending many sets one by one does not copy everything each time.
     const size_t room = std::max(wanted, ranges_.empty() ? 0 : 2 * ranges_.capacity());
     const bool ribbon = type_ == CurveType::Ribbon;
     const double bytes = 4 * sizeof(ControlPoint) + (ribbon ? 4 * sizeof(ControlNormal) : 0) + sizeof(Vec2);
@@ -99,7 +100,7 @@ void Curves::add(const std::array<Vec3, 4>& points, const std::array<float, 2>& 
             const float radius = 0.5f * lerp(lerp(float(k) / 3, u0, u1), widths[0], widths[1]);
             points_.push_back({part[k], radius});
             if (type_ == CurveType::Ribbon) normals_.push_back({arcPart[k]});
-            // Bounds do not tell of what is no number.
+            // Comparisons with NaN are false, so NaN would not be noticed in the bounds.
             if (!std::isfinite(part[k].x + part[k].y + part[k].z + radius)) bounds_.extend(Vec3(kInfinity));
             bounds_.extend(part[k] - Vec3(radius));
             bounds_.extend(part[k] + Vec3(radius));
@@ -122,7 +123,7 @@ Curves::Point Curves::at(uint32_t piece, float u) const {
     r.p = c[0].p * (v * v * v) + c[1].p * (3 * v * v * u) + c[2].p * (3 * v * u * u) + c[3].p * (u * u * u);
     r.d1 = ((c[1].p - c[0].p) * (v * v) + (c[2].p - c[1].p) * (2 * v * u) + (c[3].p - c[2].p) * (u * u)) * 3.f;
     r.d2 = ((c[0].p - c[1].p * 2.f + c[2].p) * v + (c[1].p - c[2].p * 2.f + c[3].p) * u) * 6.f;
-    // Where control points coincide there is no direction; any along the curve is better than none.
+    // Where control points coincide the derivative is zero; the direction along the whole curve is used instead.
     if (!(lengthSquared(r.d1) > 0)) r.d1 = c[3].p - c[0].p;
     r.radius = lerp(u, c[0].radius, c[3].radius);
     r.radiusStep = c[3].radius - c[0].radius;
@@ -141,7 +142,7 @@ Vec3 Curves::normalAt(uint32_t piece, float u, Vec3* derivative) const {
 Vec3 Curves::across(const Vec3& facing, const Vec3& along) {
     const Vec3 b = cross(facing, along);
     const float l2 = lengthSquared(b);
-    if (!(l2 > 1e-12f * lengthSquared(along))) return Frame::fromNormal(normalize(along)).s;  // end-on
+    if (!(l2 > 1e-12f * lengthSquared(along))) return Frame::fromNormal(normalize(along)).s;  // seen end-on
     return b * (1 / std::sqrt(l2));
 }
 
@@ -206,7 +207,8 @@ std::optional<ShapeHit> Curves::intersect(const Ray& ray, float tMin) const {
 
 const Distribution1D& Curves::lengths() const {
     std::call_once(lengthsOnce_, [this] {
-        constexpr double kBytesPerStep = sizeof(float) + sizeof(double) + sizeof(int);  // its own and the table's
+        constexpr double kBytesPerStep =
+            sizeof(float) + sizeof(double) + sizeof(int);  // of the values and of the distribution
         const MemoryClaim memory(double(pieceCount()) * kStepsPerPiece * kBytesPerStep,
                                  fmt::format("a light of curves of {} pieces", pieceCount()));
         std::vector<float> steps;
@@ -277,7 +279,7 @@ float Curves::pdfFrom(const Vec3& p, const Vec3&, const ShapePoint& hit) const {
 
 float Curves::density(const Vec3& p, const Chosen& chosen, float s) const {
     const Point c = at(chosen.piece, chosen.u);
-    // What the broad side is perpendicular to, and how it turns along the curve.
+    // The direction that the curve's side faces, and its derivative along the curve.
     Vec3 facing(0.f), turn(0.f);
     if (type_ == CurveType::Ribbon) {
         facing = normalAt(chosen.piece, chosen.u, &turn);
@@ -289,7 +291,7 @@ float Curves::density(const Vec3& p, const Chosen& chosen, float s) const {
     const Vec3 q = cross(facing, c.d1), b = across(facing, c.d1);
     const Vec3 qStep = cross(turn, c.d1) + cross(facing, c.d2);
     const Vec3 bStep = (qStep - b * dot(b, qStep)) / length(q);
-    // The point c + s r b by u and s, and the solid angle that they span.
+    // Derivatives of the point c + s r b with respect to u and s, and the solid angle that they span.
     const Vec3 byU = c.d1 + b * (s * c.radiusStep) + bStep * (s * c.radius), byS = b * c.radius;
     const Vec3 d = c.p + b * (s * c.radius) - p;
     const float distance = length(d);

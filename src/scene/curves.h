@@ -1,5 +1,5 @@
-// Many thin curves with one look: hair, fur, grass (PBR 3e, section 3.7). Each is a cubic Bezier curve whose width
-// changes linearly along it; none has a thickness.
+// Many thin curves of the same type: hair, fur, grass (PBR 3e, section 3.7). Each is a cubic Bezier curve without
+// thickness, whose width changes linearly along it.
 #pragma once
 #include <array>
 #include <mutex>
@@ -11,38 +11,40 @@
 namespace drc {
 
 enum class CurveType {
-    Flat,      // turns its broad side to whoever looks
-    Cylinder,  // the same, with the normals of the inside of a round tube
-    Ribbon,    // broad side along a given normal
+    Flat,      // always faces the viewer
+    Cylinder,  // faces the viewer, with the normals of the inside of a round tube
+    Ribbon,    // oriented by given normals
 };
 
-// u runs along each curve and v across it, along dpdv. Flat curves and cylinders have dpdv along cross(ray direction,
-// dpdu) as in pbrt, and normals towards the ray, or away from it for flipNormal. (pbrt's point away, where nobody could
-// see what they emit.) Across a cylinder the normals turn the way that pbrt's program turns them, so that it is shaded
-// as if it were hollow and one looked at its far side: pictures made with pbrt look so. The normal of a ribbon is the
-// given one, or its opposite for flipNormal. In pbrt all this is so in the space of the shape: where its transformation
-// mirrors, v runs the other way.
+// u runs along each curve and v across it, along dpdv. For flat curves and cylinders, dpdv is along cross(ray
+// direction, dpdu) as in pbrt, and the normals face the ray, or face away with flipNormal. (In pbrt they face away,
+// where nobody could see what the curves emit.) Across a cylinder, the normals vary as in the pbrt program, so that it
+// is shaded as if one saw the far side of a hollow tube; images made with pbrt look like this. The normal of a ribbon
+// is the given one, or its opposite with flipNormal. In pbrt all of this holds in the shape's own space, so that v runs
+// in the opposite direction where the shape's transform mirrors.
 class Curves final : public Shape {
   public:
     Curves(CurveType type, bool flipNormal, bool mirrored = false)
         : type_(type), flipNormal_(flipNormal), mirrored_(mirrored) {}
 
-    // Control points, and the widths and (for ribbons) unit normals at both ends. Nothing for a curve without length.
+    // Adds a curve: its control points, and the widths and (for ribbons) unit normals at both ends. A curve without
+    // length is ignored.
     void add(const std::array<Vec3, 4>& points, const std::array<float, 2>& widths,
              const std::array<Vec3, 2>& normals = {Vec3(0.f), Vec3(0.f)});
-    // How many pieces that makes.
+    // Number of pieces into which add() would split the curve.
     int piecesOf(const std::array<Vec3, 4>& points, const std::array<float, 2>& widths,
                  const std::array<Vec3, 2>& normals = {Vec3(0.f), Vec3(0.f)}) const;
-    // Makes room for so many pieces more. Throws Error if there is less memory than they and what rays need of them
-    // take.
+    // Makes room for the given number of additional pieces. Throws Error if memory does not suffice for them and their
+    // acceleration structure.
     void reserve(size_t pieces);
     bool looksLike(const Curves& other) const {
         return type_ == other.type_ && flipNormal_ == other.flipNormal_ && mirrored_ == other.mirrored_;
     }
-    // Those of another set that looks like this one. Throws Error as reserve() does.
+    // Adds the curves of another set of the same type. Throws Error as reserve() does.
     void append(const Curves& other);
 
-    // Curves are kept in pieces that kLines straight lines follow closely: four control points each.
+    // Curves are split into pieces of four control points each, such that kLines straight segments approximate a piece
+    // well.
     static constexpr int kLines = 8;
     struct ControlPoint {
         Vec3 p;
@@ -50,54 +52,56 @@ class Curves final : public Shape {
     };
     struct ControlNormal {
         Vec3 n;
-        float unused = 0;  // Embree loads 16 bytes
+        float unused = 0;  // Embree loads 16 bytes at a time
     };
     CurveType type() const { return type_; }
     uint32_t pieceCount() const { return uint32_t(ranges_.size()); }
     const std::vector<ControlPoint>& controlPoints() const { return points_; }
     const std::vector<ControlNormal>& controlNormals() const { return normals_; }  // ribbons only
 
-    // The hit of a ray at distance t with a piece, at the parameter u of that piece.
+    // Describes the hit of a ray at distance t on a piece, at the parameter u of that piece.
     ShapeHit hitAt(uint32_t piece, float u, const Ray& ray, float t) const;
 
     const Curves* asCurves() const override { return this; }
     Bounds bounds() const override { return bounds_; }
-    // Tries all pieces: for tests. Embree is for the rest.
+    // Tests all pieces, for unit tests. Rendering uses Embree.
     std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const override;
-    // Flat curves and cylinders have the area of round tubes: they show as much of it to all directions together.
+    // The area of flat curves and cylinders is that of round tubes, whose projected area, averaged over all directions,
+    // is the same.
     float area() const override;
     ShapeSample sample(const Vec2& u) const override;
-    // On the broad side that p sees, where this density is known; hits tell their piece and uv.
+    // Samples the side that faces p, for which the density is known. Hits report their piece in `part` and their uv.
     ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const override;
     float pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const override;
 
   private:
-    // A point of a piece with its derivatives by the piece's parameter.
+    // A point on a piece with its derivatives with respect to the piece's parameter.
     struct Point {
         Vec3 p, d1, d2;
         float radius, radiusStep;
     };
     Point at(uint32_t piece, float u) const;
     Vec3 normalAt(uint32_t piece, float u, Vec3* derivative = nullptr) const;
-    // Unit vector across the curve, in the broad side that is perpendicular to `facing`.
+    // Unit vector across the curve, within the plane of the side that is perpendicular to `facing`.
     static Vec3 across(const Vec3& facing, const Vec3& along);
     const Distribution1D& lengths() const;
     struct Chosen {
         uint32_t piece;
-        float u, pdf;  // density by the piece's parameter
+        float u, pdf;  // position on the piece, and density with respect to the piece's parameter
     };
     Chosen choose(float u) const;
-    // Of sampleFrom(p): per solid angle, for the point a share s (-1 to 1) of the radius off the curve.
+    // Density of sampleFrom(p) per solid angle, for the point at s times the radius from the curve's axis, s in [-1,
+    // 1].
     float density(const Vec3& p, const Chosen& at, float s) const;
 
     CurveType type_;
     bool flipNormal_, mirrored_;
     std::vector<ControlPoint> points_;
     std::vector<ControlNormal> normals_;
-    std::vector<Vec2> ranges_;  // of a piece: the whole curve's u where it begins and ends
+    std::vector<Vec2> ranges_;  // for each piece, u of the whole curve at its ends
     Bounds bounds_;
     mutable std::once_flag lengthsOnce_;
-    mutable Distribution1D lengths_;  // radius times length along the pieces, in equal steps of their parameters
+    mutable Distribution1D lengths_;  // radius times length, over equal steps of the parameter along all pieces
 };
 
 }  // namespace drc

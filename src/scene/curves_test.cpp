@@ -25,7 +25,7 @@ TEST(Curves, FlatFacesTheRay) {
     const auto curve = make(CurveType::Flat, kStraight, 0.2f, 0.4f);
     for (const Vec3& from : {Vec3(0, 0, 5), Vec3(0, 5, 0), Vec3(0, -3, 4)}) {
         const Vec3 d = -normalize(from);
-        const Vec3 side = normalize(cross(d, Vec3(1, 0, 0)));  // where v grows
+        const Vec3 side = normalize(cross(d, Vec3(1, 0, 0)));  // the direction in which v increases
         const auto hit = curve->intersect(rayFrom(from + side * 0.075f, d), 0);
         ASSERT_TRUE(hit);
         EXPECT_NEAR(hit->t, 5, 1e-5);
@@ -43,10 +43,10 @@ TEST(Curves, FlatFacesTheRay) {
               0);
 }
 
-// As pbrt's program has it: the normals of the inside of a tube's far side.
+// As in the pbrt program: the normals of the far inside of a tube.
 TEST(Curves, CylinderLooksLikeAHollowTube) {
     const auto curve = make(CurveType::Cylinder, kStraight, 0.2f, 0.2f);
-    // A half of the radius in pbrt's equal steps of angle: 45 degrees, towards the axis.
+    // At half the radius; the normal varies in equal steps of angle, so it is at 45 degrees, towards the axis.
     const auto above = curve->intersect(rayFrom(Vec3(0, 0.05f, 5), Vec3(0, 0, -1)), 0);
     const auto below = curve->intersect(rayFrom(Vec3(0, -0.05f, 5), Vec3(0, 0, -1)), 0);
     ASSERT_TRUE(above && below);
@@ -59,7 +59,7 @@ TEST(Curves, CylinderLooksLikeAHollowTube) {
 TEST(Curves, RibbonKeepsItsSide) {
     Curves ribbon(CurveType::Ribbon, false);
     ribbon.add(kStraight, {0.2f, 0.2f}, {Vec3(0, 0, 1), Vec3(0, 1, 0)});
-    // The normals turn by a quarter; in the middle they are diagonal. Edge-on it is not seen.
+    // The normals rotate by 90 degrees and are diagonal in the middle. Edge-on, a ribbon is invisible.
     const Vec3 diagonal = normalize(Vec3(0, 1, 1));
     const auto hit = ribbon.intersect(rayFrom(diagonal * 5, -diagonal), 0);
     ASSERT_TRUE(hit);
@@ -68,7 +68,7 @@ TEST(Curves, RibbonKeepsItsSide) {
     const Vec3 edge = normalize(Vec3(0, 1, -1));
     EXPECT_TRUE(ribbon.intersect(rayFrom(diagonal * 5 + edge * 0.09f, -diagonal), 0));
     EXPECT_FALSE(ribbon.intersect(rayFrom(diagonal * 0.01f + edge * 5, -edge), 0));
-    // v grows along dpdv.
+    // v must increase along dpdv.
     const auto off = ribbon.intersect(rayFrom(diagonal * 5 + hit->dpdv * 0.25f, -diagonal), 0);
     ASSERT_TRUE(off);
     EXPECT_NEAR(off->uv.y, 0.75, 2e-3);
@@ -76,7 +76,7 @@ TEST(Curves, RibbonKeepsItsSide) {
 }
 
 TEST(Curves, PiecesJoin) {
-    // A sharp bend in a thin curve takes many pieces; u runs through all of them.
+    // A sharp bend in a thin curve needs many pieces, and u must run through all of them.
     const auto curve = make(CurveType::Flat, kBent, 0.004f, 0.004f);
     EXPECT_GT(curve->pieceCount(), 2u);
     Curves whole(CurveType::Flat, false);
@@ -91,7 +91,7 @@ TEST(Curves, PiecesJoin) {
         EXPECT_NEAR(hit->uv.x, u, 2e-3);
         EXPECT_NEAR(hit->t, 3, 1e-3);
     }
-    // Pieces that another set brings along are found as well.
+    // Pieces from an appended set must be hit as well.
     Curves both(CurveType::Flat, false);
     both.add(kStraight, {0.1f, 0.1f});
     ASSERT_TRUE(both.looksLike(whole));
@@ -100,12 +100,12 @@ TEST(Curves, PiecesJoin) {
     both.append(moved);
     EXPECT_EQ(both.intersect(rayFrom(Vec3(0.3f, 5, 1), Vec3(0, 0, -1)), 0)->part, 1u);
     EXPECT_GT(both.bounds().max.y, 5);
-    // Without length there is nothing to see.
+    // A curve without length is ignored.
     both.add({Vec3(1.f), Vec3(1.f), Vec3(1.f), Vec3(1.f)}, {1, 1});
     EXPECT_EQ(both.pieceCount(), 2u);
 }
 
-// sampleFrom against uniform directions near the curve: solid angle and first moments of what p sees.
+// Compares sampleFrom() with uniform directions around the curve, by the solid angle it subtends and its first moments.
 void checkSolidAngle(const Curves& curves, const Vec3& p) {
     Pcg32 rng(9);
     const Bounds box = curves.bounds();
@@ -122,7 +122,7 @@ void checkSolidAngle(const Curves& curves, const Vec3& p) {
         const auto hit = curves.intersect(rayFrom(p, d), 0);
         for (int k = 0; k < 4; ++k) byDirection[k].add(hit ? (k < 3 ? d[k] : 1) * 2 * kPi * (1 - cosine) : 0);
         if (!hit || i % 8 != 0 || std::abs(hit->uv.y - 0.5f) > 0.49f) continue;
-        // Whatever is hit could have been sampled.
+        // Every visible point must have a positive pdf.
         const float pdf = curves.pdfFrom(p, d, {p + d * hit->t, hit->ng, hit->uv, hit->part});
         EXPECT_GT(pdf, 0);
     }
@@ -145,7 +145,7 @@ TEST(Curves, PdfIsThatOfSampleFrom) {
             const ShapeSample s = curves->sampleFrom(p, rng.nextVec2());
             const Vec3 w = normalize(s.p - p);
             const auto hit = curves->intersect(rayFrom(p, w), 0);
-            // Lost over the very edge, or hidden behind another bend.
+            // Missed exactly at the edge, or hidden behind another bend.
             if (!hit || std::abs(hit->t - length(s.p - p)) > 0.06f) continue;
             const float pdf = curves->pdfFrom(p, w, {p + w * hit->t, hit->ng, hit->uv, hit->part});
             different += std::abs(pdf - s.pdf) > 0.05f * s.pdf;
@@ -153,11 +153,11 @@ TEST(Curves, PdfIsThatOfSampleFrom) {
             ++compared;
         }
         EXPECT_GT(compared, 200);
-        EXPECT_LT(different, compared / 40);  // where the curve or the ribbon is seen end-on
+        EXPECT_LT(different, compared / 40);  // some where the curve or ribbon is seen end-on
     }
 }
 
-// Nearer to a curve's axis than a quarter of its radius no sample is met, and a ray that meets it there counts in full.
+// From closer to the axis than a quarter of the radius, no sample is visible, and the pdf of hits must be zero.
 TEST(Curves, NoDensityWhereNoSampleLies) {
     for (const CurveType type : {CurveType::Flat, CurveType::Cylinder}) {
         const auto curves = make(type, kStraight, 1, 1);
@@ -167,7 +167,7 @@ TEST(Curves, NoDensityWhereNoSampleLies) {
         for (int i = 0; i < 200; ++i) {
             const Vec2 u = rng.nextVec2();
             const bool met = curves->sampleFrom(p, u).pdf > 0;
-            // The straight curve is one piece, and equal parts of u are equal lengths of it.
+            // The straight curve is a single piece, in which equal steps of u have equal lengths.
             EXPECT_EQ(curves->pdfFrom(p, Vec3(0, 1, 0), {p, Vec3(0, 1, 0), Vec2(u.x, u.y), 0}) > 0, met) << u.x;
             none += !met;
         }
@@ -176,18 +176,19 @@ TEST(Curves, NoDensityWhereNoSampleLies) {
     }
 }
 
-// Chi-square over bands of directions. What the density lets expect of a band is found by random directions in turn,
-// and their variance counts as well: the density of a thin curve has too many edges for a quadrature.
+// Chi-square test over bands of directions. The expected counts are themselves estimated with random directions, and
+// their variance is included, since the pdf of a thin curve has too many discontinuities for quadrature.
 TEST(Curves, DirectionsFollowTheDensity) {
     constexpr int kBands = 16, kSamples = 12000, kDirections = 25000;
     for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon}) {
         const auto curves = make(type, kBent, 0.1f, 0.25f);
         const Vec3 p(0.3f, 0.5f, 3);
         Pcg32 rng(10);
-        // Directions go through a window before the curve.
+        // Directions are chosen by a window in front of the curve.
         const Bounds box = curves->bounds();
         const Vec2 low(box.min.x - p.x, box.min.y - p.y), high(box.max.x - p.x, box.max.y - p.y);
-        const float depth = p.z - box.max.z, reach = depth / (p.z - box.min.z);  // the near side's share of the far one
+        const float depth = p.z - box.max.z,
+                    reach = depth / (p.z - box.min.z);  // ratio of the near to the far distance
         const auto edge = [&](float a) { return std::max(a, a * reach); };
         const Vec2 from(-edge(-low.x), -edge(-low.y)), to(edge(high.x), edge(high.y));
         const auto band = [&](const Vec3& w) {
@@ -220,9 +221,9 @@ TEST(Curves, DirectionsFollowTheDensity) {
         }
         EXPECT_GT(counted, 8);
         EXPECT_GT(chiSquareUpperTail(chiSquare, counted), test::kChiSquareLevel) << chiSquare << " of " << counted;
-        // In all it is one; samples that fall off the very edges are few.
+        // The total must be 1, except for a few samples that miss exactly at edges.
         EXPECT_NEAR(sum / kSamples, 1, 4 * std::sqrt(variance) / kSamples + 5e-3);
-        // Where a ribbon is seen edge-on its density has a pole.
+        // Where a ribbon is seen edge-on, its pdf has a singularity.
         EXPECT_LT(std::sqrt(variance) / kSamples, type == CurveType::Ribbon ? 0.08 : 0.015);
     }
 }

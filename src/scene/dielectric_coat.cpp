@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// Integral of g over [0, 1]: Gauss-Legendre with eight nodes.
+// Integral of g over [0, 1] by Gauss-Legendre quadrature with eight nodes.
 template <typename G>
 float integrateUnit(const G& g) {
     constexpr float kNode[4] = {0.18343464f, 0.52553241f, 0.79666648f, 0.96028986f};
@@ -18,13 +18,14 @@ float integrateUnit(const G& g) {
 }  // namespace
 
 DielectricCoat::DielectricCoat(float eta, float alpha, float depth) : eta_(std::max(1.f, eta)), depth_(depth) {
-    // Facets that are seen under grazing angles lean towards the viewer, and those seen from above lean anywhere. Fits
-    // of the mean reflectance over visible normals.
+    // At grazing angles the visible facets lean towards the viewer; from above, they lean in all directions. Both
+    // constants are fits of the mean reflectance over visible normals.
     atHorizon_ = sqr(2 * alpha / (1 + 3 * alpha));
     atNormal_ = sqr(1 / (1 + alpha));
 
     meanTransmittance_ = integrateUnit([&](float c) { return 2 * c * transmittance(c); });
-    // Inside: directions beyond the critical angle are all reflected, those within it map to the hemisphere outside.
+    // From inside, directions beyond the critical angle are totally reflected; those within it map to the hemisphere
+    // outside.
     const float inverseEta2 = 1 / (eta_ * eta_);
     const float critical = safeSqrt(1 - inverseEta2);
     const float withinCone =

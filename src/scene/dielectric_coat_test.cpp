@@ -16,13 +16,13 @@ TEST(DielectricCoat, SmoothIsFresnels) {
         EXPECT_NEAR(coat.transmittance(c), 1 - fresnelDielectric(c, 1, 1.5f), 1e-5f);
         EXPECT_NEAR(coat.cosineInside(c), std::sqrt(1 - (1 - c * c) / 2.25f), 1e-6f);
     }
-    // Hemispherical reflectances of an index of 1.5, from outside and inside, as they are tabulated.
+    // Tabulated hemispherical reflectances for an index of 1.5, from outside and inside.
     EXPECT_NEAR(1 - coat.meanTransmittance(), 0.0918f, 2e-4f);
     EXPECT_NEAR(coat.internalReflectance(), 0.5963f, 2e-4f);
 }
 
 TEST(DielectricCoat, WhatEntersCanLeave) {
-    // Light that is diffuse on both sides is in equilibrium: eta^2 (1 - internal) = mean transmittance.
+    // Diffuse light on both sides is in equilibrium: eta^2 (1 - internal reflectance) = mean transmittance.
     for (const float eta : {1.f, 1.3f, 1.5f, 2.4f})
         for (const float alpha : {0.f, 0.1f, 0.5f, 1.f}) {
             const DielectricCoat coat(eta, alpha, 0);
@@ -52,7 +52,7 @@ TEST(DielectricCoat, Absorbs) {
     EXPECT_NEAR(coat.passed(0.8f), std::exp(-0.5f), 1e-6f);
     EXPECT_NEAR(coat.transmittance(1), 0.96f * std::exp(-0.4f), 1e-5f);
     EXPECT_LT(coat.internalReflectance(), DielectricCoat(1.5f, 0, 0).internalReflectance());
-    // Along the normal and slower: it takes at least exp(-0.8) for both crossings.
+    // Light needs to pass at least the depth along the normal twice, which leaves at most exp(-0.8).
     EXPECT_LT(coat.internalReflectance(), 0.5963f * std::exp(-0.8f));
 }
 

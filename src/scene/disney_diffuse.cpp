@@ -4,7 +4,7 @@
 
 namespace drc {
 
-// Hanrahan and Krueger's slab in Burley's fit; inverseCosines is 1 / (cos theta_o + cos theta_i).
+// Burley's fit of Hanrahan and Krueger's subsurface scattering. inverseCosines is 1 / (cos theta_o + cos theta_i).
 float DisneyDiffuse::flatness(float schlickO, float schlickI, float cos2D, float inverseCosines) const {
     const float atHorizon = roughness_ * cos2D;
     const float fresnel = lerp(schlickO, 1, atHorizon) * lerp(schlickI, 1, atHorizon);
@@ -19,7 +19,7 @@ float DisneyDiffuse::retroReflection(float schlickO, float schlickI, float cos2D
 Rgb DisneyDiffuse::f(const Vec3& wo, const Vec3& wi) const {
     const float cosO = absCosTheta(wo), cosI = absCosTheta(wi);
     const Vec3 wh = wo + wi;
-    // wi above the horizon has no such sum; below, the Bsdf decides, and any half vector does.
+    // The half vector is only degenerate for wi below the horizon, which the Bsdf rejects anyway.
     if (cosO + cosI == 0 || lengthSquared(wh) == 0) return Rgb(0.f);
     const float schlickO = schlickWeight(cosO), schlickI = schlickWeight(cosI);
     const float cosD = std::min(1.f, dot(wi, normalize(wh))), cos2D = cosD * cosD;
@@ -29,8 +29,8 @@ Rgb DisneyDiffuse::f(const Vec3& wo, const Vec3& wi) const {
     return diffuse * kInvPi + colors_.sheen * schlickWeight(cosD);
 }
 
-// The formulas above at means over a cosine-weighted wi: schlickI 1/21 (which makes the base's exact), cos2D
-// (1 + 2/3 cos theta_o) / 2, the inverse sum of cosines 2 (1 - c ln (1 + 1/c)). The sheen's is a fit.
+// The formulas above, evaluated at means over a cosine-weighted wi: schlickI 1/21 (exact for the base), cos2D (1 + 2/3
+// cos theta_o) / 2, inverse sum of cosines 2 (1 - c ln (1 + 1/c)). The sheen's term is a fit.
 Rgb DisneyDiffuse::albedo(const Vec3& wo) const {
     const float cosO = absCosTheta(wo);
     const float schlickO = schlickWeight(cosO), schlickI = 1 / 21.f;

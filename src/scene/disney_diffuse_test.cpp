@@ -25,7 +25,7 @@ TEST(DisneyDiffuse, EnergyReciprocityAndAlbedoOfEachPart) {
         for (const float roughness : {0.f, 0.5f, 1.f}) {
             SCOPED_TRACE("roughness " + std::to_string(roughness));
             const DisneyDiffuse lobe = only(part, roughness);
-            // Burley's stand-in for subsurface scattering is the one part that by itself gives back too much.
+            // Burley's approximate subsurface scattering is the only part that reflects too much by itself.
             checkEnergy(lobe, part == &DisneyDiffuseColors::flat ? 0.6f : 0.f);
             checkReciprocity(lobe);
             checkAlbedo(lobe, 0.1f);

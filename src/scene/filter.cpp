@@ -35,13 +35,13 @@ class TriangleFilter final : public Filter {
     }
 
   private:
-    // Inverse of the cumulative distribution of 1 - |x| over [-1,1].
+    // Inverse of the cumulative distribution of the tent 1 - |x| on [-1,1].
     static float tent(float u) { return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 * (1 - u)); }
 
     Vec2 radius_;
 };
 
-// One axis of a separable filter, tabulated. Cells are small enough for f / pdf to be nearly its sign.
+// One axis of a separable filter, tabulated. The cells are small enough for f / pdf to be nearly the sign of f.
 class Axis {
   public:
     Axis(float radius, std::function<float(float)> f) : radius_(radius), f_(std::move(f)) {
@@ -56,7 +56,7 @@ class Axis {
                 sum += value;
                 cell += std::abs(value);
             }
-            // An average, so that a cell in which f changes its sign is not missed.
+            // The mean of |f| over the cell, so that a cell in which f changes its sign is not missed.
             magnitude[i] = static_cast<float>(cell);
         }
         table_ = Distribution1D(magnitude);
@@ -64,7 +64,7 @@ class Axis {
     }
 
     float eval(float x) const { return std::abs(x) <= radius_ ? f_(x) : 0.f; }
-    // Offset and weight; the mean of the weight is the integral of f over that of f.
+    // Offset, and the weight f / pdf divided by the mean of f, so that the mean of the weight is 1.
     std::pair<float, float> sample(float u) const {
         const Sample1D s = table_.sampleContinuous(u);
         const float x = (2 * s.x - 1) * radius_;
@@ -76,10 +76,10 @@ class Axis {
     float radius_;
     std::function<float(float)> f_;
     Distribution1D table_;  // |f| over [-radius, radius]
-    float mean_ = 1;        // of f over the same
+    float mean_ = 1;        // mean of f over the same interval
 };
 
-// f(x, y) = fx(x) fy(y), which all of these are.
+// f(x, y) = fx(x) fy(y), as for all of these filters.
 class SeparableFilter final : public Filter {
   public:
     SeparableFilter(Axis x, Axis y) : x_(std::move(x)), y_(std::move(y)) {}
@@ -95,13 +95,13 @@ class SeparableFilter final : public Filter {
     Axis x_, y_;
 };
 
-// A Gaussian, lowered to reach zero at the radius (PBR 3e, section 7.8.1).
+// A Gaussian, shifted down to reach zero at the radius (PBR 3e, section 7.8.1).
 Axis gaussianAxis(float radius, float alpha) {
     const float edge = std::exp(-alpha * radius * radius);
     return Axis(radius, [=](float x) { return std::max(0.f, std::exp(-alpha * x * x) - edge); });
 }
 
-// Mitchell and Netravali's cubics, stretched so that their support of two units each way is the radius.
+// The Mitchell-Netravali filter, scaled so that its support of two units on each side becomes the radius.
 Axis mitchellAxis(float radius, float b, float c) {
     return Axis(radius, [=](float offset) {
         const float x = std::abs(2 * offset / radius);
@@ -116,7 +116,7 @@ float sinc(float x) {
     return x < 1e-5f ? 1.f : std::sin(kPi * x) / (kPi * x);
 }
 
-// A sinc, windowed by the main lobe of another that is tau times as wide.
+// A sinc, windowed by the main lobe of another sinc that is tau times as wide (Lanczos).
 Axis sincAxis(float radius, float tau) {
     return Axis(radius, [=](float x) { return sinc(x) * sinc(x / tau); });
 }

@@ -1,5 +1,6 @@
-// Pixel reconstruction filters (PBR 3e, section 7.8), applied by importance sampling: a camera sample is placed about
-// its pixel's centre with density proportional to |filter| and counts with the filter's sign (Ernst et al. 2006).
+// Pixel reconstruction filters (PBR 3e, section 7.8), applied by filter importance sampling: camera samples are placed
+// around the pixel's centre with a density proportional to |filter| and weighted by the filter's sign (Ernst et al.
+// 2006).
 #pragma once
 #include <memory>
 #include <string>
@@ -9,7 +10,7 @@
 namespace drc {
 
 struct FilterSample {
-    Vec2 offset;       // pixels, from the pixel's centre
+    Vec2 offset;       // from the pixel's centre, in pixels
     float weight = 1;  // f / pdf; its mean is 1
 };
 

@@ -40,8 +40,8 @@ TEST(Filter, ValuesOfPbrt) {
     for (const Case& c : cases()) EXPECT_EQ(c.filter->eval(c.filter->radius() * 1.01f), 0) << c.name;
 }
 
-// Means of weight times test functions equal the filter's normalised moments, which is what makes an image that is
-// reconstructed with these samples right; and the weights are nearly constant in magnitude.
+// The mean of weight times a test function must equal the filter's normalised moment, so that reconstruction with these
+// samples is correct; and the weights must be nearly constant in magnitude.
 TEST(Filter, SamplesReproduceTheFilter) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
@@ -75,12 +75,12 @@ TEST(Filter, SamplesReproduceTheFilter) {
                 for (int k = 0; k < 5; ++k) estimate[k].add(s.weight * g(s.offset, k));
             }
         for (int k = 0; k < 5; ++k) EXPECT_NEAR(estimate[k].mean(), exact[k] / exact[0], 2e-3) << k;
-        // |f| / pdf is constant but within the table's cells where f reaches zero: there up to twice that, an axis.
+        // |f| / pdf is constant except in cells where f reaches zero; there it is up to twice as large per axis.
         EXPECT_LT(largest, 4.1 * absolute / exact[0]);
     }
 }
 
-// Histogram of samples against |f|, for filters without a table and with one.
+// Histogram of samples against |f|, for filters sampled analytically and by table.
 TEST(Filter, DensityIsProportionalToTheMagnitude) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);

@@ -4,8 +4,8 @@ namespace drc {
 
 namespace {
 
-// One channel. With the complex cosine inside the metal written as (a + i b) / (eta + i k), the real numbers a^2 + b^2
-// and a are all that the reflectances need.
+// A single channel. If the complex cosine inside the metal is (a + i b) / (eta + i k), the reflectances only depend on
+// a^2 + b^2 and a.
 float conductorChannel(float cosTheta, float eta, float k) {
     const float cos2 = cosTheta * cosTheta, sin2 = 1 - cos2;
     const float eta2 = eta * eta, k2 = k * k;
@@ -13,7 +13,7 @@ float conductorChannel(float cosTheta, float eta, float k) {
     const float a2b2 = safeSqrt(real * real + 4 * eta2 * k2);
     const float twoACos = 2 * cosTheta * safeSqrt(0.5f * (a2b2 + real));
     const float s = a2b2 + cos2;
-    // The sums vanish only where eta = 1 and k = 0 at grazing angles, and the limit of no boundary at all is 1 there.
+    // The sum is zero only at grazing angles with eta = 1 and k = 0. Without a boundary the limit of the ratio is 1.
     const float perpendicular = s + twoACos > 0 ? (s - twoACos) / (s + twoACos) : 1;
     const float p = cos2 * a2b2 + sin2 * sin2;
     const float q = twoACos * sin2;

@@ -4,12 +4,12 @@
 
 namespace drc {
 
-// A boundary between dielectrics, by the ratio of its indices: without the divisions that would be the same at every
-// angle.
+// The relative index of refraction between two dielectrics, with the divisions that do not depend on the angle done in
+// advance.
 class IndexRatio {
   public:
     IndexRatio(float etaI, float etaT) : eta_(etaT / etaI), inverse_(etaI / etaT) {}
-    // As fresnelDielectric.
+    // As fresnelDielectric().
     float reflectance(float cosThetaI) const {
         const bool inside = cosThetaI <= 0;
         const float eta = inside ? inverse_ : eta_, inverse = inside ? eta_ : inverse_;
@@ -26,16 +26,16 @@ class IndexRatio {
     float eta_, inverse_;  // etaT / etaI and etaI / etaT
 };
 
-// Unpolarised reflectance of a boundary between dielectrics. cosThetaI > 0: the ray comes from the side of index etaI;
-// negative: from the other side. 1 at total internal reflection.
+// Unpolarised reflectance of the boundary between two dielectrics. cosThetaI > 0: the ray is on the side with index
+// etaI; negative: on the other side. 1 for total internal reflection.
 inline float fresnelDielectric(float cosThetaI, float etaI, float etaT) {
     return IndexRatio(etaI, etaT).reflectance(cosThetaI);
 }
 
-// Unpolarised reflectance of a conductor of index eta + i k, seen from vacuum. The sign of cosThetaI is ignored.
+// Unpolarised reflectance of a conductor with the index eta + i k in vacuum. The sign of cosThetaI is ignored.
 Rgb fresnelConductor(float cosThetaI, const Rgb& eta, const Rgb& k);
 
-// (1 - cos)^5 of Schlick's approximation.
+// The factor (1 - cos)^5 of Schlick's approximation.
 inline float schlickWeight(float cosTheta) {
     const float m = std::clamp(1 - cosTheta, 0.f, 1.f);
     return (m * m) * (m * m) * m;
@@ -44,10 +44,10 @@ inline Rgb fresnelSchlick(float cosTheta, const Rgb& atNormal) {
     return atNormal + (Rgb(1.f) - atNormal) * schlickWeight(cosTheta);
 }
 
-// The choice among them that a lobe carries.
+// One of the Fresnel terms above, as a member of a lobe.
 class Fresnel {
   public:
-    // Reflects everything.
+    // A reflectance of 1 at all angles.
     Fresnel() = default;
     static Fresnel none() { return {}; }
     static Fresnel dielectric(float etaI, float etaT) {
@@ -56,7 +56,7 @@ class Fresnel {
         f.ratio_ = IndexRatio(etaI, etaT);
         return f;
     }
-    // A coat of index eta whose two faces both look outwards: the side of the surface does not matter.
+    // A dielectric coat of index eta that is seen from outside on both sides of the surface.
     static Fresnel coat(float eta) {
         Fresnel f;
         f.kind_ = Kind::Coat;
@@ -70,9 +70,9 @@ class Fresnel {
         f.k_ = k;
         return f;
     }
-    // Burley's blend of a dielectric of index eta, at metallic 0, and Schlick's approximation for a metal, at 1. Only
-    // the part `transmissive` of the dielectric has an inside, with total reflection; the rest is alike from both
-    // sides.
+    // Burley's blend of a dielectric of index eta (metallic = 0) and Schlick's approximation of a metal (metallic = 1).
+    // Only the share `transmissive` of the dielectric has an inside, with total internal reflection; the rest is the
+    // same from both sides.
     static Fresnel metallic(const Rgb& atNormal, float metallic, float eta, float transmissive = 0) {
         Fresnel f;
         f.kind_ = Kind::Metallic;
@@ -110,7 +110,7 @@ class Fresnel {
     Kind kind_ = Kind::None;
     IndexRatio ratio_{1, 1};
     float metallic_ = 0, transmissive_ = 0;
-    Rgb eta_{1.f}, k_{0.f};  // of a conductor; eta_ is also what a metallic boundary reflects at normal incidence
+    Rgb eta_{1.f}, k_{0.f};  // of a conductor; for metallic(), eta_ is the metal's reflectance at normal incidence
 };
 
 }  // namespace drc

@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// Of the light that crosses the coat at this angle, the part left to the base.
+// Share of the light crossing the coat at this angle that reaches the base.
 float coatTransmission(float cosTheta) { return 1 - schlickWeight(0.5f * cosTheta); }
 
 }  // namespace
@@ -14,7 +14,7 @@ Rgb FresnelBlendBase::f(const Vec3& wo, const Vec3& wi) const {
     return reflectance_ * (28 * kInvPi / 23 * coatTransmission(absCosTheta(wi)) * coatTransmission(absCosTheta(wo)));
 }
 
-// 28/23 is what makes the integral over wi come out as one.
+// The factor 28/23 in f() makes the integral over wi equal to one.
 Rgb FresnelBlendBase::albedo(const Vec3& wo) const { return reflectance_ * coatTransmission(absCosTheta(wo)); }
 
 LobeValue FresnelBlendCoat::evaluate(const Vec3& wo, const Vec3& wi) const {

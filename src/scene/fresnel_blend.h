@@ -1,6 +1,7 @@
-// A diffuse base under a glossy coat that takes more of the light at grazing angles (Ashikhmin and Shirley, "An
-// Anisotropic Phong Light Reflection Model", 2000; PBR 3e, sections 8.5 and 14.1.2). Base and coat are lobes of their
-// own, so that each is sampled by its share, and so that a sharp coat does not keep the base from radiance maps.
+// A diffuse base under a glossy coat that reflects more light at grazing angles (Ashikhmin and Shirley, "An Anisotropic
+// Phong Light Reflection Model", 2000; PBR 3e, sections 8.5 and 14.1.2). Base and coat are separate lobes, so that each
+// is sampled in proportion to its albedo, and so that the base can use radiance maps when the coat is too sharp for
+// them.
 #pragma once
 #include "scene/lobe_sampling.h"
 
@@ -8,7 +9,7 @@ namespace drc {
 
 class FresnelBlendBase : public DiffuseReflectionLobe<FresnelBlendBase> {
   public:
-    // Both colours decide what the coat leaves to the base.
+    // Both colours determine how much light the coat leaves to the base.
     FresnelBlendBase(const Rgb& diffuse, const Rgb& specular) : reflectance_(diffuse * (Rgb(1.f) - specular)) {}
 
     Rgb f(const Vec3& wo, const Vec3& wi) const;
@@ -31,7 +32,7 @@ class FresnelBlendCoat {
     LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
         return sampleByMicrofacet(*this, distribution_, wo, u);
     }
-    Rgb albedo(const Vec3& wo) const;  // of the smooth surface
+    Rgb albedo(const Vec3& wo) const;  // that of the smooth surface
 
   private:
     Rgb specular_;

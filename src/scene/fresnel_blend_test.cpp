@@ -18,7 +18,7 @@ TEST(FresnelBlend, EnergyAndReciprocity) {
     for (const float alpha : {0.05f, 0.3f, 0.8f}) {
         const TrowbridgeReitz distribution(alpha, 0.5f * alpha);
         checkReciprocity(FresnelBlendCoat(Rgb(0.1f, 0.5f, 0.9f), distribution));
-        // Base and coat together: no more leaves than arrives.
+        // Base and coat together must not reflect more light than arrives.
         for (const float cosTheta : {1.f, 0.7f, 0.3f}) {
             const Vec3 wo(safeSqrt(1 - sqr(cosTheta)), 0, cosTheta);
             const float base = furnace(FresnelBlendBase(Rgb(1.f), Rgb(0.05f)), wo, 20000).x;

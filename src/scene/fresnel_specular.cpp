@@ -12,7 +12,7 @@ LobeSample FresnelSpecular::sample(const Vec3& wo, float uLobe, const Vec2&, Tra
     const Rgb reflected = reflectance_ * fresnel, transmitted = transmittance_ * (1 - fresnel);
     const float r = luminance(reflected), t = luminance(transmitted);
     if (!(r + t > 0)) return s;
-    // The Fresnel reflectance itself where both colours are equally bright.
+    // Equals the Fresnel reflectance if both colours are equally bright.
     const float pReflect = r / (r + t);
     if (uLobe < pReflect) {
         s.wi = Vec3(-wo.x, -wo.y, wo.z);

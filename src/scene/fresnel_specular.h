@@ -1,5 +1,5 @@
-// Smooth glass: perfect reflection and refraction in one lobe, which chooses between them by the light that each
-// carries (PBR 3e, sections 8.2 and 14.1.3). As it is both, it takes part only under a mask that allows both.
+// Smooth glass: specular reflection and refraction in a single lobe, which chooses between them in proportion to the
+// light that each carries (PBR 3e, sections 8.2 and 14.1.3). It only matches masks that allow both.
 #pragma once
 #include "scene/lobe.h"
 
@@ -7,7 +7,7 @@ namespace drc {
 
 class FresnelSpecular : public SpecularLobe {
   public:
-    // etaA: index of refraction on the side of the shading normal; etaB: on the other.
+    // etaA: index of refraction on the side of the shading normal; etaB: on the opposite side.
     FresnelSpecular(const Rgb& reflectance, const Rgb& transmittance, float etaA, float etaB)
         : reflectance_(reflectance), transmittance_(transmittance), etaA_(etaA), etaB_(etaB) {}
 

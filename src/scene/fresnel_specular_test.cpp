@@ -36,7 +36,7 @@ TEST(FresnelSpecular, ColoursAreUnbiased) {
     const FresnelSpecular lobe(Rgb(0.1f, 0.8f, 0.3f), Rgb(0.9f, 0.2f, 0.f), 1, 1.5f);
     for (const float c : {0.9f, 0.2f, -0.8f})
         expectClose(furnace(lobe, direction(c)), lobe.albedo(direction(c)), 0.03f);
-    // One branch only: never a wasted sample.
+    // If one branch has no light, no sample may be wasted on it.
     const FresnelSpecular clear(Rgb(0.f), Rgb(1.f), 1, 1.5f);
     EXPECT_EQ(clear.sample(direction(0.5f), 0, Vec2(0, 0), TransportMode::Radiance).pdf, 1);
 }

@@ -76,7 +76,7 @@ TEST(Fresnel, MetallicBlendsTheTwoModels) {
         const float inside = fresnelDielectric(-c, 1, 1.5f), outside = fresnelDielectric(c, 1, 1.5f);
         EXPECT_NEAR(Fresnel::metallic(r0, 0, 1.5f, 0.25f).eval(-c).x, 0.75f * outside + 0.25f * inside, 1e-6f);
         EXPECT_NEAR(Fresnel::metallic(r0, 0, 1.5f, 0.25f).eval(c).x, outside, 1e-6f);
-        // A metal looks the same from both sides.
+        // A metal must look the same from both sides.
         EXPECT_EQ(Fresnel::metallic(r0, 1, 1.5f).eval(-c), Fresnel::metallic(r0, 1, 1.5f).eval(c));
     }
 }

@@ -16,7 +16,7 @@ TEST(HeightField, GridHeightsAndCoordinates) {
     double area = 0;
     for (uint32_t i = 0; i < mesh.triangleCount(); ++i) {
         EXPECT_GT(mesh.geometricNormal(i).z, 0);
-        area += mesh.area(i) * mesh.geometricNormal(i).z;  // projected
+        area += mesh.area(i) * mesh.geometricNormal(i).z;  // projected area
     }
     EXPECT_NEAR(area, 1, 1e-6);
 }

@@ -8,7 +8,7 @@ class LambertReflection : public DiffuseReflectionLobe<LambertReflection> {
   public:
     explicit LambertReflection(const Rgb& reflectance) : reflectance_(reflectance) {}
 
-    // Like pbrt's, not cut off where wi is below the shading frame: the Bsdf cuts by the geometric normal.
+    // Not zero for wi below the shading frame's horizon, as in pbrt: the Bsdf decides by the geometric normal.
     Rgb f(const Vec3&, const Vec3&) const { return reflectance_ * kInvPi; }
     Rgb albedo(const Vec3&) const { return reflectance_; }
 

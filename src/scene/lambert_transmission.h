@@ -1,4 +1,5 @@
-// Ideal diffuse transmission: light from one side leaves the other alike in all directions (PBR 3e, section 8.3.1).
+// Ideal diffuse transmission: light from one side leaves the other side uniformly in all directions (PBR 3e,
+// section 8.3.1).
 #pragma once
 #include "math/warp.h"
 #include "scene/lobe.h"

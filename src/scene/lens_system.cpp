@@ -7,15 +7,15 @@
 namespace drc {
 namespace {
 
-// A stop has no medium of its own: files give it an index of zero.
+// Aperture stops have no medium of their own; files give them the index zero.
 float etaOf(const LensElement& e) { return e.eta > 0 ? e.eta : 1; }
 
-// Focal length, and the distance from the last surface that a paraxial ray meets to the focus behind it.
+// The focal length, and the distance from the last surface to the focus behind it.
 struct Focus {
     double focalLength, back;
 };
 
-// A paraxial ray, parallel to the axis at height 1, through surfaces in the order that light meets them.
+// A paraxial ray, initially parallel to the axis at height 1, through surfaces in the order in which light meets them.
 struct ParaxialRay {
     double height = 1, slope = 0;
     // radius: positive if the centre lies beyond the surface.
@@ -26,7 +26,8 @@ struct ParaxialRay {
     Focus focus() const { return {-1 / slope, -height / slope}; }
 };
 
-// d through a surface with unit normal n against it; eta: of the side it comes from, over that of the other.
+// Refracts d at a surface with the unit normal n, which points against d. eta: index on d's side over that on the
+// other.
 std::optional<Vec3> refracted(const Vec3& d, const Vec3& n, float eta) {
     const float cosI = -dot(d, n), sin2T = eta * eta * std::max(0.f, 1 - cosI * cosI);
     if (sin2T >= 1) return {};
@@ -48,7 +49,7 @@ std::optional<LensSystem::Line> LensSystem::trace(const Line& fromFilm) const {
         if (e.radius == 0) {
             o += d * ((z - o.z) / d.z);
         } else {
-            // Of the two points of the sphere, the one on the side of the surface.
+            // Of the two intersections with the sphere, the one on the surface's side.
             const Vec3 fromCenter = o - Vec3(0, 0, z - e.radius);
             const float b = dot(fromCenter, d), c = lengthSquared(fromCenter) - sqr(e.radius);
             const float discriminant = b * b - c;
@@ -76,7 +77,7 @@ float LensSystem::frontZ() const {
 }
 
 LensSystem::Cardinal LensSystem::cardinal() const {
-    // The rear plane by light from the scene, the front one by light from the film.
+    // The rear principal plane follows from light from the scene, the front one from light from the film.
     ParaxialRay in;
     double eta = 1;
     for (size_t i = 0; i < elements_.size(); ++i) {
@@ -99,16 +100,18 @@ LensSystem::Cardinal LensSystem::cardinal() const {
 }
 
 void LensSystem::focus(float distance) {
-    // 1 / object + 1 / image = 1 / f, where moving the lens by m makes the object nearer and the image farther by m.
+    // The thin-lens equation 1 / object + 1 / image = 1 / f, in which moving the lens by m makes the object distance
+    // smaller and the image distance larger by m.
     const Cardinal c = cardinal();
     const double f = double(c.focalLength), object = double(distance - c.front), image = double(c.rear);
-    if (!(f > 0) || !std::isfinite(f)) throw Error("the lens does not gather light: its focal length is not positive");
+    if (!(f > 0) || !std::isfinite(f)) throw Error("the lens does not focus light: its focal length is not positive");
     const double total = object + image, root = total * (total - 4 * f);
     if (!(total > 0 && root >= 0))
         throw Error(fmt::format("the lens, of focal length {:.4g}, cannot be focused as near as {:g}", f, distance));
     const double move = 0.5 * (object - image - std::sqrt(root));
     const float thickness = float(double(rearZ()) + move);
-    if (!(thickness > 0)) throw Error(fmt::format("focused at {:g}, the lens would stand behind the film", distance));
+    if (!(thickness > 0))
+        throw Error(fmt::format("the lens cannot be focused at {:g}: it would have to be behind the film", distance));
     elements_.back().thickness = thickness;
 }
 

@@ -1,5 +1,5 @@
-// Rays through the surfaces of a photographic lens (PBR 3e, section 6.4). Lens space is the camera's: the film in the
-// plane z = 0, the lens before it, the scene at greater z. Metres.
+// Traces rays through the surfaces of a photographic lens (PBR 3e, section 6.4). Lens space is camera space: the film
+// is in the plane z = 0, the lens in front of it and the scene at greater z. Lengths are in metres.
 #pragma once
 #include <optional>
 #include <vector>
@@ -10,22 +10,23 @@ namespace drc {
 
 class LensSystem {
   public:
-    // From the scene to the film; not empty.
+    // elements: from the scene to the film; not empty.
     explicit LensSystem(std::vector<LensElement> elements);
 
-    // The ray that leaves the lens where this one, from the film, meets it. None: something in the lens stops it.
+    // The ray that leaves the lens for a ray that starts at the film; none if the lens blocks it.
     struct Line {
         Vec3 o, d;
     };
     std::optional<Line> trace(const Line& fromFilm) const;
 
-    // Of the lens as a whole, by paraxial optics: the focal length, and where its two principal planes stand. Object
-    // distances are measured from the front one, image distances from the rear one.
+    // Paraxial properties of the whole lens: the focal length and the positions of both principal planes. Object
+    // distances are measured from the front plane, image distances from the rear plane.
     struct Cardinal {
         float focalLength, front, rear;
     };
     Cardinal cardinal() const;
-    // Moves the lens along the axis so that what is `distance` from the film is sharp. Throws Error if it cannot be.
+    // Moves the lens along the axis so that objects at `distance` from the film are in focus. Throws Error if that is
+    // impossible.
     void focus(float distance);
 
     float rearZ() const { return elements_.back().thickness; }

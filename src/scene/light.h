@@ -1,4 +1,4 @@
-// Light sources (PBR 3e, chapter 12). Radiance is linear RGB; directions are unit and point away from the lit point.
+// Light sources (PBR 3e, chapter 12). Radiance is linear RGB. Directions are unit and point away from the lit point.
 #pragma once
 #include <memory>
 #include <optional>
@@ -17,20 +17,21 @@ namespace drc {
 
 struct LightSample {
     Vec3 wi;
-    // Arriving along wi if nothing blocks; for delta lights the irradiance weight I / d^2 etc. Lights at infinity leave
-    // it at zero: escaped(wi) has it, and is best asked when it is known that nothing blocks.
+    // Radiance arriving along wi if unoccluded; for delta lights an irradiance, such as I / d^2. Lights at infinity set
+    // it to zero: evaluate escaped(wi) instead, preferably after the visibility test.
     Rgb radiance{0.f};
     float pdf = 0;       // per solid angle; 1 for delta lights
-    float distance = 0;  // to the sampled point; infinity for lights at infinity
+    float distance = 0;  // to the sampled point; infinite for lights at infinity
     bool delta = false;
-    Vec3 ng{0.f};  // of the emitter, as its shape orients it; zero: a point, or infinity
+    Vec3 ng{0.f};  // geometric normal of the emitter, as its shape orients it; zero for points and lights at infinity
 };
 
-// The scene as lights at infinity see it.
+// The bounding sphere of the scene, which lights at infinity need.
 struct SceneSphere {
     Vec3 center{0.f};
     float radius = 1;
-    // Uniform over the disk in front of the sphere, from where light goes in direction d (unit).
+    // A point uniformly distributed on the disk in front of the sphere from which light in direction d (unit) is
+    // emitted.
     Vec3 inFront(const Vec3& d, const Vec2& u) const {
         const Vec2 disk = sampleConcentricDisk(u);
         return center + (Frame::fromNormal(d).toWorld(Vec3(disk.x, disk.y, 0)) - d) * radius;
@@ -38,19 +39,20 @@ struct SceneSphere {
     float perFacingArea() const { return 1 / (kPi * radius * radius); }
 };
 
-// The densities of where and in which direction light leaves (PBR 3e, section 16.1.2).
+// Pdfs of the origin and the direction of emitted light (PBR 3e, section 16.1.2).
 struct EmissionDensity {
-    float origin = 0;   // per area of the emitter; at infinity, of directions per solid angle; 1 where there is but one
-    float leaving = 0;  // of directions per solid angle; at infinity, of points per area that faces the direction
+    float origin =
+        0;  // per area of the emitter; at infinity, per solid angle of directions; 1 for a single point or direction
+    float leaving = 0;  // per solid angle of directions; at infinity, per area perpendicular to the direction
 };
 
-// Light as it sets out. From infinity: from a disk in front of the scene's sphere.
+// The start of a light path. For lights at infinity, it is on a disk in front of the scene's bounding sphere.
 struct EmittedRay {
-    Vec3 p, d;  // world space; d unit, the way that light goes
-    // Of the emitter: as its shape orients it, or zero for a point or infinity; and which triangle of a mesh.
+    Vec3 p, d;  // world space; d is unit and the direction of the light
+    // The emitter's normal, as its shape orients it (zero for points and lights at infinity), and triangle of a mesh.
     Vec3 ng{0.f};
     uint32_t triangle = 0;
-    Rgb radiance{0.f};  // along d. Of a point: its intensity. Of a distant light: the irradiance on what faces it
+    Rgb radiance{0.f};  // along d; for a point light its intensity, for a distant light the irradiance facing it
     EmissionDensity density;
 };
 
@@ -58,22 +60,23 @@ class Light {
   public:
     virtual ~Light() = default;
     virtual std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const = 0;
-    // Light that leaves, for paths that start at lights. None: no light for these numbers.
+    // Samples emission, for paths that start at lights. None if no light leaves for these random numbers.
     virtual std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere&) const = 0;
-    // Of emit(), where light leaves in direction d from an emitter's point with geometric normal ng.
+    // Pdfs of emit() for light that leaves in direction d from a point with the geometric normal ng.
     virtual EmissionDensity emissionDensity(const Vec3& ng, const Vec3& d, const SceneSphere&) const = 0;
-    // Total emitted power, roughly; for choosing among lights. Lights at infinity need the scene's size.
+    // Approximate total emitted power, for choosing among lights. For lights at infinity it depends on the scene's
+    // size.
     virtual Rgb power(float sceneRadius) const = 0;
     virtual bool isDelta() const { return false; }
-    // Lights at infinity: radiance from direction wi, and the density of sample() there.
+    // For lights at infinity: the radiance from direction wi, and the pdf of sample() for it.
     virtual bool isInfinite() const { return false; }
     virtual Rgb escaped(const Vec3&) const { return Rgb(0.f); }
     virtual float pdfEscaped(const Vec3&) const { return 0; }
-    // The u in the unit square for which sample() gives direction wi. Of lights at infinity that are not delta lights.
+    // The u in the unit square for which sample() returns direction wi. For non-delta lights at infinity.
     virtual Vec2 inverse(const Vec3&) const { return Vec2(0, 0); }
-    // Point and extent of a light of finite size, for choosing among many; empty for lights at infinity.
+    // Bounds of a finite light, for choosing among many; empty for lights at infinity.
     virtual Bounds bounds() const { return {}; }
-    // Of lights of finite size; by default equally bright from all sides.
+    // Directional bounds of a finite light; by default it emits equally in all directions.
     virtual LightReach reach() const {
         LightReach r;
         r.bounds = bounds();
@@ -84,30 +87,30 @@ class Light {
 
 using LightPtr = std::shared_ptr<const Light>;
 
-// What an integrator knows of a hit on an emitter.
+// The description of a hit on an emitter.
 struct EmitterHit {
-    Vec3 p{0.f}, ng{0.f};  // world space, ng as the shape orients it
+    Vec3 p{0.f}, ng{0.f};  // world space; ng as the shape orients it
     uint32_t triangle = 0;
     Vec2 uv{0.f};
 };
 
-// A surface that emits: one for each emissive mesh or shape.
+// A surface that emits light: one light for each emissive mesh or shape.
 class AreaLight : public Light {
   public:
-    // emit() chooses points uniformly by area, and directions by their cosine.
+    // emit() samples points uniformly by area, and directions by the cosine.
     EmissionDensity emissionDensity(const Vec3& ng, const Vec3& d, const SceneSphere&) const final;
-    // Radiance leaving the hit point towards wo.
+    // Le: radiance that leaves the hit point towards wo.
     Rgb emitted(const EmitterHit& hit, const Vec3& wo) const {
         return twoSided_ || dot(hit.ng, wo) > 0 ? radiance_ : Rgb(0.f);
     }
     Rgb power(float) const final { return radiance_ * ((twoSided_ ? 2 : 1) * area() * kPi); }
-    // Density, per solid angle at `from`, of sample() choosing this hit.
+    // Pdf, per solid angle at `from`, with which sample() chooses this hit.
     virtual float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const = 0;
 
   protected:
     AreaLight(const Rgb& radiance, bool twoSided) : radiance_(radiance), twoSided_(twoSided) {}
     virtual float area() const = 0;
-    // What emit() returns for a point of the emitter.
+    // The result of emit() for a sampled point of the emitter.
     std::optional<EmittedRay> leave(const Vec3& p, const Vec3& ng, const Vec2& u, const SceneSphere& scene) const;
 
     const Rgb radiance_;
@@ -115,26 +118,27 @@ class AreaLight : public Light {
 };
 
 LightPtr makePointLight(const Vec3& position, const Rgb& intensity);
-// The three below shine from the origin of their space. Spot: along +z, fading to nothing over the outermost degrees of
-// a cone whose half-angle is coneDegrees. With x what the cosine has of the way from the edge to the full intensity,
-// the light there is x^4 (Steep: PBR 3e, section 12.3.1) or 3 x^2 - 2 x^3 (Smooth: PBR 4e, section 12.2.1).
+// The next three lights are at the origin of their own space. A spotlight shines along +z and falls off over the
+// outermost fadeDegrees of a cone with the half-angle coneDegrees. If x in [0,1] is the position of the cosine between
+// the edge and full intensity, the falloff is x^4 (Steep: PBR 3e, section 12.3.1) or 3 x^2 - 2 x^3 (Smooth: PBR 4e,
+// section 12.2.1).
 enum class SpotEdge { Steep, Smooth };
 LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees,
                        SpotEdge edge = SpotEdge::Steep);
-// image empty: equally bright everywhere; else it multiplies the intensity, and says what its rows and columns are
-// where the lights are written. fovDegrees: of the picture's shorter side.
+// image: multiplies the intensity; empty for a uniform light. Its layout is documented where the lights are
+// implemented. fovDegrees: of the image's shorter side.
 LightPtr makeGoniometricLight(const Transform& lightToWorld, const Rgb& intensity, LightImage image);
 LightPtr makeProjectionLight(const Transform& lightToWorld, const Rgb& intensity, float fovDegrees, LightImage image);
-// direction: from the lit points towards the light, world space.
+// direction: from lit points towards the light, world space.
 LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
 
-// An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, u = phi / 2 pi; row 0 at
-// theta = 0.
+// An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, with row 0 at theta = 0,
+// and u = phi / 2 pi.
 using EnvironmentMap = LightImage;
-// map empty: constant. scale multiplies the map.
+// map: empty for a constant environment. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
 
-// Diffuse emitters (pbrt's "diffuse" area light). Radiance leaves the side of the geometric normal, or both.
+// Diffuse emitters (pbrt's "diffuse" area light). They emit on the side of the geometric normal, or on both sides.
 std::shared_ptr<const AreaLight> makeMeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided);
 std::shared_ptr<const AreaLight> makeShapeAreaLight(ShapePtr shape, const Rgb& radiance, bool twoSided);
 

@@ -1,4 +1,4 @@
-// What diffuse emitters have in common (PBR 3e, sections 12.5 and 16.1.2).
+// Common implementation of diffuse emitters (PBR 3e, sections 12.5 and 16.1.2).
 #include "scene/light.h"
 
 namespace drc {
@@ -8,7 +8,7 @@ std::optional<EmittedRay> AreaLight::leave(const Vec3& p, const Vec3& ng, const 
     Vec2 v = u;
     Vec3 side = ng;
     if (twoSided_) {
-        // Half of the numbers for each side.
+        // Half of the random numbers are for each side.
         if (u.x >= 0.5f) side = -ng;
         v.x = std::min(u.x >= 0.5f ? 2 * u.x - 1 : 2 * u.x, kOneMinusEpsilon);
     }

@@ -1,6 +1,6 @@
-// Diffuse area light over a triangle mesh: one light for all its triangles (PBR 3e, sections 12.5 and 14.2.3). A few
-// triangles are sampled by area, as parallelograms where they make some; of many a tree finds those that matter to the
-// lit point.
+// Diffuse area light over a triangle mesh: one light for all its triangles (PBR 3e, sections 12.5 and 14.2.3). Small
+// meshes are sampled by area, pairs of triangles as parallelograms if they form one. Large meshes have a light tree
+// over their triangles.
 #include <fmt/core.h>
 
 #include "base/memory.h"
@@ -13,14 +13,15 @@
 namespace drc {
 namespace {
 
-// Up to this many triangles are sampled by area, which costs less and keeps samples better spread.
+// Meshes of up to this many triangles are sampled by area, which is cheaper and preserves the stratification of
+// samples.
 constexpr uint32_t kFewTriangles = 8;
 
 class MeshAreaLight final : public AreaLight {
   public:
     MeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided) : AreaLight(radiance, twoSided) {
         const uint32_t count = mesh.triangleCount();
-        // As measured: what is kept, and while the tree is built its lists, each of which grows by copies.
+        // Measured: the final data, and temporary lists while the tree is built.
         constexpr double kBytesPerTriangle = 450;
         const MemoryClaim memory(count * kBytesPerTriangle, fmt::format("a light of {} triangles", count));
         std::vector<float> areas(count);
@@ -41,7 +42,8 @@ class MeshAreaLight final : public AreaLight {
             r.twoSided = twoSided;
             r.intensity = brightness * e.area;
         }
-        // Not an alias table: the order of u is kept, and with it the stratification of the samples.
+        // Not an alias table, because inverting the cumulative distribution preserves the order of u, and with it the
+        // stratification of samples.
         triangles_ = Distribution1D(areas);
         area_ = static_cast<float>(triangles_.integral() * static_cast<double>(areas.size()));
         if (count > kFewTriangles)
@@ -84,14 +86,14 @@ class MeshAreaLight final : public AreaLight {
   private:
     float area() const override { return area_; }
 
-    // A triangle as sampling reads it, all in one place.
+    // A triangle's data for sampling, in one place.
     struct Emitter {
         Vec3 p[3];
         Vec3 ng;
         float area;
         Vec3 at(const Vec2& b) const { return p[0] * b.x + p[1] * b.y + p[2] * (1 - b.x - b.y); }
     };
-    // A parallelogram, or the half of it that has its corner.
+    // A parallelogram, or the half of it at its corner: a triangle.
     struct Facet {
         Parallelogram shape;
         Vec3 ng;
@@ -109,7 +111,7 @@ class MeshAreaLight final : public AreaLight {
             float area = e.area;
             for (size_t j = i + 1; j < emitters_.size() && facet.half; ++j) {
                 const Emitter& other = emitters_[j];
-                // Shading normals may have turned one of the two.
+                // Shading normals may have flipped the geometric normal of one of the two.
                 if (taken[j] || !(dot(e.ng, other.ng) > 0)) continue;
                 if (const auto whole = parallelogramOf(corners, std::to_array(other.p))) {
                     facet.shape = *whole;
@@ -140,7 +142,7 @@ class MeshAreaLight final : public AreaLight {
         return sampleOf(p, point, facet.ng, 1 / area_);
     }
 
-    // perArea: the density of the emitter's point.
+    // perArea: pdf of the point per area of the emitter.
     std::optional<LightSample> sampleOf(const Vec3& p, const Vec3& point, const Vec3& ng, float perArea) const {
         const Vec3 d = point - p;
         const float distance = length(d);
@@ -158,7 +160,7 @@ class MeshAreaLight final : public AreaLight {
         return s;
     }
 
-    // wi: d, which is the way to the emitter's point, as a unit vector.
+    // d is the vector to the emitter's point, wi its direction.
     static float perSolidAngle(float perArea, const Vec3& d, const Vec3& wi, const Vec3& ng) {
         const float r = perArea * lengthSquared(d) / absDot(ng, wi);
         return std::isfinite(r) ? r : 0;
@@ -171,8 +173,8 @@ class MeshAreaLight final : public AreaLight {
             reach_ = any ? merged(reach_, r) : r;
             any = true;
         }
-        // A closed surface is not as bright as all its parts would be if they faced one way: at least as on average
-        // over all directions.
+        // A closed surface is not as bright in any direction as all its parts would be if they faced it, but at least
+        // as bright as its average over all directions.
         const float average = luminance(power(0)) / (4 * kPi);
         reach_.intensity = 0;
         for (const LightReach& r : reaches) {
@@ -183,10 +185,10 @@ class MeshAreaLight final : public AreaLight {
     }
 
     std::vector<Emitter> emitters_;
-    Distribution1D triangles_;   // by area
-    LightTree tree_;             // over the triangles; empty where they are few: then
-    std::vector<Facet> facets_;  // are what is sampled
-    Distribution1D byArea_;      // over the facets
+    Distribution1D triangles_;   // over the triangles, by area
+    LightTree tree_;             // over the triangles of a large mesh; empty for a small one, for which
+    std::vector<Facet> facets_;  // these are sampled,
+    Distribution1D byArea_;      // by area
     float area_ = 0;
     LightReach reach_;
 };

@@ -4,7 +4,7 @@
 namespace drc {
 namespace {
 
-// An irregular emitter: a quad made of two triangles of different size, and a third one, tilted.
+// An irregular emitter: a quad of two triangles of different sizes, and a third, tilted triangle.
 TriangleMeshPtr emitter(bool flip) {
     auto m = std::make_shared<TriangleMesh>();
     m->positions = {Vec3(-1, -1, 2), Vec3(2, -1, 2), Vec3(2, 1, 2), Vec3(-1, 0.3f, 2), Vec3(-2, 3, 1)};
@@ -13,7 +13,7 @@ TriangleMeshPtr emitter(bool flip) {
     return m;
 }
 
-// Nearest hit, by solving for barycentric coordinates.
+// The nearest hit, found by solving for barycentric coordinates.
 std::optional<EmitterHit> intersect(const TriangleMesh& m, const Vec3& o, const Vec3& d, float& nearest) {
     std::optional<EmitterHit> result;
     nearest = kInfinity;
@@ -46,7 +46,7 @@ void checkIrradiance(const TriangleMeshPtr& mesh, bool twoSided, const Vec3& p, 
             const auto hit = intersect(*mesh, p, w, t);
             if (hit && std::abs(t - s->distance) < 1e-3f * t) {
                 value = s->radiance.x / s->pdf;
-                // Next to an edge the ray may meet the neighbour.
+                // Close to an edge, the ray may hit the adjacent triangle.
                 differs += std::abs(light->pdf(p, w, *hit) - s->pdf) > 1e-3f * s->pdf ||
                            light->emitted(*hit, -w) != s->radiance;
             }
@@ -70,14 +70,14 @@ TEST(MeshAreaLight, IrradianceMatchesUniformDirections) {
 }
 
 TEST(MeshAreaLight, AParallelogramIsSampledAsOne) {
-    // Two of them, with a triangle between; all of the same area but the triangle.
+    // Two parallelograms with a triangle between them in the list; all have the same area except the triangle.
     TriangleMesh m;
     m.positions = {Vec3(0, 0, 1), Vec3(0, 1, 1), Vec3(2, 0, 1), Vec3(2, 1, 1), Vec3(5, 0, 1),
                    Vec3(5, 2, 1), Vec3(6, 0, 1), Vec3(8, 0, 1), Vec3(8, 1, 1), Vec3(6, 1, 1)};
     m.indices = {0, 1, 2, 2, 1, 3, 3, 5, 4, 6, 9, 7, 9, 8, 7};
     checkIrradiance(std::make_shared<TriangleMesh>(m), false, Vec3(3, 0.5f, 0));
 
-    // One alone: its points are an affine image of the square.
+    // With a single parallelogram, points are an affine image of the unit square.
     m.indices.resize(6);
     const auto light = makeMeshAreaLight(m, Rgb(1.f), true);
     const Vec3 p(0.5f, 0.5f, 0);
@@ -94,7 +94,7 @@ TEST(MeshAreaLight, AParallelogramIsSampledAsOne) {
     }
 }
 
-// Many triangles, whose sampling goes by a tree: a bumpy cap that looks down, and a part of it that looks away.
+// A mesh large enough for a light tree: a bumpy cap that faces down, and a part of it that faces away.
 TriangleMeshPtr cap() {
     auto m = std::make_shared<TriangleMesh>();
     constexpr int kSide = 5;
@@ -118,7 +118,7 @@ TEST(MeshAreaLight, ManyTrianglesGiveTheSameIrradiance) {
 }
 
 TEST(MeshAreaLight, OfManyTrianglesThoseThatMatterAreChosen) {
-    // Two walls of lights, far from each other.
+    // Two emitting walls, far apart.
     auto m = std::make_shared<TriangleMesh>();
     for (int i = 0; i < 200; ++i) {
         const Vec3 at(i % 2 ? 100.f : 0.f, float(i / 2 % 10), float(i / 20));
@@ -132,13 +132,13 @@ TEST(MeshAreaLight, OfManyTrianglesThoseThatMatterAreChosen) {
     int far = 0;
     for (int i = 0; i < 2000; ++i) far += light->sample(p, rng.nextVec2())->distance > 50;
     EXPECT_LT(far, 40);
-    // Both walls face x: from there all of the light is seen.
+    // Both walls face along x, so from there all of the light is visible.
     EXPECT_NEAR(std::abs(light->reach().axis.x), 1, 1e-4);
     EXPECT_NEAR(light->reach().intensity, 200 * 0.125f, 1e-2);
 }
 
 TEST(MeshAreaLight, ReachOfWhatFacesAllWays) {
-    // Two triangles, back to back: bright both ways, though not along any one axis.
+    // Two triangles back to back emit in both directions, although not around a single axis.
     TriangleMesh m;
     m.positions = {Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
     m.indices = {0, 1, 2, 0, 2, 1};
@@ -148,7 +148,7 @@ TEST(MeshAreaLight, ReachOfWhatFacesAllWays) {
 }
 
 TEST(MeshAreaLight, EmitsFromTheSideOfTheNormal) {
-    // The winding makes the quad look down.
+    // The winding makes the quad face down.
     const auto light = makeMeshAreaLight(*emitter(false), Rgb(1.f), false);
     EXPECT_TRUE(light->sample(Vec3(0, 0, 0), Vec2(0.1f, 0.5f)));
     EXPECT_FALSE(light->sample(Vec3(0, 0, 4), Vec2(0.1f, 0.5f)));
@@ -162,7 +162,7 @@ TEST(MeshAreaLight, PowerAndBounds) {
     EXPECT_NEAR(makeMeshAreaLight(*mesh, Rgb(2.f), false)->power(1).x, 2 * kPi * area, 1e-4);
     EXPECT_NEAR(makeMeshAreaLight(*mesh, Rgb(2.f), true)->power(1).x, 4 * kPi * area, 1e-4);
     EXPECT_EQ(makeMeshAreaLight(*mesh, Rgb(2.f), true)->bounds().max, Vec3(2, 3, 2));
-    // No area, no light; and no division by zero.
+    // An empty mesh emits nothing, and must not divide by zero.
     auto empty = std::make_shared<TriangleMesh>();
     EXPECT_FALSE(makeMeshAreaLight(*empty, Rgb(1.f), false)->sample(Vec3(0, 0, 0), Vec2(0.5f, 0.5f)));
 }

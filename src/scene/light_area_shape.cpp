@@ -43,7 +43,8 @@ class ShapeAreaLight final : public AreaLight {
     float area() const override { return area_; }
 
     ShapePtr shape_;
-    float area_;  // curves make a table to find theirs: here, where whoever has too many can still be told which
+    float area_;  // computed here, because curves allocate a table for it, and an error can still name the place in the
+                  // file
 };
 
 }  // namespace

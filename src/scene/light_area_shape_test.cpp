@@ -12,8 +12,8 @@
 namespace drc {
 namespace {
 
-// Irradiance on a surface at p that faces n, by sampling the light; what is hidden by the emitter itself does not
-// count.
+// Irradiance at p on a surface with normal n, by light sampling. Occlusion of the emitter by itself is taken into
+// account.
 RunningMean irradiance(const Light& light, const Shape& shape, const Vec3& p, const Vec3& n, int samples) {
     Pcg32 rng(21);
     RunningMean r;
@@ -22,7 +22,7 @@ RunningMean irradiance(const Light& light, const Shape& shape, const Vec3& p, co
         double value = 0;
         if (s) {
             const auto hit = shape.intersect(rayFrom(p, s->wi), 0);
-            // Curves hold their samples a little nearer.
+            // Samples on curves are slightly nearer than the hit.
             if (hit && hit->t > 0.999f * s->distance && hit->t < 1.001f * s->distance + 0.05f)
                 value = s->radiance.x * std::max(0.f, dot(n, s->wi)) / s->pdf;
         }
@@ -41,7 +41,7 @@ TEST(ShapeAreaLight, SphereAndDiskGiveTheIrradianceOfTheBooks) {
     const auto panel = makeShapeAreaLight(disk, Rgb(2.f), false);
     const RunningMean f = irradiance(*panel, *disk, Vec3(0, 0, 1), Vec3(0, 0, -1), 20000);
     EXPECT_NEAR(f.mean(), 2 * kPi * 4 / 5, 4 * std::sqrt(f.variance()) + 1e-3);
-    // Within a sphere that shines inward the irradiance is pi L.
+    // Inside a sphere that emits inwards, the irradiance is pi L.
     const ShapePtr shell = makeSphere({.reverseOrientation = true});
     const auto glow = makeShapeAreaLight(shell, Rgb(1.f), false);
     const RunningMean g = irradiance(*glow, *shell, Vec3(0.3f, 0.2f, 0.4f), Vec3(0, 0, 1), 40000);
@@ -60,7 +60,7 @@ TEST(ShapeAreaLight, EmitsFromTheSideOfTheNormal) {
     EXPECT_FALSE(oneSided->bounds().empty());
 }
 
-// The same irradiance by directions that know nothing of the light.
+// The same irradiance, estimated with uniformly distributed directions.
 RunningMean irradianceByDirections(const AreaLight& light, const Shape& shape, const Vec3& p, const Vec3& n,
                                    int samples) {
     Pcg32 rng(12);

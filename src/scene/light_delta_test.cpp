@@ -1,4 +1,4 @@
-// Every delta light against what PBR 3e, sections 12.3 and 12.4, says arrives from it, at random points.
+// Compares every delta light with the formulas in PBR 3e, sections 12.3 and 12.4, at random points.
 #include <functional>
 
 #include "math/rng.h"
@@ -7,13 +7,13 @@
 namespace drc {
 namespace {
 
-// Of a light that stands at kPlace, turned and larger by a half.
+// The lights are at kPlace, rotated and scaled by 1.5.
 const Vec3 kPlace(1, -2, 0.5f);
 Transform placed() {
     return Transform::translate(kPlace) * Transform::rotate(50, Vec3(2, -1, 3)) * Transform::scale(1.5f, 1.5f, 1.5f);
 }
 
-// No two texels alike.
+// An image in which no two texels are equal.
 LightImage picture() {
     LightImage image{5, 3, {}};
     for (int i = 0; i < 15; ++i) image.texels.push_back(Rgb(1 + 0.1f * float(i), 0.5f, 2 - 0.1f * float(i)));
@@ -23,7 +23,7 @@ LightImage picture() {
 struct DeltaLight {
     const char* name;
     LightPtr light;
-    // Of the light's intensity, towards a unit vector of its own space.
+    // Share of the light's intensity towards a unit vector in its own space.
     std::function<Rgb(const Vec3& w)> share;
 };
 void PrintTo(const DeltaLight& light, std::ostream* out) { *out << light.name; }
@@ -104,7 +104,7 @@ TEST(DistantLight, BringsItsRadianceFromOneDirectionEverywhere) {
         EXPECT_EQ(s->distance, kInfinity);
         EXPECT_TRUE(s->delta);
     }
-    // Only its own samples find it: no ray that escapes sees it.
+    // A delta light is only found by light sampling; rays that escape must not see it.
     EXPECT_TRUE(isBlack(light->escaped(Vec3(2, -1, 2) / 3.f)));
     EXPECT_EQ(light->pdfEscaped(Vec3(2, -1, 2) / 3.f), 0);
 }

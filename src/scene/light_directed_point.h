@@ -1,5 +1,5 @@
-// What the point lights share whose intensity depends on the direction: spot, goniometric, projection (PBR 3e, sections
-// 12.3.1 to 12.3.3).
+// Base class of point lights whose intensity depends on direction: spot, goniometric and projection lights (PBR 3e,
+// sections 12.3.1 to 12.3.3).
 #pragma once
 #include "scene/light.h"
 #include "scene/turn.h"
@@ -39,9 +39,9 @@ class DirectedPointLight : public Light {
           intensity_(intensity),
           axis_(normalize(lightToWorld.vector(Vec3(0, 0, 1)))) {}
 
-    // Of the cone about axis_ that holds all its light, in light space.
+    // Cosine of the half-angle of the cone around +z that contains all of the light, in light space.
     virtual float leastCosine() const { return -1; }
-    // Of intensity_, along w: light space, of any length.
+    // Share of intensity_ that is emitted along w, in light space and of any length.
     virtual Rgb share(const Vec3& w) const = 0;
 
     Vec3 position_;
@@ -50,7 +50,7 @@ class DirectedPointLight : public Light {
     Vec3 axis_;      // the light's +z in world space
 
   private:
-    // The cone in world space; -1: all directions.
+    // Cosine of the cone in world space; -1 for all directions.
     float coneCosine() const { return worldToLight_.keepsAngles() ? leastCosine() : -1; }
     static float coneDensity(float edge) { return edge > -1 ? uniformConePdf(edge) : uniformSpherePdf(); }
 };

@@ -18,7 +18,7 @@ class DistantLight final : public Light {
     EmissionDensity emissionDensity(const Vec3&, const Vec3&, const SceneSphere& scene) const override {
         return {1, scene.perFacingArea()};
     }
-    // What passes through the disk that the scene shows to the light.
+    // The flux through the disk that the scene's bounding sphere presents to the light.
     Rgb power(float sceneRadius) const override { return radiance_ * (kPi * sqr(sceneRadius)); }
     bool isDelta() const override { return true; }
 

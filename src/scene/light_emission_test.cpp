@@ -1,4 +1,4 @@
-// Light that leaves: emit() has the density that emissionDensity() says, and in the mean the light's power.
+// emit() must have the pdf that emissionDensity() states, and on average emit the light's power.
 #include <gtest/gtest.h>
 
 #include "math/sampler.h"
@@ -66,7 +66,7 @@ TEST_P(LightEmission, HasItsDensityAndPower) {
         const EmissionDensity density = light.emissionDensity(ray->ng, ray->d, scene);
         ASSERT_NEAR(density.origin / ray->density.origin, 1, 1e-4);
         ASSERT_NEAR(density.leaving / ray->density.leaving, 1, 1e-4);
-        // From infinity: what leaves the disk passes the sphere.
+        // For lights at infinity, rays that start on the disk must pass the sphere.
         if (light.bounds().empty()) {
             ASSERT_NEAR(dot(ray->p - scene.center, ray->d), -scene.radius, 1e-4);
             ASSERT_LE(length(ray->p - scene.center - ray->d * -scene.radius), scene.radius * 1.0001f);
@@ -76,7 +76,8 @@ TEST_P(LightEmission, HasItsDensityAndPower) {
             power[c] += double(ray->radiance[c] * cosine) / (double(density.origin) * double(density.leaving));
     }
     const Rgb expected = light.power(scene.radius);
-    // Of lights at infinity power() tells what a disk gets from all sides on average: over 4 pi of directions.
+    // For non-delta lights at infinity, power() is the flux through a disk, averaged over all directions: a share of 1
+    // / (4 pi).
     const double share = light.isInfinite() ? 4 * std::numbers::pi : 1;
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(power[c] / kRays / share, expected[c], 0.01 * expected[c]);
 }

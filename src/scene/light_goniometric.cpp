@@ -1,5 +1,5 @@
-// Point light whose intensity by direction is a picture: a goniophotometric diagram (PBR 3e, section 12.3.3). As in
-// pbrt the picture's pole is the light's +y: v = theta / pi from +y, u = phi / 2 pi from +x towards +z.
+// Point light whose intensity is given by an image of all directions, a goniophotometric diagram (PBR 3e,
+// section 12.3.3). As in pbrt, its pole is +y: v = theta / pi from +y, u = phi / 2 pi from +x towards +z.
 #include "scene/light_directed_point.h"
 
 namespace drc {

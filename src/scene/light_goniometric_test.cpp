@@ -14,7 +14,8 @@ TEST(GoniometricLight, LooksUpAsPbrt) {
     const float phi = 0.75f * kPi, s = std::sqrt(0.5f);
     EXPECT_NEAR(intensityTowards(*light, Vec3(s * std::cos(phi), s, s * std::sin(phi))).x, 2 * 1, 1e-3);
     EXPECT_NEAR(intensityTowards(*light, Vec3(s * std::cos(phi), -s, s * std::sin(phi))).x, 2 * 5, 1e-3);
-    // u = 0 lies between the last column and the first; beyond the rows' centres nothing comes from the other pole.
+    // u = 0 is between the last column and the first. At the poles, rows must not be interpolated across to the other
+    // pole.
     EXPECT_NEAR(intensityTowards(*light, Vec3(s, s, 0)).x, 2 * 1.5, 1e-3);
     EXPECT_NEAR(intensityTowards(*light, normalize(Vec3(std::cos(phi), 100, std::sin(phi)))).x, 2 * 1, 1e-3);
 }

@@ -1,4 +1,4 @@
-// The picture that an environment, a projector or a goniometric diagram is made of.
+// The image of an environment, projection or goniometric light.
 #pragma once
 #include <vector>
 
@@ -8,16 +8,16 @@ namespace drc {
 
 struct LightImage {
     int width = 0, height = 0;
-    std::vector<Rgb> texels;  // row-major; what row 0 is, the light says
-    bool repeats = false;     // beyond all edges, whatever a lookup says
+    std::vector<Rgb> texels;  // row-major; the kind of light defines what row 0 is
+    bool repeats = false;     // repeats beyond all edges, whatever lookup() is told
 
     bool empty() const { return width <= 0 || height <= 0 || texels.size() < size_t(width) * size_t(height); }
-    // Not finite becomes black, negative zero: in pictures both are damage.
+    // Replaces non-finite values by black and negative ones by zero, since in images both are damage.
     void mend() {
         for (Rgb& c : texels) c = isFinite(c) ? clampNonNegative(c) : Rgb(0.f);
     }
-    // Bilinear, at (u, v) in [0,1]^2 with (0,0) the corner of row 0. Beyond the edges the picture repeats along a row
-    // if `wraps`; else, and across rows, its edge goes on, unless it repeats both ways.
+    // Bilinear lookup at (u, v) in [0,1]^2, where (0,0) is the corner of row 0. Beyond its edges the image repeats
+    // along a row if `wraps`; otherwise, and across rows, the edge texels are extended, unless `repeats` is set.
     Rgb lookup(const Vec2& uv, bool wraps) const {
         const float x = uv.x * float(width) - 0.5f, y = uv.y * float(height) - 0.5f;
         const float x0 = std::floor(x), y0 = std::floor(y);

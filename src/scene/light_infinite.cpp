@@ -9,11 +9,12 @@
 namespace drc {
 namespace {
 
-// Texels, to a side, of the cells that the map may be sampled by, and what that may add to the second moment.
+// Maximum side of the cells by which the map is sampled, in texels, and the factor by which they may increase the
+// second moment of the samples.
 constexpr int kLargestCell = 32;
 constexpr double kNoiseAllowed = 1.05;
 
-// Bilinear interpolation, averaged over a texel's own cell, takes 1/8, 6/8 and 1/8 of a row of three texels.
+// The mean of a bilinearly interpolated row over a texel's own cell is 1/8, 6/8 and 1/8 of three neighbouring texels.
 float cellAverage(float before, float here, float after) { return (before + 6 * here + after) / 8; }
 
 class InfiniteLight final : public Light {
@@ -39,7 +40,7 @@ class InfiniteLight final : public Light {
 
     std::optional<LightSample> sample(const Vec3&, const Vec2& u) const override {
         const Sample2D s = distribution_.sample(u);
-        // Uniform in solid angle within the cell; uniform in (u, v) would crowd the poles.
+        // Uniform in solid angle within the cell. Uniform in (u, v) would be denser towards the poles.
         const float h = lerp(s.local.y, oneMinusCos_[s.y], oneMinusCos_[s.y + 1]);
         const SinCos phi = sinCosOfTurn((float(s.x) + s.local.x) / float(distribution_.width()));
         const float sinTheta = safeSqrt(h * (2 - h));
@@ -83,7 +84,7 @@ class InfiniteLight final : public Light {
         const Vec3 w = normalize(worldToLight_(wi));
         const Vec2 uv = mapCoordinates(w);
         const Cell cell = cellAt(uv);
-        // 1 - cos(theta), without its cancellation at the upper pole.
+        // 1 - cos(theta), computed without cancellation at the upper pole.
         const float sin2 = w.x * w.x + w.y * w.y;
         const float h = w.z > 0 ? sin2 / (1 + w.z) : 1 - w.z;
         const float top = oneMinusCos_[cell.row], bottom = oneMinusCos_[cell.row + 1];
@@ -93,16 +94,16 @@ class InfiniteLight final : public Light {
     }
 
   private:
-    // u = phi / 2 pi, v = theta / pi, in [0,1) and [0,1].
+    // u = phi / 2 pi in [0,1), v = theta / pi in [0,1].
     static Vec2 mapCoordinates(const Vec3& w) {
         float phi = std::atan2(w.y, w.x);
         if (phi < 0) phi += 2 * kPi;
-        // atan2 rather than acos keeps its precision at the poles.
+        // atan2 is more accurate near the poles than acos.
         const float theta = std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z);
         return Vec2(std::min(phi * (0.5f * kInvPi), kOneMinusEpsilon), theta * kInvPi);
     }
 
-    // Of the distribution.
+    // A cell of the sampling distribution.
     struct Cell {
         int column, row;
     };
@@ -111,9 +112,9 @@ class InfiniteLight final : public Light {
         return {std::clamp(int(uv.x * columns), 0, columns - 1), std::clamp(int(uv.y * rows), 0, rows - 1)};
     }
 
-    // Bilinear.
+    // Bilinear interpolation.
     Rgb lookup(const Vec2& uv) const {
-        // Texel centres are at half-integers; the map repeats both ways, as pbrt's does.
+        // Texel centres are at half-integers. The map repeats in both directions, as in pbrt.
         const float x = uv.x * width_ - 0.5f, y = uv.y * height_ - 0.5f;
         const float x0 = std::floor(x), y0 = std::floor(y);
         const int i = int(x0), j = int(y0);
@@ -127,8 +128,8 @@ class InfiniteLight final : public Light {
         return texels_[size_t(y < 0 ? y + height_ : y) * width_ + (x < 0 ? x + width_ : x)];
     }
 
-    // Solid angle in light space over that in world space, about the direction whose light-space vector is w: 1 for
-    // rotations, which is what lightToWorld nearly always is.
+    // Ratio of solid angles in light space and world space around a direction, w in light space. It is 1 for rotations,
+    // which lightToWorld nearly always is.
     float stretch(const Vec3& w) const {
         if (rigid_) return 1;
         const float l = length(w);
@@ -136,8 +137,8 @@ class InfiniteLight final : public Light {
     }
 
     void buildDistribution() {
-        // Each texel's value is the integral of the interpolated luminance over it, so that no direction with light in
-        // it is left out and none is over-sampled by much.
+        // Texels are weighted by the integral of the interpolated luminance over them, so that no direction with light
+        // has zero pdf, and none is sampled far too often.
         std::vector<float> f(texels_.size());
         double weights = 0;
         double mean[3] = {0, 0, 0};
@@ -158,7 +159,8 @@ class InfiniteLight final : public Light {
         }
         mean_ = Rgb(float(mean[0] / weights), float(mean[1] / weights), float(mean[2] / weights));
 
-        // Large cells make a table that the processor's caches hold; they may not make samples much noisier.
+        // Larger cells give a smaller table that fits into the processor's caches. They must not increase the noise
+        // much.
         int cell = kLargestCell;
         while (cell > 1 && (width_ % cell != 0 || height_ % cell != 0 || noise(f, cell) > kNoiseAllowed * noise(f, 1)))
             cell /= 2;
@@ -171,13 +173,13 @@ class InfiniteLight final : public Light {
         rowDensity_.resize(cellRows);
         for (int row = 0; row <= cellRows; ++row)
             oneMinusCos_.push_back(float(1 - std::cos(std::numbers::pi * row / cellRows)));
-        // From density over the unit square to density over the sphere.
+        // Converts pdfs over the unit square to pdfs over the sphere.
         for (int row = 0; row < cellRows; ++row)
             rowDensity_[row] = float(1 / (2 * std::numbers::pi * oneMinusCosDifference(row, cellRows) * cellRows));
     }
 
-    // Second moment of radiance over density, up to a factor, if cells of that many texels squared are sampled by what
-    // they hold. f: what the texels hold.
+    // Second moment of radiance over pdf, up to a constant factor, if the map is sampled by cells of cell x cell
+    // texels. f: weights of the texels.
     double noise(const std::vector<float>& f, int cell) const {
         double sum = 0;
         for (int y0 = 0; y0 < height_; y0 += cell)
@@ -197,7 +199,7 @@ class InfiniteLight final : public Light {
         return sum;
     }
 
-    // cos(theta) at the upper edge of a row less that at the lower: sin of the middle times the height, exactly.
+    // Difference of cos(theta) between the upper and the lower edge of a row.
     static double oneMinusCosDifference(int row, int rows) {
         const double half = std::numbers::pi / (2.0 * rows);
         return 2 * std::sin((2 * row + 1) * half) * std::sin(half);
@@ -205,14 +207,15 @@ class InfiniteLight final : public Light {
 
     Turn lightToWorld_, worldToLight_;
     int width_ = 1, height_ = 1;
-    std::vector<Rgb> texels_;      // scaled
+    std::vector<Rgb> texels_;      // multiplied by scale
     Distribution2D distribution_;  // over cells of one or more texels
-    // Of the distribution's rows:
-    std::vector<float> rowDensity_;   // 1 / (4 pi) where cells are as large as they are on average
-    std::vector<float> oneMinusCos_;  // 1 - cos(theta) at the upper edge of each row, and of the map's lower edge
-    Rgb mean_;                        // over the sphere
-    float determinant_ = 1;           // of worldToLight, absolute
-    bool rigid_ = false;              // worldToLight keeps lengths
+    // For each row of the distribution:
+    std::vector<float> rowDensity_;  // pdf over the sphere per unit of pdf over the unit square
+    std::vector<float>
+        oneMinusCos_;        // 1 - cos(theta) at the upper edge of each row, and finally at the map's lower edge
+    Rgb mean_;               // mean radiance over the sphere
+    float determinant_ = 1;  // absolute value of the determinant of worldToLight
+    bool rigid_ = false;     // whether worldToLight preserves lengths
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ Vec3 direction(float theta, float phi) {
     return Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
 }
 
-// sample() against uniform directions: means of radiance times moments; and its density against pdfEscaped.
+// Compares sample() with uniform directions, by the means of radiance times moments, and its pdf with pdfEscaped().
 void checkSampling(const Light& light, int samples = 60000) {
     Pcg32 rng(3);
     RunningMean bySample[4], byDirection[4], density;
@@ -31,7 +31,7 @@ void checkSampling(const Light& light, int samples = 60000) {
             EXPECT_NEAR(length(s->wi), 1, 1e-5);
             EXPECT_EQ(s->distance, kInfinity);
             EXPECT_TRUE(isBlack(s->radiance)) << "escaped() has it";
-            // A direction on the very edge of a texel may be looked up in the next.
+            // A direction exactly at the edge of a texel may be looked up in the adjacent one.
             const float pdf = light.pdfEscaped(s->wi);
             density.add(std::abs(pdf - s->pdf) > 1e-3f * s->pdf);
         }
@@ -48,7 +48,7 @@ void checkSampling(const Light& light, int samples = 60000) {
     EXPECT_NEAR(integral.mean(), 1, 4 * std::sqrt(integral.variance()) + 1e-4);
 }
 
-// A smooth sky is sampled by coarse cells, a sun in one texel of it by that texel: the density there tells.
+// A smooth sky is sampled by large cells, but a sun of a single texel by that texel, as the pdf shows.
 TEST(InfiniteLight, CellsAreCoarseOnlyWhereThatCostsNothing) {
     EnvironmentMap sky{256, 128, {}};
     sky.texels.resize(256 * 128);
@@ -60,7 +60,7 @@ TEST(InfiniteLight, CellsAreCoarseOnlyWhereThatCostsNothing) {
     const LightPtr sun = makeInfiniteLight(Transform(), Rgb(1.f), sunny);
     checkSampling(*plain);
     checkSampling(*sun, 400000);
-    // Texels of one cell have one density; the sun's far exceeds that of a texel two away.
+    // Texels of a cell have equal pdf. That of the sun is far larger than that of a texel two away.
     EXPECT_FLOAT_EQ(plain->pdfEscaped(at(104.5f, 40.5f)), plain->pdfEscaped(at(110.5f, 46.5f)));
     EXPECT_GT(sun->pdfEscaped(at(100.5f, 40.5f)), 100 * sun->pdfEscaped(at(102.5f, 40.5f)));
 }
@@ -87,9 +87,9 @@ TEST(InfiniteLight, LooksUpAsPbrt) {
     EXPECT_NEAR(light->escaped(direction(kPi / 2, kPi / 2)).x, 2 * (0 + 1 + 4 + 5) / 4.f, 1e-5);
     // phi = 0: between columns 3 and 0, of row 0.
     EXPECT_NEAR(light->escaped(direction(kPi / 4, 0)).x, 3, 1e-5);
-    // The pole lies between the first row and the last.
+    // At a pole the first row and the last are interpolated.
     EXPECT_NEAR(light->escaped(direction(1e-4f, 0.75f * kPi)).x, 2 * (1 + 5) / 2.f, 1e-2);
-    // The light's own space: its z towards world x.
+    // The light's own z axis points towards world x.
     const Transform t = Transform::rotate(90, Vec3(0, 1, 0));
     const LightPtr turned = makeInfiniteLight(t, Rgb(2.f), m);
     EXPECT_NEAR(turned->escaped(t.vector(direction(kPi / 4, 0.75f * kPi))).x, 2, 1e-5);
@@ -99,7 +99,7 @@ TEST(InfiniteLight, SamplingMatchesDensity) {
     checkSampling(*makeInfiniteLight(Transform(), Rgb(1.f), randomMap(16, 8, 1)));
     checkSampling(*makeInfiniteLight(Transform::rotate(70, Vec3(1, 2, 3)), Rgb(1.f), randomMap(9, 7, 0.1f)));
     checkSampling(*makeInfiniteLight(Transform::scale(1, -1, 1), Rgb(0.5f), randomMap(32, 16, 0.02f)));
-    // A transform that is no rotation stretches densities.
+    // A transform that is not a rotation changes the pdf.
     checkSampling(*makeInfiniteLight(Transform::scale(1, 2, 3), Rgb(1.f), randomMap(16, 8, 1)));
 }
 
@@ -121,7 +121,7 @@ TEST(InfiniteLight, InverseGivesBackTheRandomNumbers) {
             const Vec2 u = rng.nextVec2();
             const auto s = light->sample(Vec3(0, 0, 0), u);
             ASSERT_TRUE(s);
-            // A direction on the very edge of a cell may be taken for the next one's.
+            // A direction exactly at the edge of a cell may be assigned to the adjacent one.
             far += (light->inverse(s->wi) - u).length() > 1e-3f;
         }
         EXPECT_LE(far, 4);

@@ -1,5 +1,6 @@
-// Slide projector: a point light behind a picture (PBR 3e, section 12.3.2). It shines along its own +z; the picture
-// stands on the plane z = 1, its shorter side as wide as the field of view. As in pbrt row 0 is at the lowest y.
+// Projection light: a point light behind an image, like a slide projector (PBR 3e, section 12.3.2). It emits along its
+// own +z. The image is on the plane z = 1, its shorter side as wide as the field of view. As in pbrt, row 0 is at the
+// lowest y.
 #include "scene/light_directed_point.h"
 
 namespace drc {
@@ -38,10 +39,10 @@ class ProjectionLight final : public DirectedPointLight {
         return image_.lookup(Vec2(0.5f * (1 + x), 0.5f * (1 + y)), false);
     }
 
-    // Texels times their solid angles: area on the plane z = 1 times cos^3.
+    // Sum of texels times their solid angles: area on the plane z = 1 times cos^3.
     void findPower() {
         const double dx = 2.0 * half_.x / image_.width, dy = 2.0 * half_.y / image_.height;
-        // A single texel can be as wide as the whole field, over which the cosine is no constant.
+        // Subdivided, because a single texel may cover the whole field of view, over which the cosine varies.
         const int fine = std::max(1, 64 / std::min(image_.width, image_.height));
         double sum[3] = {0, 0, 0};
         for (int y = 0; y < image_.height * fine; ++y)
@@ -55,7 +56,7 @@ class ProjectionLight final : public DirectedPointLight {
     }
 
     LightImage image_;
-    Vec2 half_;  // of the picture's sides, on the plane z = 1
+    Vec2 half_;  // half the image's sides on the plane z = 1
     Rgb power_;
 };
 

@@ -26,7 +26,7 @@ TEST(ProjectionLight, ThePictureFillsTheFieldOfView) {
     EXPECT_TRUE(isBlack(at(2.01f, 0)));
     EXPECT_TRUE(isBlack(at(0, -1.01f)));
     EXPECT_TRUE(isBlack(intensityTowards(*light, Vec3(0, 0, -1))));
-    // A high picture: the field of view is that of its width.
+    // For an upright image the field of view applies to its width.
     const LightPtr high = makeProjectionLight(Transform(), Rgb(1.f), 90, gradient(2, 4));
     EXPECT_FALSE(isBlack(intensityTowards(*high, normalize(Vec3(0.99f, 1.99f, 1)))));
     EXPECT_TRUE(isBlack(intensityTowards(*high, normalize(Vec3(1.01f, 0, 1)))));

@@ -8,17 +8,17 @@ struct Cone {
     float spread = kPi;
 };
 
-// The narrowest cone about both (PBR 4e, section 3.8.4).
+// The narrowest cone that contains both (PBR 4e, section 3.8.4).
 Cone around(Cone a, Cone b) {
     if (a.spread < b.spread) std::swap(a, b);
-    // The angle between the axes, by a form that keeps its precision when it is small.
+    // Angle between the axes, by a formula that is accurate for small angles.
     const float between = 2 * std::atan2(length(a.axis - b.axis), length(a.axis + b.axis));
     if (std::min(kPi, between + b.spread) <= a.spread) return a;
     const float spread = 0.5f * (a.spread + between + b.spread);
     const Vec3 across = normalize(b.axis - a.axis * dot(a.axis, b.axis));
     if (spread >= kPi || across == Vec3(0, 0, 0)) return {};
     const float turn = spread - a.spread;
-    // Rounding must not shut anything out.
+    // Enlarged, so that rounding does not exclude anything.
     return {normalize(a.axis * std::cos(turn) + across * std::sin(turn)), std::min(kPi, spread + 1e-4f)};
 }
 
@@ -28,7 +28,7 @@ LightReach merged(const LightReach& a, const LightReach& b) {
     LightReach r;
     r.bounds = a.bounds;
     r.bounds.extend(b.bounds);
-    // The axis of what shines both ways may as well be its opposite.
+    // For lights that emit in both directions, the axis may be reversed.
     const bool opposed = dot(a.axis, b.axis) < 0;
     const Vec3 axisA = opposed && a.twoSided ? -a.axis : a.axis;
     const Vec3 axisB = opposed && !a.twoSided && b.twoSided ? -b.axis : b.axis;
@@ -50,12 +50,12 @@ float orientationMeasure(const LightReach& reach) {
 
 LightBound::LightBound(const LightReach& reach)
     : center(reach.bounds.center()),
-      // Even a point has some extent, so that next to it nothing overflows.
+      // A point gets a small extent, so that nothing overflows right beside it.
       radius2(std::max(sqr(reach.bounds.radius()), 1e-12f)),
       axis(reach.axis),
       cosSpread(reach.spread >= kPi ? -1 : std::cos(reach.spread)),
       sinSpread(reach.spread >= kPi ? 0 : std::sin(reach.spread)),
-      // Lower by what rounding may do to the cosine that is compared with it.
+      // Lowered by the rounding error of the cosine that is compared with it.
       cosFalloff(std::cos(reach.falloff) - 1e-4f),
       intensity(reach.intensity),
       twoSided(reach.twoSided ? 1.f : 0.f) {}

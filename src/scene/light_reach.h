@@ -1,5 +1,5 @@
-// Where a light of finite size lies and which way it shines: what choosing among many needs to know (Conty Estevez and
-// Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018; PBR 4e, section 12.6.3).
+// Bounds of the position and emission directions of a finite light, as needed to choose among many lights (Conty
+// Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018; PBR 4e, section 12.6.3).
 #pragma once
 #include "scene/shape.h"
 
@@ -7,28 +7,28 @@ namespace drc {
 
 struct LightReach {
     Bounds bounds;
-    // Every point of the light has its own axis, for surfaces the normal, at most `spread` from this one, and shines no
-    // further than `falloff` from its own. Radians. The default: everywhere.
+    // Each point of the light emits around an axis of its own (the normal of a surface), which deviates by at most
+    // `spread` from this axis, and up to the angle `falloff` from its own. In radians. By default in all directions.
     Vec3 axis{0, 0, 1};
     float spread = kPi;
     float falloff = kPi / 2;
-    bool twoSided = false;  // shines along -axis as well
-    float intensity = 0;    // luminance, W / sr: what a far point on the axis sees of the whole light
+    bool twoSided = false;  // also emits around -axis
+    float intensity = 0;    // luminance of the whole light as seen from a distant point on the axis, W / sr
 };
 
-// Of both lights together.
+// Bounds of both lights together.
 LightReach merged(const LightReach& a, const LightReach& b);
-// The solid angle that a reach shines into, weighted by the cosine to its nearest axis: what the surface area of a box
-// is to position, for the heuristic that builds trees of lights.
+// Solid angle of the directions, weighted by the cosine to the nearest axis. It is what the surface area of a box is
+// for positions, in the cost function for building light trees.
 float orientationMeasure(const LightReach& reach);
 
-// A reach in the form that a point is quickly tested against.
+// The same bounds in a form that is quick to evaluate for a point.
 struct LightBound {
     LightBound() = default;
     explicit LightBound(const LightReach& reach);
 
-    // About the greatest irradiance that the light could bring to p. Zero only where it cannot bring any. Without
-    // branches, so that the compiler tests several side by side: see LightBounds.
+    // Approximate upper bound of the irradiance that the light could cause at p. Zero only if no light can reach p.
+    // Without branches, so that the compiler can vectorise it: see LightBounds.
     float irradiance(const Vec3& p) const {
         const Vec3 d = p - center;
         const float distance2 = lengthSquared(d);
@@ -36,7 +36,7 @@ struct LightBound {
         float cosine = dot(axis, d) * std::sqrt(inverse2);
         cosine = twoSided > 0 ? std::abs(cosine) : cosine;
         const float sine = safeSqrt(1 - cosine * cosine);
-        // The angle between axis and direction, less what the axes spread, less what the bounds subtend.
+        // Angle between axis and direction, minus the spread of the axes, minus the angle that the bounds subtend.
         const bool within = cosine >= cosSpread;
         const float cosLess = within ? 1 : cosine * cosSpread + sine * sinSpread;
         const float sinLess = within ? 0 : sine * cosSpread - cosine * sinSpread;
@@ -46,7 +46,7 @@ struct LightBound {
         return distance2 > radius2 ? outside : intensity / radius2;
     }
 
-    // Lights may reach beyond 90 degrees from their axes, and at grazing angles are brighter than the bounds suggest.
+    // Lights may emit beyond 90 degrees from their axes, and at grazing angles may be brighter than the bounds suggest.
     static constexpr float kLeastCosine = 0.02f;
 
     Vec3 center{0.f};
@@ -55,15 +55,15 @@ struct LightBound {
     float cosSpread = -1, sinSpread = 0;
     float cosFalloff = 0;
     float intensity = 0;
-    float twoSided = 0;  // or 1
+    float twoSided = 0;  // 0 or 1
 };
 
-// Eight bounds, field by field, tested together. Those that are not set bring nothing.
+// Eight bounds in structure-of-arrays layout, evaluated together. Unused ones give zero.
 class alignas(32) LightBounds {
   public:
     static constexpr int kCount = 8;
     void set(int i, const LightBound& bound);
-    // result: kCount numbers.
+    // result: kCount values.
     void irradiance(const Vec3& p, float* result) const;
 
   private:

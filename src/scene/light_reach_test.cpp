@@ -22,7 +22,7 @@ LightReach cone(const Vec3& axis, float spread, float falloff, bool twoSided = f
     return r;
 }
 
-// Whether a light that sends something along d must be within the reach.
+// Whether directions d of emitted light are within the bounds.
 bool holds(const LightReach& r, const Vec3& d) {
     const float cosine = r.twoSided ? absDot(r.axis, d) : dot(r.axis, d);
     return std::acos(std::clamp(cosine, -1.f, 1.f)) <= r.spread + r.falloff + 1e-3f;
@@ -53,16 +53,16 @@ TEST(LightReach, MergedIsNoWiderThanNeeded) {
     EXPECT_NEAR(m.spread, kPi / 4, 1e-3);
     EXPECT_EQ(m.falloff, kPi / 2);
     EXPECT_LT(length(m.axis - normalize(Vec3(1, 1, 0))), 1e-4f);
-    // One within the other.
+    // One cone inside the other.
     EXPECT_NEAR(merged(cone(Vec3(1, 0, 0), 1, 1), cone(Vec3(1, 0.1f, 0), 0.1f, 1)).spread, 1, 1e-6);
-    // A panel that shines both ways may be turned over; one that does not may not.
+    // A two-sided panel may be turned over before merging; a one-sided one may not.
     EXPECT_LT(merged(cone(Vec3(0, 0, 1), 0, 1, true), cone(Vec3(0, 0, -1), 0, 1, true)).spread, 0.01f);
     EXPECT_LT(merged(cone(Vec3(0, 0, 1), 0, 1), cone(Vec3(0, 0, -1), 0, 1, true)).spread, 0.01f);
     EXPECT_EQ(merged(cone(Vec3(0, 0, 1), 0, 1), cone(Vec3(0, 0, -1), 0, 1)).spread, kPi);
 }
 
 TEST(LightReach, OrientationMeasureOfTheBook) {
-    // A flat emitter: pi, the cosine over the hemisphere. Everywhere: 4 pi.
+    // For a flat emitter it is pi, the integral of the cosine over the hemisphere; for all directions 4 pi.
     EXPECT_NEAR(orientationMeasure(cone(Vec3(0, 0, 1), 0, kPi / 2)), kPi, 1e-4);
     EXPECT_NEAR(orientationMeasure(cone(Vec3(0, 0, 1), kPi, kPi / 2)), 4 * kPi, 1e-4);
     EXPECT_NEAR(orientationMeasure(cone(Vec3(0, 0, 1), 0, kPi / 2, true)), 2 * kPi, 1e-4);
@@ -78,7 +78,8 @@ TEST(LightBound, IrradianceOfPointsAndPanels) {
     EXPECT_GT(LightBound(cone(Vec3(0, 0, 1), 0, kPi / 2, true)).irradiance(Vec3(3, 0, -3)), 0);
 }
 
-// Wherever in the bounds a part stands, and however within the spread it faces: what it brings is never denied.
+// For any position of a part within the bounds and any axis within the spread, the estimate must not be zero if light
+// arrives.
 TEST(LightBound, NeverDeniesWhatArrives) {
     Pcg32 rng(2);
     for (int i = 0; i < 2000; ++i) {

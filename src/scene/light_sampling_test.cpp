@@ -1,5 +1,5 @@
-// Every light that is not a delta light: its samples follow the density that its pdf claims, direction by direction.
-// (Curves have a test of their own: their density has too many edges for a quadrature.)
+// For every light that is not a delta light, samples must follow the pdf, direction by direction. (Curves have a test
+// of their own, because their pdf has too many discontinuities for quadrature.)
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace test;
 
-// Calls back for all points of an emitter that a ray meets, not only the nearest: a sample may be a hidden one.
+// Called for all points of an emitter on a ray, not only the nearest, because samples may be hidden.
 using Visit = std::function<void(const EmitterHit&)>;
 using Crossings = std::function<void(const Vec3& o, const Vec3& d, const Visit&)>;
 
@@ -57,7 +57,7 @@ Lamp meshLamp(const char* name, const TriangleMesh& m, const Vec3& from, bool tw
     return {name, makeMeshAreaLight(m, Rgb(1.f), twoSided), crossings, from};
 }
 
-// Three triangles of different sizes, one of them tilted: chosen by area.
+// Three triangles of different sizes, one of them tilted; sampled by area.
 TriangleMesh fewTriangles() {
     TriangleMesh m;
     m.positions = {Vec3(-1, -1, 2), Vec3(2, -1, 2), Vec3(2, 1, 2), Vec3(-1, 0.3f, 2), Vec3(-2, 3, 1)};
@@ -65,7 +65,7 @@ TriangleMesh fewTriangles() {
     return m;
 }
 
-// A hilly sheet, some of whose triangles face away: chosen by a tree.
+// A bumpy mesh, some of whose triangles face away; sampled by a light tree.
 TriangleMesh manyTriangles() {
     TriangleMesh m;
     constexpr int kSide = 4;

@@ -1,4 +1,4 @@
-// Spotlight: a point light within a cone, whose edge fades (PBR 3e, section 12.3.1).
+// Spotlight: a point light that emits into a cone with a soft edge (PBR 3e, section 12.3.1).
 #include "scene/light_directed_point.h"
 
 namespace drc {
@@ -13,7 +13,8 @@ class SpotLight final : public DirectedPointLight {
           cosFull_(std::cos(std::max(0.f, coneDegrees - fadeDegrees) * kPi / 180)),
           cone_(coneDegrees * kPi / 180) {}
 
-    // The fading edge holds a fifth, or a half, of what it would hold unfaded: the integral over x.
+    // The soft edge has a fifth (x^4) or a half (smoothstep) of the power that it would have at full intensity: the
+    // integral over x.
     Rgb power(float) const override {
         const float share = edge_ == SpotEdge::Steep ? 0.2f : 0.5f;
         return intensity_ * (2 * kPi * ((1 - cosFull_) + (cosFull_ - cosEdge_) * share));

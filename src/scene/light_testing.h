@@ -1,4 +1,4 @@
-// For tests of lights that shine from a point.
+// Helpers for tests of point lights.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -7,7 +7,8 @@
 
 namespace drc::test {
 
-// Intensity towards the unit vector w, W / sr, seen from far enough to tell distances from squares.
+// Intensity towards the unit vector w, W / sr. Measured at a distance other than 1, so that d and d^2 cannot be
+// confused.
 inline Rgb intensityTowards(const Light& light, const Vec3& w) {
     constexpr float kDistance = 3;
     const Vec3 center = light.bounds().center();
@@ -19,8 +20,8 @@ inline Rgb intensityTowards(const Light& light, const Vec3& w) {
     return s->radiance * sqr(kDistance);
 }
 
-// What leaves the light through a sphere about it is its power; and reach() leaves out no direction, and exaggerates
-// none that shines.
+// Checks that the flux through a sphere around the light is its power, that reach() excludes no direction in which it
+// emits, and that it does not overestimate any of them.
 inline void checkPowerAndReach(const Light& light, float tolerance) {
     constexpr int kSide = 400;
     double sum[3] = {0, 0, 0};

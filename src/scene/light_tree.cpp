@@ -8,17 +8,17 @@ namespace drc {
 namespace {
 
 constexpr int kBuckets = 12;
-// Above this many lights only the longest axis is tried: merging reaches is what building costs.
+// For larger numbers of lights, only the longest axis is tried, since merging bounds dominates the build time.
 constexpr size_t kTryAllAxes = 4096;
-// Deeper than any useful tree: from here on halves.
+// Beyond this depth, which no useful tree reaches, clusters are simply halved.
 constexpr int kDeep = 48;
 
 Vec3 extentOf(const Bounds& b) { return b.empty() ? Vec3(0, 0, 0) : b.max - b.min; }
 
 int longestAxis(const Vec3& v) { return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2; }
 
-// What a cluster costs: how much light, from how large a box, into how many directions. The diagonal counts a little,
-// for lights in a row have no surface.
+// Cost of a cluster: its intensity, the size of its box and its solid angle of directions. The diagonal of the box is
+// included with a small weight, since the box of lights in a row has no surface area.
 float cost(const LightReach& r) {
     const Vec3 e = extentOf(r.bounds);
     const float surface = 2 * (e.x * e.y + e.y * e.z + e.z * e.x);
@@ -39,8 +39,8 @@ int bucketOf(float x, float low, float extent) {
 }
 
 struct Split {
-    int axis = -1;   // -1: none
-    int bucket = 0;  // the last of the first part
+    int axis = -1;   // -1 if there is no split
+    int bucket = 0;  // last bucket of the first part
     float cost = kInfinity;
 };
 
@@ -77,7 +77,7 @@ void LightTree::build(std::vector<Cluster>& clusters, std::span<Item> items, int
         for (const Item& item : items)
             buckets[size_t(bucketOf(item.reach.bounds.center()[axis], centers.min[axis], extent[axis]))].add(item.reach,
                                                                                                              1);
-        // Costs of the parts before each boundary, then those after it.
+        // Costs of the lights before each boundary, then of those after it.
         std::array<float, kBuckets> before{};
         Bucket sum;
         for (size_t i = 0; i < kBuckets; ++i) {
@@ -88,7 +88,7 @@ void LightTree::build(std::vector<Cluster>& clusters, std::span<Item> items, int
         for (size_t i = kBuckets - 1; i > 0; --i) {
             if (buckets[i].count > 0) sum.add(buckets[i].reach, buckets[i].count);
             if (before[i - 1] < 0 || sum.count == 0) continue;
-            // Thin boxes are bad clusters.
+            // Penalises thin boxes.
             const float c = (before[i - 1] + cost(sum.reach)) * extent[longest] / extent[axis];
             if (c < best.cost) best = {axis, int(i) - 1, c};
         }
@@ -116,8 +116,8 @@ void LightTree::build(std::vector<Cluster>& clusters, std::span<Item> items, int
 
 void LightTree::widen(const std::vector<Cluster>& clusters, int cluster, int node, int depth) {
     depth_ = std::max(depth_, depth);
-    // The largest cluster is opened until there are as many as a node holds. The two stand where it stood, so that the
-    // order of the random numbers is kept, and with it their stratification.
+    // Repeatedly replaces the largest cluster by its two children until the node is full. They take its position, so
+    // that the order of the lights, and with it the stratification of random numbers, is preserved.
     std::vector<int> branches{cluster};
     while (branches.size() < LightBounds::kCount) {
         const auto largest = std::max_element(branches.begin(), branches.end(), [&](int a, int b) {
@@ -155,7 +155,7 @@ LightTree::Choice LightTree::sample(const Vec3& p, float u) const {
         if (!(sums.total() > 0)) return {};
         const float target = choice.uRemapped * sums.total();
         int branch = sums.find(target);
-        if (branch == EightSums::kCount) branch = sums.last();  // by rounding
+        if (branch == EightSums::kCount) branch = sums.last();  // reached only by rounding
         choice.probability *= weights[branch] / sums.total();
         choice.uRemapped = std::clamp((target - sums.before(branch)) / weights[branch], 0.f, kOneMinusEpsilon);
         node = nodes_[size_t(node)].child[branch];
@@ -166,7 +166,7 @@ LightTree::Choice LightTree::sample(const Vec3& p, float u) const {
 
 float LightTree::probability(const Vec3& p, int index) const {
     const Leaf leaf = leaves_[size_t(index)];
-    // From the leaf upwards: the same factors as on the way down.
+    // From the leaf upwards, with the same factors as on the way down.
     float result = leaf.node < 0 ? 0 : 1;
     for (int node = leaf.node, branch = leaf.branch; node >= 0;) {
         float weights[LightBounds::kCount];

@@ -10,7 +10,7 @@
 namespace drc {
 namespace {
 
-// Small panels, points and two-sided panels within a box.
+// Small one- and two-sided panels and points inside a box.
 std::vector<LightReach> someLights(int count, uint64_t seed) {
     Pcg32 rng(seed);
     std::vector<LightReach> lights;
@@ -75,7 +75,7 @@ TEST(LightTree, ProbabilitiesAreThoseOfSampling) {
 }
 
 TEST(LightTree, ProbabilitiesSumToOneWhereEveryBranchHasLight) {
-    // Points shine everywhere: nothing is ever lost.
+    // Points emit in all directions, so sampling must never fail.
     std::vector<LightReach> lights = someLights(999, 3);
     for (LightReach& r : lights) r.spread = kPi;
     const LightTree tree(lights);
@@ -106,7 +106,7 @@ TEST(LightTree, FarDimAndAvertedLightsAreChosenRarely) {
     EXPECT_LT(tree.probability(p, 1), 1e-3f);
     EXPECT_LT(tree.probability(p, 2), 1e-2f);
     EXPECT_LT(tree.probability(p, 3), 0.05f);
-    // Lights without intensity are none.
+    // Lights without intensity are never chosen.
     const std::vector<LightReach> dark = {panel(Vec3(0, 0, 1), down, 0)};
     EXPECT_TRUE(LightTree(dark).empty());
     EXPECT_EQ(LightTree(dark).sample(p, 0.5f).index, -1);
@@ -115,12 +115,12 @@ TEST(LightTree, FarDimAndAvertedLightsAreChosenRarely) {
 
 TEST(LightTree, DepthGrowsWithTheLogarithm) {
     EXPECT_LE(LightTree(someLights(10000, 1)).depth(), 32);
-    // Lights that all stand at one point are halved.
+    // Many lights at the same point are simply halved.
     std::vector<LightReach> same(1000, someLights(1, 1)[0]);
     EXPECT_LE(LightTree(same).depth(), 11);
 }
 
-// The irradiance from thousands of points: by the tree with far less variance than by power alone.
+// From thousands of points, the variance of the irradiance must be far less than when lights are chosen by power alone.
 TEST(LightTree, LessNoiseThanByPower) {
     const std::vector<LightReach> lights = [] {
         std::vector<LightReach> all = someLights(2000, 8);

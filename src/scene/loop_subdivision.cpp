@@ -14,29 +14,29 @@ namespace {
 
 constexpr uint32_t kNone = ~0u;
 
-// Weight of each of n neighbours where a vertex inside the mesh moves (Warren's choice), and where it goes in the
-// limit.
+// Weight of each of the n neighbours of an interior vertex (Warren's choice), for a subdivision step and for the limit
+// position.
 float neighbourWeight(uint32_t n) { return n == 3 ? 3 / 16.f : 3 / (8.f * float(n)); }
 float limitWeight(uint32_t n) { return 1 / (float(n) + 3 / (8 * neighbourWeight(n))); }
-// Of each of the two neighbours along the boundary, which is a cubic B-spline.
+// Weight of each of the two neighbours of a boundary vertex; the boundary is a cubic B-spline.
 constexpr float kBoundaryWeight = 1 / 8.f, kBoundaryLimitWeight = 1 / 6.f;
 
-// Triangles as half-edges: the one from the k-th corner of triangle f to the next is 3 f + k.
+// Triangles as half-edges: the half-edge 3 f + k runs from the k-th corner of triangle f to the next.
 struct HalfEdgeMesh {
     std::vector<Vec3> positions;
-    std::vector<uint32_t> origin;  // of a half-edge: the vertex that it leaves
-    std::vector<uint32_t> twin;    // the other way along the same edge; kNone at the boundary
+    std::vector<uint32_t> origin;  // for each half-edge, the vertex where it starts
+    std::vector<uint32_t> twin;    // for each half-edge, the opposite one along the same edge; kNone at the boundary
 
     static uint32_t next(uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static uint32_t previous(uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
     uint32_t end(uint32_t h) const { return origin[next(h)]; }
-    // The vertex's next half-edges in the sense of the winding, and against it.
+    // The next half-edge around the vertex in the sense of the winding, and against it.
     uint32_t turned(uint32_t h) const { return twin[previous(h)]; }
     uint32_t turnedBack(uint32_t h) const { return twin[h] == kNone ? kNone : next(twin[h]); }
 };
 
 std::vector<uint32_t> findTwins(std::span<const uint32_t> indices) {
-    // By their ends, sorted: vertices can be chosen so that a hash table's chains grow with the mesh.
+    // Sorted by their ends rather than hashed, because a file could choose vertices whose hashes collide.
     struct Edge {
         uint64_t ends;
         uint32_t half;
@@ -71,7 +71,7 @@ HalfEdgeMesh makeHalfEdges(std::span<const Vec3> positions, std::span<const uint
     HalfEdgeMesh mesh;
     mesh.twin = findTwins(indices);
     mesh.origin.assign(indices.size(), kNone);
-    // One vertex for each fan.
+    // Each fan of triangles gets its own vertex.
     for (uint32_t h = 0; h < indices.size(); ++h) {
         if (mesh.origin[h] != kNone) continue;
         const auto vertex = uint32_t(mesh.positions.size());
@@ -83,11 +83,11 @@ HalfEdgeMesh makeHalfEdges(std::span<const Vec3> positions, std::span<const uint
     return mesh;
 }
 
-// What the rules need of a vertex's neighbours.
+// What the rules need to know of a vertex's neighbours.
 struct Neighbours {
     Vec3 sum{0.f};
     uint32_t count = 0;
-    Vec3 boundarySum{0.f};  // of the two along the boundary
+    Vec3 boundarySum{0.f};  // sum of the two neighbours along the boundary
     bool boundary = false;
 
     Vec3 blend(const Vec3& p, float inner, float outer) const {
@@ -109,8 +109,9 @@ std::vector<Neighbours> gatherNeighbours(const HalfEdgeMesh& mesh) {
     return result;
 }
 
-// The children of triangle f are 4 f + k at its k-th corner, from there to the middle of the edge that leaves it and on
-// to the middle of the one that arrives, and 4 f + 3 amid them, from the middle of the first edge.
+// Triangle f has four children. 4 f + k is at its k-th corner, with half-edges from there to the middle of the outgoing
+// edge, on to the middle of the incoming edge, and back. 4 f + 3 is in the centre, starting at the middle of the first
+// edge.
 HalfEdgeMesh refine(const HalfEdgeMesh& mesh) {
     HalfEdgeMesh fine;
     const std::vector<Neighbours> neighbours = gatherNeighbours(mesh);
@@ -132,7 +133,7 @@ HalfEdgeMesh refine(const HalfEdgeMesh& mesh) {
     }
     fine.origin.resize(4 * mesh.origin.size());
     fine.twin.resize(4 * mesh.origin.size());
-    // A half-edge in halves: the first leaves its origin, the second arrives at its end.
+    // A half-edge is split in two: the first half leaves its origin, the second arrives at its end.
     const auto first = [](uint32_t h) { return 3 * (4 * (h / 3) + h % 3); };
     const auto second = [](uint32_t h) { return 3 * (4 * (h / 3) + (h + 1 - h / 3 * 3) % 3) + 2; };
     for (uint32_t h = 0; h < mesh.origin.size(); ++h) {
@@ -143,7 +144,7 @@ HalfEdgeMesh refine(const HalfEdgeMesh& mesh) {
         fine.origin[amid] = middle[h];
         fine.twin[first(h)] = twin == kNone ? kNone : second(twin);
         fine.twin[second(h)] = twin == kNone ? kNone : first(twin);
-        // Of the triangle amid, the edge that leaves the middle of h cuts off the corner where h ends.
+        // In the central triangle, the edge that leaves the middle of h cuts off the corner at the end of h.
         const uint32_t cut = first(HalfEdgeMesh::next(h)) + 1;
         fine.twin[amid] = cut;
         fine.twin[cut] = amid;
@@ -151,8 +152,8 @@ HalfEdgeMesh refine(const HalfEdgeMesh& mesh) {
     return fine;
 }
 
-// Normal of the limit surface along the winding, not normalised (PBR 3e, section 3.8.2). start: a half-edge that
-// leaves the vertex; at the boundary the first one in the sense of the winding.
+// Normal of the limit surface along the winding, not normalised (PBR 3e, section 3.8.2). start: a half-edge that leaves
+// the vertex; at the boundary, the first in the sense of the winding.
 Vec3 limitNormal(const HalfEdgeMesh& mesh, uint32_t start, bool boundary, std::vector<Vec3>& ring) {
     const Vec3 p = mesh.positions[mesh.origin[start]];
     ring.clear();
@@ -194,8 +195,8 @@ TriangleMesh subdivideLoop(std::span<const Vec3> positions, std::span<const uint
             fmt::format("subdividing {} triangles {} times makes {:.3g}, and at most {:.3g} are made; use fewer "
                         "levels",
                         indices.size() / 3, levels, triangles, limits::kSubdividedTriangles));
-    // Two half-edge meshes, a quarter and the whole, and what the vertices' neighbours sum to, would be 80 bytes a
-    // triangle; the mesh and what rays need of it take more. There are half as many vertices.
+    // The two half-edge meshes and the neighbours' sums would take 80 bytes per triangle, less than the mesh and its
+    // acceleration structure. There are half as many vertices as triangles.
     constexpr double kMesh = 3 * sizeof(uint32_t) + 2 * sizeof(Vec3) / 2.0, kHalfEdges = 6 * sizeof(uint32_t) + 6;
     MemoryClaim memory(triangles * (kMesh + kTracingBytesPerTriangle + kTracingBytesPerVertex / 2),
                        fmt::format("subdividing to {:.3g} triangles", triangles));

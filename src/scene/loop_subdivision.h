@@ -1,4 +1,4 @@
-// Loop's subdivision surfaces (PBR 3e, section 3.8): smooth surfaces over meshes of triangles.
+// Loop subdivision surfaces (PBR 3e, section 3.8): smooth surfaces defined by triangle meshes.
 #pragma once
 #include <span>
 
@@ -6,16 +6,17 @@
 
 namespace drc {
 
-// What so many triangles become.
+// Number of triangles after subdivision.
 double subdividedTriangles(size_t triangles, int levels);
 
-// Splits each triangle into four, `levels` times, and moves the vertices to where they would be after infinitely many.
-// indices: three a triangle, each below positions.size(). The result has normals, those of the limit surface: as in
-// pbrt they look against the winding, to where the triangles appear clockwise.
+// Splits each triangle into four, `levels` times, and moves the vertices to their limit positions. indices: three per
+// triangle, each less than positions.size(). The result has the normals of the limit surface, which as in pbrt point
+// against the winding, to the side from which the triangles appear clockwise.
 //
-// Throws Error where more than two triangles share an edge, or two are wound against each other, and for more triangles
-// than limits::kSubdividedTriangles or than memory has room for, with what tracing rays needs of them. Where separate
-// fans of triangles meet in a vertex, each has the vertex for itself; vertices without triangles are left out.
+// Throws Error if more than two triangles share an edge or two neighbours have opposite winding, and if the result
+// would have more triangles than limits::kSubdividedTriangles or than fit into memory together with their acceleration
+// structure. A vertex in which separate fans of triangles meet is duplicated for each fan; vertices without triangles
+// are dropped.
 TriangleMesh subdivideLoop(std::span<const Vec3> positions, std::span<const uint32_t> indices, int levels);
 
 }  // namespace drc

@@ -15,13 +15,13 @@ struct ControlMesh {
     TriangleMesh subdivided(int levels) const { return subdivideLoop(positions, indices, levels); }
 };
 
-// Wound counter-clockwise as seen from outside; every vertex has four neighbours.
+// Counter-clockwise as seen from outside; every vertex has four neighbours.
 ControlMesh octahedron() {
     return {{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)},
             {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5}};
 }
 
-// n x n squares of a regular grid over [0, 1]^2, each of two triangles, at heights f(x, y).
+// A grid of n x n squares of two triangles over [0, 1]^2, with heights f(x, y).
 template <typename F>
 ControlMesh grid(uint32_t n, const F& f) {
     ControlMesh mesh;
@@ -54,8 +54,8 @@ TEST(LoopSubdivision, CountsFollowEuler) {
 }
 
 TEST(LoopSubdivision, VerticesGoToTheLimitAtOnce) {
-    // A vertex of the octahedron has four neighbours around the origin of its plane: gamma = 1 / (4 + 4), so it keeps
-    // half of its distance. What is the same vertex stays there however many levels there are.
+    // Each vertex of the octahedron has four neighbours, whose mean is the origin. With gamma = 1 / (4 + 4), it keeps
+    // half of its distance, whatever the number of levels.
     for (const int levels : {0, 1, 2, 4}) {
         const TriangleMesh mesh = octahedron().subdivided(levels);
         for (size_t i = 0; i < 6; ++i) {
@@ -68,7 +68,7 @@ TEST(LoopSubdivision, VerticesGoToTheLimitAtOnce) {
 }
 
 TEST(LoopSubdivision, BoundaryIsACubicSpline) {
-    // The corner of a square's boundary, with its limit at (p0 + 4 p1 + p2) / 6, and the same after more levels.
+    // A corner of the boundary has its limit at (p0 + 4 p1 + p2) / 6, whatever the number of levels.
     const ControlMesh mesh = grid(2, [](float, float) { return 0.f; });
     for (const int levels : {0, 1, 3}) {
         const TriangleMesh fine = mesh.subdivided(levels);
@@ -87,7 +87,8 @@ TEST(LoopSubdivision, RegularGridReproducesPlanesAndItsNormals) {
     for (size_t i = 0; i < fine.positions.size(); ++i) {
         const Vec3& p = fine.positions[i];
         EXPECT_NEAR(p.z, 0.5f * p.x - 0.25f * p.y, 1e-6);
-        // Everywhere, at corners with one, two and three triangles and edges too; against the winding.
+        // At all vertices, including edges and corners with one, two and three triangles. The normals point against the
+        // winding.
         EXPECT_LT(length(fine.normals[i] + normal), 1e-4f) << p;
     }
 }
@@ -108,7 +109,7 @@ TEST(LoopSubdivision, NormalsAreThoseOfTheFineTriangles) {
 }
 
 TEST(LoopSubdivision, FansThatShareAVertexAreApart) {
-    // Two triangles that touch in one point, and a vertex that none has.
+    // Two triangles that touch in one point, and a vertex without triangles.
     const ControlMesh bow{
         {Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(-1, -1, 0), Vec3(-1, 1, 0), Vec3(9, 9, 9)},
         {0, 2, 1, 0, 4, 3}};
@@ -130,9 +131,10 @@ TEST(LoopSubdivision, SaysWhatIsWrong) {
     EXPECT_THAT(errorOf(octahedron(), 2147483647), HasSubstr("use fewer levels"));
 }
 
-// A normal of zero is as good as found: to seek it again at each of a vertex's edges takes the square of their number.
+// A zero limit normal must count as computed. Computing it again at each edge of a vertex would take time proportional
+// to the square of the number of edges.
 TEST(LoopSubdivision, ManyTrianglesAboutOnePointInOnePlaceAreDoneInTheirTime) {
-    constexpr uint32_t kSides = 50'000;  // the square of which takes minutes
+    constexpr uint32_t kSides = 50'000;  // quadratic time would be minutes
     ControlMesh fan{std::vector<Vec3>(kSides + 1, Vec3(0.f)), {}};
     for (uint32_t i = 0; i < kSides; ++i)
         for (const uint32_t corner : {0u, 1 + i, 1 + (i + 1) % kSides}) fan.indices.push_back(corner);

@@ -1,4 +1,4 @@
-// A material turns a point on a surface into a BSDF.
+// A material computes the BSDF at a point of a surface.
 #pragma once
 #include <memory>
 #include <string>
@@ -11,13 +11,13 @@ namespace drc {
 class Material {
   public:
     virtual ~Material() = default;
-    // Adds this material's lobes to the BSDF, each scaled by weight (so that a mix is two calls).
+    // Adds this material's lobes to the BSDF, scaled by weight. A mix calls this for each of its two materials.
     virtual void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const = 0;
-    // True if the lobes are the same everywhere. The bump map does not matter: it turns the frame alone.
+    // Whether the lobes are the same everywhere. A bump map does not matter, since it only changes the shading frame.
     virtual bool isConstant() const = 0;
-    // The most lobes that addLobes ever adds. Front ends refuse materials that have more than a Bsdf takes.
+    // Maximum number of lobes that addLobes() adds. Front ends reject materials with more lobes than a Bsdf can hold.
     virtual int maxLobes() const = 0;
-    // Height field that perturbs the shading normal, world units along the normal; null: none.
+    // Height field for bump mapping, in world units along the normal; null if there is none.
     virtual const FloatTexture* bump() const { return bump_.get(); }
     void setBump(FloatTexturePtr bump) { bump_ = std::move(bump); }
 

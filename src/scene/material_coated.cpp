@@ -5,14 +5,14 @@
 namespace drc {
 namespace {
 
-// The coat at one point.
+// The coat's parameters at one point.
 struct Coat {
     DielectricCoat layer;
-    std::optional<TrowbridgeReitz> distribution;  // none: smooth
-    Rgb haze;                                     // reflectance of what scatters within, over a black base
+    std::optional<TrowbridgeReitz> distribution;  // none if the interface is smooth
+    Rgb haze;                                     // reflectance of the scattering medium over a black base
     float alpha() const { return distribution ? distribution->meanAlpha() : 0; }
     float eta() const { return layer.eta(); }
-    // What the upper face itself reflects.
+    // Adds the reflection off the interface.
     void addReflection(const Rgb& weight, Bsdf& bsdf) const {
         if (eta() == 1) return;
         if (distribution)
@@ -34,8 +34,8 @@ class CoatTextures {
     Coat at(const TextureContext& point, bool remap) const {
         const float depth = std::max(0.f, params_.thickness->eval(point));
         const Rgb albedo = evalClamped(*params_.albedo, point);
-        // What is scattered forwards might as well not have been scattered; of the rest two opposite streams of light
-        // exchange 3/4 a depth, as in the diffusion approximation. Absorption is grey: a coat is not what has colour.
+        // Forward scattering is taken as no scattering. Two opposite fluxes exchange 3/4 of the rest per unit of depth,
+        // as in the diffusion approximation. Absorption is grey.
         const float backwards = 0.75f * depth * (1 - std::clamp(params_.g->eval(point), -1.f, 1.f));
         Rgb haze;
         for (int c = 0; c < 3; ++c) {
@@ -57,7 +57,7 @@ class CoatTextures {
     CoatParams params_;
 };
 
-// A base of this reflectance seen through haze, which loses nothing.
+// Reflectance of a base seen through lossless haze.
 Rgb throughHaze(const Rgb& base, const Rgb& haze) {
     Rgb sum;
     for (int c = 0; c < 3; ++c) sum[c] = haze[c] + sqr(1 - haze[c]) * base[c] / std::max(1e-6f, 1 - base[c] * haze[c]);
@@ -115,7 +115,7 @@ class CoatedConductorMaterial final : public Material {
                          base),
                      weight * clear * clear);
         }
-        // Haze over metal: what it sends back itself.
+        // Over metal, the haze's own reflection is a diffuse lobe.
         if (isHazy) bsdf.add(CoatedDiffuse(coat.haze, coat.layer), weight);
     }
     bool isConstant() const override {

@@ -5,15 +5,15 @@
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt-v4's.
+// The comments give the defaults for null textures, which are those of pbrt-v4.
 struct CoatParams {
     FloatTexturePtr roughness;   // 0
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness
     FloatTexturePtr eta;         // 1.5; less than 1 counts as 1
-    FloatTexturePtr thickness;   // 0.01; optical depth of what is between coat and base
-    RgbTexturePtr albedo;        // 0; of what is between them
-    FloatTexturePtr g;           // 0; mean cosine by which it scatters
+    FloatTexturePtr thickness;   // 0.01; optical depth of the medium between coat and base
+    RgbTexturePtr albedo;        // 0; single-scattering albedo of that medium
+    FloatTexturePtr g;           // 0; mean cosine of its phase function
 };
 
 struct CoatedDiffuseParams {
@@ -28,11 +28,11 @@ struct CoatedConductorParams {
     CoatParams coat;
     RgbTexturePtr eta;           // copper
     RgbTexturePtr k;             // copper
-    RgbTexturePtr reflectance;   // none; in place of eta and k, what the bare metal reflects at normal incidence
-    FloatTexturePtr roughness;   // 0; of the conductor
+    RgbTexturePtr reflectance;   // none; reflectance of the bare metal at normal incidence, in place of eta and k
+    FloatTexturePtr roughness;   // 0; that of the conductor
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness
-    bool remapRoughness = true;  // roughness is alpha squared, not alpha; of both
+    bool remapRoughness = true;  // for coat and conductor: roughness is alpha squared, not alpha
     FloatTexturePtr bump;        // none
 };
 MaterialPtr makeCoatedConductor(CoatedConductorParams params);

@@ -22,7 +22,7 @@ TEST(CoatedDiffuseMaterial, Bsdf) {
     p.coat.albedo = colour(0.8f, 0.5f, 0.2f);
     p.coat.g = number(0.5f);
     checkMaterial(makeCoatedDiffuse(p));
-    // Both sides are coated.
+    // Both sides of the surface are coated.
     for (const float c : {0.9f, 0.3f}) {
         const Bsdf bsdf = bsdfOf(makeCoatedDiffuse({}));
         const Rgb front = meanWeight(bsdf, bsdf.frame().toWorld(direction(c))).value;
@@ -40,14 +40,14 @@ TEST(CoatedDiffuseMaterial, WhiteLosesNothing) {
             const Mean m = meanWeight(bsdf, bsdf.frame().toWorld(direction(c)));
             EXPECT_NEAR(m.value.x, 1, 4 * m.error + 2e-3f) << eta << " " << c;
         }
-        // Nor does haze that absorbs nothing, however thick.
+        // The same with haze that absorbs nothing, however thick.
         p.coat.thickness = number(2);
         p.coat.albedo = colour(1, 1, 1);
         const Bsdf hazy = bsdfOf(makeCoatedDiffuse(p));
         const Mean m = meanWeight(hazy, hazy.frame().n);
         EXPECT_NEAR(m.value.x, 1, 4 * m.error + 2e-3f) << eta;
     }
-    // A rough face scatters once only, and so loses some; it never gains.
+    // Single scattering at a rough interface loses some energy, but must never gain any.
     for (const float roughness : {0.01f, 0.1f, 0.5f, 1.f}) {
         CoatedDiffuseParams p;
         p.reflectance = colour(1, 1, 1);

@@ -4,11 +4,11 @@
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt-v4's.
+// The comments give the defaults for null textures, which are those of pbrt-v4.
 struct ConductorParams {
     RgbTexturePtr eta;           // copper
     RgbTexturePtr k;             // copper
-    RgbTexturePtr reflectance;   // none; in place of eta and k, what is reflected at normal incidence
+    RgbTexturePtr reflectance;   // none; reflectance at normal incidence, in place of eta and k
     FloatTexturePtr roughness;   // 0
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness

@@ -16,7 +16,7 @@ class DielectricMaterial final : public Material {
         const float eta = params_.eta->eval(at);
         const auto distribution = distributionUnlessSmooth(
             {params_.roughness, params_.uRoughness, params_.vRoughness, params_.remapRoughness}, at);
-        // A boundary between equal indices bends nothing, however rough.
+        // A boundary between equal indices does not refract, however rough it is.
         if (!distribution || eta == 1) {
             bsdf.add(FresnelSpecular(Rgb(1.f), Rgb(1.f), 1, eta), weight);
             return;

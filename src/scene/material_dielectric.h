@@ -1,13 +1,13 @@
-// A smooth or rough boundary between dielectrics (pbrt-v4's "dielectric"; PBR 4e, section 9.7), and a thin sheet of one
-// (pbrt-v4's "thindielectric").
+// A smooth or rough boundary between dielectrics (pbrt-v4's "dielectric"; PBR 4e, section 9.7), and a thin dielectric
+// sheet (pbrt-v4's "thindielectric").
 #pragma once
 #include "scene/material.h"
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt-v4's.
+// The comments give the defaults for null textures, which are those of pbrt-v4.
 struct DielectricParams {
-    FloatTexturePtr eta;         // 1.5; of the side that the normal points away from
+    FloatTexturePtr eta;         // 1.5; index on the side opposite to the normal
     FloatTexturePtr roughness;   // 0
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness

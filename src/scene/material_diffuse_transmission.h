@@ -4,11 +4,11 @@
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt-v4's.
+// The comments give the defaults for null textures, which are those of pbrt-v4.
 struct DiffuseTransmissionParams {
     RgbTexturePtr reflectance;    // 0.25
     RgbTexturePtr transmittance;  // 0.25
-    float scale = 1;              // of both
+    float scale = 1;              // multiplies both
     FloatTexturePtr bump;         // none
 };
 MaterialPtr makeDiffuseTransmission(DiffuseTransmissionParams params);

@@ -34,7 +34,7 @@ class Disney final : public Material {
         const float roughness = params_.roughness->eval(at), specTrans = params_.specTrans->eval(at);
 
         const float diffuse = std::max(0.f, (1 - metallic) * (1 - specTrans));
-        // Half of diffTrans is transmitted; what is not thin transmits nothing.
+        // Half of diffTrans is transmitted, by thin surfaces only.
         const float through = params_.thin ? std::clamp(0.5f * params_.diffTrans->eval(at), 0.f, 1.f) : 0;
         if (diffuse > 0) {
             const Rgb reflected = color * (diffuse * (1 - through));
@@ -53,7 +53,8 @@ class Disney final : public Material {
             return TrowbridgeReitz(rough * rough / aspect, rough * rough * aspect, TrowbridgeReitz::Masking::Separable);
         };
         const Rgb dielectric = lerp(params_.specularTint->eval(at), Rgb(1.f), tint) * reflectanceOf(eta);
-        // pbrt lets all of it reflect totally from inside, with the diffuse part on top: light without end.
+        // pbrt applies total internal reflection to the whole highlight and adds the diffuse part, which creates
+        // energy.
         const Fresnel fresnel =
             Fresnel::metallic(lerp(metallic, dielectric, color), metallic, eta, std::clamp(specTrans, 0.f, 1.f));
         bsdf.add(MicrofacetReflection(Rgb(1.f), distribution(roughness), fresnel), weight);
@@ -62,12 +63,12 @@ class Disney final : public Material {
         if (clearcoat > 0)
             bsdf.add(DisneyClearcoat(clearcoat, lerp(params_.clearcoatGloss->eval(at), 0.1f, 0.001f)), weight);
 
-        // The root, because light crosses two such surfaces on its way through a thing.
+        // The square root, because light crosses two such surfaces on its way through an object.
         const Rgb transmitted = sqrt(color) * std::max(0.f, (1 - metallic) * specTrans);
         if (!isBlack(transmitted)) {
-            if (eta == 1)  // bends nothing, however rough
+            if (eta == 1)  // does not refract, however rough
                 bsdf.add(SpecularTransmission(transmitted, 1, 1), weight);
-            else if (params_.thin)  // Burley's fit of how much narrower light leaves a sheet than one boundary
+            else if (params_.thin)  // Burley's fit: light leaves a sheet in a narrower lobe than a single boundary
                 bsdf.add(MicrofacetTransmission(transmitted, thinDistribution(eta, roughness, aspect), 1, eta), weight);
             else
                 bsdf.add(MicrofacetTransmission(transmitted, distribution(roughness), 1, eta), weight);

@@ -20,7 +20,7 @@ class Glass final : public Material {
         if (isBlack(kr) && isBlack(kt)) return;
         const float eta = params_.eta->eval(at);
         const float u = params_.uRoughness->eval(at), v = params_.vRoughness->eval(at);
-        // A boundary between equal indices bends nothing, however rough.
+        // A boundary between equal indices does not refract, however rough it is.
         if ((u == 0 && v == 0) || eta == 1) {
             bsdf.add(FresnelSpecular(kr, kt, 1, eta), weight);
             return;

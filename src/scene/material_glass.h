@@ -4,12 +4,12 @@
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt's.
+// The comments give the defaults for null textures, which are those of pbrt.
 struct GlassParams {
     RgbTexturePtr kr;            // 1
     RgbTexturePtr kt;            // 1
-    FloatTexturePtr eta;         // 1.5; of the side that the normal points away from
-    FloatTexturePtr uRoughness;  // 0; smooth if both are
+    FloatTexturePtr eta;         // 1.5; index on the side opposite to the normal
+    FloatTexturePtr uRoughness;  // 0; smooth if both roughnesses are 0
     FloatTexturePtr vRoughness;  // 0
     bool remapRoughness = true;  // roughness is in [0, 1], not alpha
     FloatTexturePtr bump;        // none

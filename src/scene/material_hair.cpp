@@ -25,7 +25,7 @@ class Hair final : public Material {
         bsdf.add(HairScattering(2 * at.uv.y - 1, absorption(at, shape.betaN), shape), weight);
     }
 
-    // It varies across the fibre, whatever its parameters.
+    // Varies across the fibre, even if all parameters are constant.
     bool isConstant() const override { return false; }
     int maxLobes() const override { return 1; }
 
@@ -50,7 +50,7 @@ Rgb hairAbsorptionOfColor(const Rgb& color, float betaN) {
     const float b = std::clamp(betaN, 0.f, 1.f);
     const float fit = 5.969f + b * (-0.215f + b * (2.532f + b * (-10.73f + b * (5.574f + b * 0.245f))));
     Rgb sigma;
-    // Black would absorb infinitely much.
+    // Clamped, since black would need infinite absorption.
     for (int c = 0; c < 3; ++c) sigma[c] = sqr(std::log(std::clamp(color[c], 1e-4f, 1.f)) / fit);
     return sigma;
 }

@@ -4,7 +4,7 @@
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt's.
+// The comments give the defaults for null textures, which are those of pbrt.
 struct MatteParams {
     RgbTexturePtr kd;       // 0.5
     FloatTexturePtr sigma;  // 0; Oren-Nayar roughness in degrees, clamped to [0, 90]

@@ -4,7 +4,7 @@
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt's.
+// The comments give the defaults for null textures, which are those of pbrt.
 struct MirrorParams {
     RgbTexturePtr kr;      // 0.9
     FloatTexturePtr bump;  // none

@@ -5,8 +5,8 @@
 namespace drc {
 
 struct MixParams {
-    MaterialPtr first, second;  // never null; the bump map of the mix is the first's
-    RgbTexturePtr amount;       // of the first; null: 0.5. The rest, clamped to zero, is the second's
+    MaterialPtr first, second;  // not null; the mix has the bump map of the first
+    RgbTexturePtr amount;       // weight of the first (null: 0.5); the second has 1 - amount, clamped to zero
 };
 MaterialPtr makeMix(MixParams params);
 

@@ -1,4 +1,4 @@
-// What the materials' parameters have in common.
+// Helpers for the parameters of materials.
 #pragma once
 #include <optional>
 
@@ -7,7 +7,7 @@
 
 namespace drc {
 
-// The texture, or a constant where there is none.
+// The texture, or a constant texture if it is null.
 inline FloatTexturePtr orConstant(FloatTexturePtr texture, float value) {
     return texture ? std::move(texture) : std::make_shared<ConstantTexture<float>>(value);
 }

@@ -4,7 +4,7 @@
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt's.
+// The comments give the defaults for null textures, which are those of pbrt.
 struct SubstrateParams {
     RgbTexturePtr kd;            // 0.5
     RgbTexturePtr ks;            // 0.5

@@ -30,7 +30,7 @@ TEST(Plastic, Bsdf) {
     EXPECT_EQ(bsdfOf(makePlastic(p)).size(), 2);
     p.ks = colour(0, 0, 0);
     EXPECT_EQ(bsdfOf(makePlastic(p)).size(), 1);
-    // The highlight is total beyond the critical angle, as pbrt has it.
+    // As in pbrt, the highlight is totally reflecting beyond the critical angle.
     p.kd = colour(0, 0, 0);
     p.ks = colour(0.5f, 0.5f, 0.5f);
     p.roughness = number(0.01f);
@@ -144,7 +144,7 @@ TEST(Disney, Bsdf) {
 }
 
 TEST(Disney, Limits) {
-    // Metal of that colour.
+    // A metal of that colour.
     DisneyParams p;
     p.color = colour(0.9f, 0.6f, 0.3f);
     p.metallic = number(1);
@@ -152,7 +152,7 @@ TEST(Disney, Limits) {
     const Bsdf metal = bsdfOf(makeDisney(p));
     EXPECT_EQ(metal.size(), 1);
     expectClose(meanWeight(metal, metal.frame().n).value, Rgb(0.9f, 0.6f, 0.3f), 5e-3f);
-    // Glass: the root of the colour at one boundary.
+    // Glass: the square root of the colour at each boundary.
     p.metallic = number(0);
     p.specTrans = number(1);
     p.roughness = number(0.05f);
@@ -161,7 +161,7 @@ TEST(Disney, Limits) {
     EXPECT_NEAR(meanWeight(glass, glass.frame().n).value.x, 0.04f + 0.96f * std::sqrt(0.9f), 3e-3f);
     p.eta = number(1);
     EXPECT_NEAR(weightAtNormal(makeDisney(p), kSpecular), std::sqrt(0.9f), 1e-4f);
-    // A thin sheet divides its diffuse light between the sides.
+    // A thin sheet splits its diffuse light between both sides.
     DisneyParams sheet;
     sheet.thin = true;
     sheet.roughness = number(0);
@@ -174,7 +174,7 @@ TEST(Disney, Limits) {
 }
 
 TEST(Disney, WhiteGainsLittleAtGrazingAngles) {
-    // Burley's sum of fits is not energy-conserving; this is how far it goes, and where.
+    // Burley's sum of fits does not conserve energy. This is how far it goes, and where.
     for (const float roughness : {0.1f, 0.5f, 1.f}) {
         DisneyParams p;
         p.color = colour(1, 1, 1);
@@ -203,7 +203,7 @@ TEST(Hair, Bsdf) {
         checkBsdf(bsdf, LobeFlags::NonSpecular, {0.8f, -0.3f});
         EXPECT_NEAR(meanWeight(bsdf, bsdf.frame().n).value.x, 1, 1e-3f) << v;
     }
-    // The offset runs from one edge to the other: at the edges nothing enters the fibre.
+    // The offset runs from one edge of the fibre to the other. At the edges, no light enters the fibre.
     const Bsdf middle = at({}, 0.5f), edge = at({}, 0.00001f);
     EXPECT_GT(meanWeight(middle, middle.frame().n).value.x, meanWeight(middle, middle.frame().n).value.z);
     EXPECT_GT(meanWeight(edge, edge.frame().n).value.z, 0.8f);
@@ -228,7 +228,7 @@ TEST(Mix, Bsdf) {
     p.amount = colour(0.25f, 0.25f, 0.25f);
     EXPECT_NEAR(weightAtNormal(makeMix(p), LobeFlags::NonSpecular), 0.125f, 1e-5f);
     EXPECT_NEAR(weightAtNormal(makeMix(p), kSpecular), 0.675f, 1e-5f);
-    p.amount = colour(1.5f, 1.5f, 1.5f);  // the rest is clamped, the amount is not
+    p.amount = colour(1.5f, 1.5f, 1.5f);  // the amount itself is not clamped, the rest (1 - amount) is
     EXPECT_NEAR(weightAtNormal(makeMix(p)), 0.75f, 1e-5f);
 }
 

@@ -1,4 +1,4 @@
-// For tests: what must hold for every material.
+// Checks that every material must pass.
 #pragma once
 #include "scene/bsdf_testing.h"
 #include "scene/material.h"
@@ -29,7 +29,7 @@ inline void checkMaterial(const MaterialPtr& material) {
     checkBsdfEnergy(bsdf);
     checkBsdfReciprocity(bsdf);
     checkSpecularReciprocity(bsdf);
-    // A weight scales everything.
+    // The weight must scale everything.
     const Vec3 wo = bsdf.frame().toWorld(direction(0.7f));
     expectClose(meanWeight(bsdfOf(material, Rgb(0.5f)), wo).value, meanWeight(bsdf, wo).value * 0.5f, 1e-4f, "weight");
 }
@@ -46,7 +46,7 @@ struct VaryingNumber final : FloatTexture {
     float eval(const TextureContext& at) const override { return at.uv.x; }
 };
 
-// Constant as it is, and not with any one of these parameters varied.
+// Checks isConstant(): true for the given parameters, and false if any one of the listed members varies.
 template <typename Params, typename... Members>
 void checkConstancy(MaterialPtr (*make)(Params), const Params& params, Members... members) {
     EXPECT_TRUE(make(params)->isConstant());
@@ -61,7 +61,7 @@ void checkConstancy(MaterialPtr (*make)(Params), const Params& params, Members..
         ++i;
     };
     (vary(members), ...);
-    // A bump map turns the frame and leaves the lobes.
+    // A bump map changes the frame but not the lobes.
     if constexpr (requires { params.bump; }) {
         Params bumpy = params;
         bumpy.bump = std::make_shared<VaryingNumber>();

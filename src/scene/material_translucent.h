@@ -5,12 +5,12 @@
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt's.
+// The comments give the defaults for null textures, which are those of pbrt.
 struct TranslucentParams {
     RgbTexturePtr kd;            // 0.25
     RgbTexturePtr ks;            // 0.25
-    RgbTexturePtr reflect;       // 0.5; part of kd and ks that is reflected
-    RgbTexturePtr transmit;      // 0.5; part that is transmitted
+    RgbTexturePtr reflect;       // 0.5; share of kd and ks that is reflected
+    RgbTexturePtr transmit;      // 0.5; share that is transmitted
     FloatTexturePtr roughness;   // 0.1
     bool remapRoughness = true;  // roughness is in [0, 1], not alpha
     FloatTexturePtr bump;        // none

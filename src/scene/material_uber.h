@@ -1,16 +1,16 @@
-// A bit of everything: diffuse, glossy, mirror, refraction, and an opacity (pbrt's "uber"; PBR 3e, section 9.2).
+// Diffuse, glossy, mirror and refractive lobes, with opacity (pbrt's "uber"; PBR 3e, section 9.2).
 #pragma once
 #include "scene/material.h"
 
 namespace drc {
 
-// Null textures take the values given here, which are pbrt's.
+// The comments give the defaults for null textures, which are those of pbrt.
 struct UberParams {
     RgbTexturePtr kd;            // 0.25
     RgbTexturePtr ks;            // 0.25; glossy
     RgbTexturePtr kr;            // 0; mirror
     RgbTexturePtr kt;            // 0; refraction
-    RgbTexturePtr opacity;       // 1; the rest passes straight through
+    RgbTexturePtr opacity;       // 1; the remaining light passes straight through
     FloatTexturePtr roughness;   // 0.1
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // uRoughness

@@ -24,7 +24,7 @@ void setChannel(Rgb& v, int c, float x) { v[c] = x; }
 void assignTexel(float& to, const Rgb& from) { to = luminance(from); }
 void assignTexel(Rgb& to, const Rgb& from) { to = from; }
 
-// The two texels along one axis that a coordinate lies between, with their weights.
+// The two texels along an axis that are interpolated at a coordinate, with their weights.
 struct Taps {
     int i0, i1;
     float w0, w1;
@@ -32,7 +32,7 @@ struct Taps {
 
 Taps taps(float x, int size, ImageWrap wrap) {
     if (!std::isfinite(x)) x = 0;
-    // Kept small first, so that far coordinates neither overflow an int nor lose the fraction.
+    // Wrapped or clamped first, so that large coordinates neither overflow an int nor lose their fraction.
     x = wrap == ImageWrap::Repeat ? x - std::floor(x) : std::clamp(x, -1.f, 2.f);
     const float p = x * static_cast<float>(size) - 0.5f;
     const float floor = std::floor(p);
@@ -59,7 +59,7 @@ Taps taps(float x, int size, ImageWrap wrap) {
     return t;
 }
 
-// Bytes that the table maps to these values, or nothing if some value is none of the table's.
+// The bytes that the table maps to these values; none if a value is not in the table.
 template <typename T>
 std::vector<uint8_t> toBytes(const std::vector<T>& texels, const std::vector<float>& table) {
     std::vector<uint8_t> bytes;
@@ -84,7 +84,8 @@ std::vector<Stored> toStored(const std::vector<T>& texels) {
     return stored;
 }
 
-// Texels of the coarser image, each the mean of what it covers, with parts of texels where the size is odd.
+// The next coarser image. Each texel is the mean of the area it covers, including parts of texels where the size is
+// odd.
 template <typename T>
 std::vector<T> halved(const std::vector<T>& from, int width, int height, int newWidth, int newHeight) {
     struct Span {
@@ -117,14 +118,14 @@ std::vector<T> halved(const std::vector<T>& from, int width, int height, int new
     return to;
 }
 
-// A footprint on an image.
+// A footprint on the image.
 struct Ellipse {
-    float length, width;  // in texels
-    Vec2 along;           // the longest diameter, in units of the image
+    float length, width;  // lengths of both axes, in texels
+    Vec2 along;           // the major axis as a full diameter, in units of the image
 };
 
-// The ellipse which two vectors, in units of the image, are conjugate diameters of: the image of a circle under the map
-// that has them as columns. Its principal axes are the map's singular vectors.
+// The ellipse with the given conjugate diameters, in units of the image: the image of a circle under the linear map
+// with these columns. Its principal axes are the left singular vectors of the map.
 Ellipse ellipseWithDiameters(const Vec2& axis0, const Vec2& axis1, int imageWidth, int imageHeight) {
     const Vec2 size(static_cast<float>(imageWidth), static_cast<float>(imageHeight));
     const Vec2 a = axis0 * size, b = axis1 * size;
@@ -132,7 +133,7 @@ Ellipse ellipseWithDiameters(const Vec2& axis0, const Vec2& axis1, int imageWidt
     const float mean = 0.5f * (xx + yy), half = 0.5f * (xx - yy);
     const float difference = std::sqrt(half * half + xy * xy);
     const float longest = std::sqrt(mean + difference);
-    // Eigenvector of the greater eigenvalue; of its two forms, the one without cancellation.
+    // Eigenvector of the larger eigenvalue, by whichever of two expressions does not cancel.
     Vec2 direction = half >= 0 ? Vec2(half + difference, xy) : Vec2(xy, difference - half);
     const float norm = direction.length();
     direction = norm > 0 ? direction * (longest / norm) : Vec2(longest, 0);
@@ -145,7 +146,7 @@ float srgbToLinear(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-// Exactly one of the three is filled.
+// Exactly one of the three is used.
 template <typename T>
 struct MipPyramid<T>::Level {
     int width = 0, height = 0;
@@ -189,7 +190,7 @@ MipPyramid<T>::MipPyramid(const TexelImage& image, TexelEncoding encoding) {
     std::vector<T> texels(image.texels.size());
     for (size_t i = 0; i < texels.size(); ++i) assignTexel(texels[i], image.texels[i]);
 
-    // An 8-bit image may come with its values as stored or, by a reader that linearises, already decoded.
+    // The values of an 8-bit image may be stored ones, or already linearised by the reader.
     std::vector<float> plain(256), srgb(256);
     for (int k = 0; k < 256; ++k) {
         plain[k] = static_cast<float>(k) / 255;
@@ -272,14 +273,14 @@ T MipPyramid<T>::lookup(const Vec2& st, const Vec2& axis0, const Vec2& axis1, fl
                         ImageWrap wrap) const {
     const Ellipse e = ellipseWithDiameters(axis0, axis1, width(), height());
     if (!(e.length > 1)) return bilinear(levels_.front(), st, wrap);
-    // Nothing is narrower than a texel.
+    // Not narrower than a texel.
     const float across = std::max({e.width, e.length / maxAnisotropy, 1.f});
     const float level = std::log2(across);
     if (!(level < static_cast<float>(levels() - 1))) return trilinear(st, level, wrap);
-    // A little longer than wide is round enough.
+    // Ellipses with a ratio of up to 1.25 are treated as round.
     const int count = static_cast<int>(std::ceil(e.length / across - 0.25f));
     if (count <= 1) return trilinear(st, level, wrap);
-    // The first and the last lookup touch the ellipse's ends.
+    // The first and the last lookup touch the ends of the ellipse.
     const Vec2 span = e.along * ((e.length - across) / e.length);
     T sum(0.f);
     for (int i = 0; i < count; ++i)

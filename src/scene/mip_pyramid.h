@@ -1,8 +1,8 @@
-// An image at all its resolutions, for textures that are filtered by trilinear interpolation (PBR 3e, section 10.4.3),
-// over an ellipse by several of them.
+// An image pyramid for filtered texture lookups: trilinear (PBR 3e, section 10.4.3), or over an ellipse by several
+// trilinear lookups.
 //
-// Texels are kept as small as they can be without harm: an image whose values all come from 8 bits is kept as bytes
-// and its coarser levels as halves, any other as floats.
+// Texels are stored in the smallest lossless form: if all values of an image come from 8 bits, the finest level is
+// stored as bytes and the coarser ones as halves, otherwise all as floats.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -20,17 +20,17 @@ struct TexelImage {
 };
 
 enum class TexelEncoding {
-    Linear,  // the image's values are what the texture gives
-    Srgb,    // the image's values are sRGB-encoded and decoded here
+    Linear,  // the texture's values are those of the image
+    Srgb,    // the image is sRGB-encoded and decoded here
 };
 
 enum class ImageWrap { Repeat, Black, Clamp };
 
-// Rec. 709 luminance stands for an image's colour where T is float.
+// If T is float, colours are converted to Rec. 709 luminance.
 template <typename T>
 class MipPyramid {
   public:
-    // Throws Error if the image is empty or its size is not that of its texels.
+    // Throws Error if the image is empty, or if its size does not match the number of texels.
     MipPyramid(const TexelImage& image, TexelEncoding encoding);
     ~MipPyramid();
 
@@ -39,13 +39,14 @@ class MipPyramid {
     int height() const;
     size_t bytes() const;
 
-    // (s, t) = (0, 0) is the image's bottom left corner and (1, 1) its top right one, as in pbrt. width: of the filter,
-    // in the same units; 0: the finest level.
+    // (s, t) = (0, 0) is the bottom left corner of the image and (1, 1) the top right, as in pbrt. width: of the
+    // filter, in the same units; 0 selects the finest level.
     T lookup(const Vec2& st, float width, ImageWrap wrap) const;
-    // The filter is the ellipse with these axes (conjugate diameters, in the same units). As many trilinear lookups as
-    // it is longer than wide lie in a row along it (McCormack et al., "Feline: Fast Elliptical Lines for Anisotropic
-    // Texture Mapping", SIGGRAPH 1999): where it is round, which it mostly is, this costs what one lookup does, and not
-    // the dozens of texels of an elliptically weighted average. maxAnisotropy: a longer ellipse is widened.
+    // Filters over the ellipse with the given axes (conjugate diameters, in the same units), by a row of trilinear
+    // lookups along its major axis, about as many as it is longer than wide (McCormack et al., "Feline: Fast Elliptical
+    // Lines for Anisotropic Texture Mapping", SIGGRAPH 1999). Where the footprint is round, which it mostly is, this
+    // costs one lookup rather than the dozens of texels of an elliptically weighted average. maxAnisotropy: narrower
+    // ellipses are widened to this ratio of the axes.
     T lookup(const Vec2& st, const Vec2& axis0, const Vec2& axis1, float maxAnisotropy, ImageWrap wrap) const;
 
   private:
@@ -54,7 +55,7 @@ class MipPyramid {
     T bilinear(const Level& level, const Vec2& st, ImageWrap wrap) const;
 
     std::vector<Level> levels_;
-    std::vector<float> decode_;  // the values of the 256 bytes; empty unless the finest level is bytes
+    std::vector<float> decode_;  // values of the 256 bytes; empty unless the finest level is stored as bytes
     float maxResolutionLog2_ = 0;
 };
 
@@ -63,7 +64,7 @@ using RgbPyramid = MipPyramid<Rgb>;
 extern template class MipPyramid<float>;
 extern template class MipPyramid<Rgb>;
 
-// Value in [0, 1] of an sRGB-encoded value; continued linearly or by the power beyond.
+// Decodes an sRGB-encoded value in [0, 1]; continued linearly below and by the power law above.
 float srgbToLinear(float encoded);
 
 }  // namespace drc

@@ -59,7 +59,7 @@ TEST(MipPyramid, EveryLevelKeepsTheMean) {
 }
 
 TEST(MipPyramid, WidthChoosesTheLevel) {
-    // Stripes of one texel: full contrast at the finest level, a quarter at none.
+    // Stripes one texel wide have full contrast at the finest level, and hardly any at a width of a quarter.
     const FloatPyramid p(image(16, 16, [](int x, int) { return Rgb(float(x % 2)); }), TexelEncoding::Linear);
     EXPECT_EQ(p.levels(), 5);
     const Vec2 st(1.5f / 16, 0.5f);
@@ -69,9 +69,9 @@ TEST(MipPyramid, WidthChoosesTheLevel) {
     EXPECT_NEAR(p.lookup(st, 2.f / 16, ImageWrap::Repeat), 0.5f, 1e-3f);
 }
 
-// Against the mean of many lookups at the finest level, spread over the ellipse.
+// Compares with the mean of many lookups at the finest level over the ellipse.
 TEST(MipPyramid, FiltersOverAnEllipse) {
-    // Waves of 8 texels along x and of 16 along y.
+    // Waves with a period of 8 texels along x and 16 along y.
     const auto wave = [](int k, float period) { return 0.5f + 0.5f * std::sin(2 * kPi * (float(k) + 0.5f) / period); };
     const FloatPyramid p(image(64, 32, [&](int x, int y) { return Rgb(wave(x, 8) * wave(y, 16)); }),
                          TexelEncoding::Linear);
@@ -94,13 +94,13 @@ TEST(MipPyramid, FiltersOverAnEllipse) {
 }
 
 TEST(MipPyramid, LongEllipsesAreNeitherBlurredAcrossNorLetThroughAlong) {
-    // Stripes of four texels along s: an ellipse along t keeps them, and only one along s removes them.
+    // Stripes of four texels across s: an ellipse along t keeps them, an ellipse along s removes them.
     const FloatPyramid p(image(64, 64, [](int x, int) { return Rgb(float(x / 4 % 2)); }), TexelEncoding::Linear);
     const Vec2 st(6.f / 64, 0.5f), alongS(16.f / 64, 0), alongT(0, 16.f / 64), across(1.f / 64, 0);
     EXPECT_NEAR(p.lookup(st, alongT, across, 16, ImageWrap::Repeat), 1, 1e-4f);
     EXPECT_NEAR(p.lookup(st, across, alongT, 16, ImageWrap::Repeat), 1, 1e-4f);
     EXPECT_NEAR(p.lookup(st, alongS, Vec2(0, 1.f / 64), 16, ImageWrap::Repeat), 0.5f, 0.06f);
-    // Bounded to round: as blurred as its length asks for.
+    // With maxAnisotropy 1, the filter is as wide as the ellipse is long.
     EXPECT_NEAR(p.lookup(st, alongT, across, 1, ImageWrap::Repeat), 0.5f, 1e-3f);
 }
 
@@ -126,7 +126,7 @@ TEST(MipPyramid, EightBitImagesAreKeptSmallAndExact) {
             const Rgb c = p.lookup(st, 0, ImageWrap::Repeat);
             for (int k = 0; k < 3; ++k) EXPECT_NEAR(c[k], source.texels[y * 64 + x][k], 1e-4f);
         }
-    // The same image when the reader has linearised it.
+    // The same image, already linearised by the reader.
     TexelImage linear = source;
     for (Rgb& c : linear.texels)
         for (int k = 0; k < 3; ++k) c[k] = srgbToLinear(c[k]);
@@ -137,7 +137,7 @@ TEST(MipPyramid, EightBitImagesAreKeptSmallAndExact) {
             EXPECT_LT(
                 length(q.lookup(Vec2(s, s), width, ImageWrap::Repeat) - r.lookup(Vec2(s, s), width, ImageWrap::Repeat)),
                 1e-5f);
-    // Anything else is not rounded.
+    // Other images are not quantised.
     EXPECT_GE(RgbPyramid(noise(64, 32, false), TexelEncoding::Linear).bytes(), 64u * 32 * 12);
 }
 

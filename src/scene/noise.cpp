@@ -21,12 +21,12 @@ constexpr std::array<uint8_t, 256> kPermutation = {
     181, 199, 106, 157, 184, 84,  204, 176, 115, 121, 50,  45,  127, 4,   150, 254, 138, 236, 205, 93,  222, 114,
     67,  29,  24,  72,  243, 141, 128, 195, 78,  66,  215, 61,  156, 180};
 
-constexpr float kLacunarity = 1.99f;  // not 2, so that the lattices of the octaves, where each is 0, fall apart
+constexpr float kLacunarity = 1.99f;  // not 2, so that the lattice points, where an octave is 0, do not coincide
 constexpr float kMeanOfAbsolute = 0.2f;
 
 uint32_t permuted(uint32_t i) { return kPermutation[i & 255]; }
 
-// Dot product of an offset from a lattice point with that point's gradient, one of twelve (some of them twice).
+// Dot product of an offset from a lattice point with the gradient there, one of twelve (some of which occur twice).
 float slope(uint32_t hash, float x, float y, float z) {
     const uint32_t h = hash & 15;
     const bool inXy = h == 12 || h == 13;
@@ -35,7 +35,7 @@ float slope(uint32_t hash, float x, float y, float z) {
     return ((h & 1) != 0 ? -u : u) + ((h & 2) != 0 ? -v : v);
 }
 
-// Its first and second derivative are zero at both ends.
+// The first and second derivatives are zero at both ends.
 float fade(float t) { return t * t * t * (t * (6 * t - 15) + 10); }
 
 float smoothStep(float from, float to, float x) {
@@ -43,13 +43,13 @@ float smoothStep(float from, float to, float x) {
     return t * t * (3 - 2 * t);
 }
 
-// How many octaves the footprint resolves, with a fraction.
+// Number of octaves that the footprint resolves, with a fraction.
 float resolvedOctaves(const Vec3& dpdx, const Vec3& dpdy, int octaves) {
     const float squaredWidth = std::max(lengthSquared(dpdx), lengthSquared(dpdy));
     return std::clamp(-1 - 0.5f * std::log2(squaredWidth), 0.f, float(std::max(octaves, 0)));
 }
 
-// The value of the octave that is being faded out in proportion to the fraction of it that is resolved.
+// Weight of the octave that is being faded out, given the fraction of it that is resolved.
 float fadedIn(float fraction) { return smoothStep(0.3f, 0.7f, fraction); }
 
 }  // namespace
@@ -100,7 +100,7 @@ float turbulence(const Vec3& p, const Vec3& dpdx, const Vec3& dpdy, const NoiseS
         frequency *= kLacunarity;
         amplitude *= sum.roughness;
     }
-    // pbrt counts the mean of the first octave that it leaves out; without it pictures would be darker than pbrt's.
+    // Adds the mean of the first octave that is left out, as in pbrt.
     return result + amplitude * kMeanOfAbsolute;
 }
 

@@ -16,7 +16,7 @@ TEST(Noise, IsZeroOnTheLatticeAndFarAway) {
     EXPECT_EQ(noise(Vec3(0.5f, -kInfinity, 0.5f)), 0);
 }
 
-// Worked out by hand from the published table: the gradients at the corners of the cell from (0, 0, 0) on.
+// Computed by hand from the published table: the gradients at the corners of the cell at the origin.
 TEST(Noise, IsThatOfTheTable) {
     // P[0] = 151, P[151] = 17, P[17] = 36: gradient 36 & 15 = 4 is (1, 0, 1). On the lattice line towards +x the slope
     // at the origin is the gradient's x.
@@ -42,12 +42,12 @@ TEST(Noise, IsSmoothAndHasMeanZero) {
         sum += value;
         sumOfAbsolutes += std::abs(value);
         largest = std::max(largest, std::abs(value));
-        // Half of the steps cross a lattice plane, which must not be seen.
+        // Half of the steps cross a lattice plane, where there must be no discontinuity.
         const Vec3 q(std::round(p.x), p.y, p.z);
         steepest = std::max(steepest, std::abs(noise(q + Vec3(1e-3f, 0, 0)) - noise(q - Vec3(1e-3f, 0, 0))) / 2e-3f);
     }
     EXPECT_NEAR(sum / count, 0, 0.01);
-    EXPECT_NEAR(sumOfAbsolutes / count, 0.2, 0.02);  // what turbulence takes for the octaves that it leaves out
+    EXPECT_NEAR(sumOfAbsolutes / count, 0.2, 0.02);  // the mean that turbulence() substitutes for octaves left out
     EXPECT_LT(largest, 1.1f);
     EXPECT_GT(largest, 0.7f);
     EXPECT_LT(steepest, 3);

@@ -11,7 +11,7 @@ OrenNayar::OrenNayar(const Rgb& reflectance, float sigmaDegrees) : reflectance_(
 Rgb OrenNayar::f(const Vec3& wo, const Vec3& wi) const {
     const float cosI = absCosTheta(wi), cosO = absCosTheta(wo);
     const float sinI = safeSqrt(1 - wi.z * wi.z), sinO = safeSqrt(1 - wo.z * wo.z);
-    // The azimuth of a direction along the normal is noise.
+    // Along the normal, a direction has no azimuth.
     float cosDeltaPhi = 0;
     if (sinI > 1e-4f && sinO > 1e-4f) cosDeltaPhi = std::clamp((wi.x * wo.x + wi.y * wo.y) / (sinI * sinO), 0.f, 1.f);
     // sin(alpha) tan(beta), alpha the larger and beta the smaller polar angle: the product of the sines divided by the

@@ -6,7 +6,7 @@ namespace drc {
 
 class OrenNayar : public DiffuseReflectionLobe<OrenNayar> {
   public:
-    // sigma: standard deviation of the grooves' slope angle, in degrees.
+    // sigmaDegrees: standard deviation of the grooves' slope angle, in degrees.
     OrenNayar(const Rgb& reflectance, float sigmaDegrees);
 
     Rgb f(const Vec3& wo, const Vec3& wi) const;

@@ -1,6 +1,6 @@
-// Two triangles that together are a parallelogram, which is what most lamps and windows of a room come as. Sampled as
-// one, a point follows from two random numbers by a product and a sum, and well-distributed numbers stay so: nothing is
-// folded at the diagonal, and none of a number goes to the choice between the halves.
+// Detects two triangles that form a parallelogram, as most lamps and windows of a room do. A parallelogram is sampled
+// by p = corner + u side0 + v side1, which keeps well-distributed numbers well distributed: nothing is folded at the
+// diagonal, and no random number is spent on choosing a half.
 #pragma once
 #include <array>
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace drc {
 
-// All points corner + u * side0 + v * side1 for u, v in [0, 1].
+// The points corner + u * side0 + v * side1 for u, v in [0, 1].
 struct Parallelogram {
     Vec3 corner, side0, side1;
 };
 
-// Of triangles that are wound alike and have two corners in common, exactly; the fourth corner may be off by what
-// rounding does to coordinates. None if they make anything else. corner is the first triangle's own.
+// The parallelogram of two triangles with the same winding that share two corners exactly; the fourth corner may be off
+// by rounding errors. None if they form anything else. `corner` is the corner that only the first triangle has.
 std::optional<Parallelogram> parallelogramOf(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
 }  // namespace drc

@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-const Vec3 kA(1, 2, 3), kB(4, 2, 3.5f), kC(4.5f, 6, 3), kD(1.5f, 6, 2.5f);  // in turn around a parallelogram
+const Vec3 kA(1, 2, 3), kB(4, 2, 3.5f), kC(4.5f, 6, 3), kD(1.5f, 6, 2.5f);  // corners in order around a parallelogram
 
 TEST(Parallelogram, IsFoundWhicheverCornersTheTrianglesBeginWith) {
     std::array<Vec3, 3> first{kA, kB, kC};
@@ -14,7 +14,7 @@ TEST(Parallelogram, IsFoundWhicheverCornersTheTrianglesBeginWith) {
         for (int j = 0; j < 3; ++j) {
             const auto whole = parallelogramOf(first, second);
             ASSERT_TRUE(whole);
-            // The first triangle's own corner is B.
+            // B is the corner that only the first triangle has.
             EXPECT_EQ(whole->corner, kB);
             EXPECT_EQ(whole->side0, kC - kB);
             EXPECT_EQ(whole->side1, kA - kB);
@@ -33,9 +33,9 @@ TEST(Parallelogram, MayBeOffByRounding) {
 
 TEST(Parallelogram, IsNoneOfOtherPairs) {
     const std::array<Vec3, 3> first{kA, kB, kC};
-    EXPECT_FALSE(parallelogramOf(first, {kA, kD, kC}));             // the other way around
+    EXPECT_FALSE(parallelogramOf(first, {kA, kD, kC}));             // opposite winding
     EXPECT_FALSE(parallelogramOf(first, {kA, kC, Vec3(0, 6, 3)}));  // a trapezoid
-    EXPECT_FALSE(parallelogramOf(first, {kA, kC, kB}));             // the same, from behind
+    EXPECT_FALSE(parallelogramOf(first, {kA, kC, kB}));             // the same triangle, seen from behind
     EXPECT_FALSE(parallelogramOf(first, first));
     const Vec3 far(20, 0, 0);
     EXPECT_FALSE(parallelogramOf(first, {kA + far, kC + far, kD + far}));

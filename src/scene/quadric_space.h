@@ -1,5 +1,5 @@
-// What the analytic shapes share: their object space, in double precision, so that hits are exact to the rounding of
-// float world coordinates.
+// The object space of the analytic shapes, in double precision, so that hits are exact up to the rounding of world
+// coordinates to float.
 #pragma once
 #include "math/transform.h"
 
@@ -16,9 +16,10 @@ class QuadricSpace {
             origin_[i] = objectToWorld.at(i, 3);
         }
         det_ = column_[0].dot(column_[1].cross(column_[2]));
-        // Rows of the inverse; the inverse of exactly the matrix above, so that there and back is the same point.
+        // The inverse is computed from the very matrix that is used, so that transforming there and back gives the same
+        // point.
         for (int i = 0; i < 3; ++i) inverseRow_[i] = column_[(i + 1) % 3].cross(column_[(i + 2) % 3]) / det_;
-        // Columns that are perpendicular and of one length: spheres stay spheres.
+        // If the columns are perpendicular and of equal length, spheres stay spheres.
         const double s2 = column_[0].length2(), tolerance = 1e-5 * s2;
         conformal_ = std::abs(column_[1].length2() - s2) < tolerance && std::abs(column_[2].length2() - s2) < tolerance;
         for (int i = 0; i < 3; ++i)
@@ -31,23 +32,23 @@ class QuadricSpace {
     }
     Vec3d pointToWorld(const Vec3d& p) const { return origin_ + vectorToWorld(p); }
     Vec3d vectorToWorld(const Vec3d& v) const { return column_[0] * v.x + column_[1] * v.y + column_[2] * v.z; }
-    // World-space unit normal for the object-space one of cross(dpdu, dpdv). pbrt turns it in object space if
-    // ReverseOrientation and a change of handedness do not cancel, and then transforms it as a normal.
+    // World-space unit normal for the object-space normal cross(dpdu, dpdv). As in pbrt it is flipped if exactly one of
+    // ReverseOrientation and a change of handedness applies, and then transformed as a normal.
     Vec3 normalToWorld(const Vec3d& n) const {
         const Vec3d w = inverseTransposed(n).normalized();
         return Vec3(flip_ ? -w : w);
     }
-    // Undoes normalToWorld, but for the sign.
+    // Inverse of normalToWorld(), up to the sign.
     Vec3d normalToObject(const Vec3& n) const {
         const Vec3d w(n);
         return Vec3d(column_[0].dot(w), column_[1].dot(w), column_[2].dot(w)).normalized();
     }
-    // World area over object area, for a surface with unit normal n in object space.
+    // Ratio of world-space to object-space area, for a surface with the unit normal n in object space.
     double areaScale(const Vec3d& n) const { return std::abs(det_) * inverseTransposed(n).length(); }
 
-    // Mean of areaScale over a surface, where normalAt(u, v) is its unit normal at points that are uniform by area in
-    // object space for u, v in the unit square: the centres of kAreaSteps^2 equal cells. Exact if conformal, when the
-    // scale is the same everywhere.
+    // Mean of areaScale() over a surface, where normalAt(u, v) is the unit normal at points that are uniform by area in
+    // object space. Uses the centres of kAreaSteps^2 equal cells of the unit square. Exact if the transform is
+    // conformal, since the scale is then the same everywhere.
     static constexpr int kAreaSteps = 64;
     template <typename NormalAt>
     double meanAreaScale(const NormalAt& normalAt) const {
@@ -60,9 +61,9 @@ class QuadricSpace {
     }
 
     bool conformal() const { return conformal_; }
-    double scale() const { return column_[0].length(); }  // of lengths, if conformal
+    double scale() const { return column_[0].length(); }  // scale of lengths, if conformal
     const Vec3d& origin() const { return origin_; }
-    // Length of row i of the linear part: how far a unit sphere extends along world axis i.
+    // Length of row i of the linear part: half the extent of a transformed unit sphere along world axis i.
     double extent(int i) const { return Vec3d(column_[0][i], column_[1][i], column_[2][i]).length(); }
 
   private:
@@ -75,9 +76,8 @@ class QuadricSpace {
     bool conformal_;
     bool flip_;
 };
-
-// Where a ray meets a quadric at t0 and t1: the nearer hit in (tMin, tMax) that hitAt(t) finds on the part that there
-// is of it.
+// Given both intersections of a ray with a quadric, in any order, returns the nearer hit in (tMin, tMax) for which
+// hitAt(t) finds a point on the part of the quadric that exists. finds a point on the part of the quadric that exists.
 template <typename HitAt>
 auto nearerHit(double t0, double t1, double tMin, double tMax, const HitAt& hitAt) -> decltype(hitAt(t0)) {
     if (t0 > t1) std::swap(t0, t1);
@@ -88,8 +88,8 @@ auto nearerHit(double t0, double t1, double tMin, double tMax, const HitAt& hitA
     return {};
 }
 
-// A density per unit area at `to`, where the unit normal is ng, as one per solid angle at `from` (PBR 3e,
-// section 5.5.3). Zero edge-on, for nothing can come from there.
+// Converts a pdf per area at `to`, where the unit normal is ng, to one per solid angle at `from` (PBR 3e,
+// section 5.5.3). Zero if the surface is seen edge-on, since no light can arrive then.
 inline float toSolidAngle(float pdf, const Vec3& from, const Vec3& to, const Vec3& ng) {
     const Vec3d d = Vec3d(to) - Vec3d(from);
     const double cosineTimesD = std::abs(Vec3d(ng).dot(d));

@@ -1,13 +1,13 @@
-// For tests: light in a stack of a dielectric face over a base, walked at random, as pbrt-v4's layered materials do it.
+// A random walk of light between a dielectric interface and a base, as pbrt-v4 evaluates layered materials; for tests.
 #pragma once
 #include "scene/bsdf.h"
 #include "scene/lobe_testing.h"
 
 namespace drc::test {
 
-// The faces have lobes that see the shading frame as it is; between them light is absorbed and scattered with this
-// optical depth and albedo (isotropically). The albedo of the stack towards wo, above it. Single scattering off a rough
-// face loses light, as in pbrt; Face::Lossless draws again what it loses.
+// Estimates the albedo of the stack towards wo. Both faces are lobes with the shading frame; between them light is
+// absorbed and scattered isotropically with the given optical depth and albedo. Single scattering off a rough interface
+// loses energy, as in pbrt; Face::Lossless samples again to compensate for it.
 enum class Face { AsIs, Lossless };
 template <typename Base>
 double walkedAlbedo(const Bsdf& face, const Base& base, const Vec3& wo, float depth, float albedo, int walks,
@@ -22,7 +22,7 @@ double walkedAlbedo(const Bsdf& face, const Base& base, const Vec3& wo, float de
                 const auto s = face.sample(w, uLobe, uniform2(rng), LobeFlags::All, TransportMode::Importance);
                 if (!s) continue;
                 const double kept = s->f.x * std::abs(s->wi.z) / s->pdf;
-                // What masking and a wrong choice of lobe take off is drawn again in proportion.
+                // Compensates for the energy lost by masking and by choosing the wrong lobe.
                 if (kind == Face::AsIs)
                     weight *= kept;
                 else if (uniform(rng) * 1.5 > kept)
@@ -31,10 +31,10 @@ double walkedAlbedo(const Bsdf& face, const Base& base, const Vec3& wo, float de
             }
             return Vec3(0, 0, 0);
         };
-        Vec3 d = through(wo);  // where the light goes on to; above the face it has left
-        float z = 0;           // depth below the face
+        Vec3 d = through(wo);  // direction in which the light travels on; upwards once it has left the coat
+        float z = 0;           // depth below the interface
         for (int i = 0; i < 200 && lengthSquared(d) > 0 && d.z < 0; ++i) {
-            // Down to the base, off it, and up to the face, with scattering on the way.
+            // Down to the base, reflected, and up to the interface, with scattering on the way.
             while (lengthSquared(d) > 0) {
                 const float flight = -std::log(1 - uniform(rng));
                 const float toEnd = (d.z < 0 ? depth - z : z) / std::abs(d.z);

@@ -1,4 +1,4 @@
-// A ray in world space, with the width of the cone that it stands for.
+// A ray in world space, with its ray cone.
 #pragma once
 #include "math/vec.h"
 
@@ -6,11 +6,11 @@ namespace drc {
 
 struct Ray {
     Vec3 o;
-    Vec3 d;                  // unit length, unless said otherwise
-    float tMax = kInfinity;  // in units of d
-    float time = 0;          // as a share of all motion, in [0, 1]: see Shutter. A path has one time
-    // Ray cone (Akenine-Moeller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing", 2019): width
-    // at o in world units, and growth in width per unit of distance. They choose the texture level.
+    Vec3 d;                  // unit, unless stated otherwise
+    float tMax = kInfinity;  // in units of the length of d
+    float time = 0;          // in [0, 1], as a share of the motion interval (see Shutter); the same for a whole path
+    // Ray cone for texture filtering (Akenine-Moeller et al., "Texture Level of Detail Strategies for Real-Time Ray
+    // Tracing", 2019): its width at o in world units, and the growth of its width per unit of distance.
     float coneWidth = 0;
     float coneSpread = 0;
 };

@@ -15,7 +15,8 @@ inline Ray rayFrom(const Vec3& o, const Vec3& d, float time = 0) {
     return r;
 }
 
-// f(ray) for rays at any time, from all around, six units away, towards somewhere in the cube from -1 to 1.
+// Calls f(ray) for rays at random times, from random origins six units away, towards random points of the cube [-1,
+// 1]^3.
 template <typename F>
 void forManyRays(int count, const F& f) {
     Pcg32 rng(6);

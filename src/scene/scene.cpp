@@ -24,8 +24,8 @@ Bounds moved(const Bounds& b, const Transform& t) {
 
 Bounds moved(const Bounds& b, const AnimatedTransform& t) {
     if (!t.isAnimated()) return moved(b, t.start());
-    // A point that turns leaves the straight line between two of these times by less than a thousandth of its way, even
-    // where one motion of half a turn carries another.
+    // Between two of these times, a rotating point deviates from a straight line by less than a thousandth of its path,
+    // even if one half turn is composed with another.
     constexpr int kTimes = 64;
     Bounds result;
     for (int i = 0; i <= kTimes; ++i) result.extend(moved(b, t.at(float(i) / kTimes)));
@@ -62,7 +62,7 @@ PixelRegion RenderSettings::region() const {
 }
 
 double Instance::memory() const {
-    // Measured with some thousands of them, and rounded up.
+    // Measured with thousands of instances and rounded up, in bytes.
     constexpr double kStill = 1500, kMotion = 2000, kStep = 100;
     return kStill + (objectToWorld.isAnimated() ? kMotion + kStep * objectToWorld.steps() : 0);
 }

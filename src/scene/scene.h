@@ -1,4 +1,4 @@
-// A scene as the integrators see it: what the front ends build and Accel intersects.
+// A scene, as the front ends build it and the integrators see it.
 #pragma once
 #include <memory>
 #include <optional>
@@ -15,17 +15,17 @@
 
 namespace drc {
 
-// A mesh or a shape (exactly one is set) with what covers it.
+// A mesh or a shape (exactly one is set) with its material and light.
 struct Primitive {
     TriangleMeshPtr mesh;
     ShapePtr shape;
-    MaterialPtr material;                        // null: pbrt's "none", which light passes through unhindered
-    std::shared_ptr<const AreaLight> areaLight;  // null: does not emit. Also listed in Scene::lights
-    FloatTexturePtr alpha;                       // 0: a hole, for all rays; null: opaque
-    FloatTexturePtr shadowAlpha;                 // the same for shadow rays alone; null: as alpha
+    MaterialPtr material;                        // null: pbrt's "none"; light passes through unhindered
+    std::shared_ptr<const AreaLight> areaLight;  // null if it does not emit; also listed in Scene::lights
+    FloatTexturePtr alpha;                       // transparent where 0, for all rays; null: opaque
+    FloatTexturePtr shadowAlpha;                 // the same for shadow rays only; null: as alpha
 };
 
-// What pbrt calls an object: primitives in a space of their own.
+// What pbrt calls an object: primitives in their own space, to be instanced.
 struct ObjectDefinition {
     std::string name;
     std::vector<Primitive> primitives;
@@ -34,11 +34,11 @@ struct ObjectDefinition {
 struct Instance {
     int object = 0;  // index into Scene::objects
     AnimatedTransform objectToWorld;
-    // Bytes that it takes, with what is made of it for rays.
+    // Memory that the instance takes, its acceleration structure included, in bytes.
     double memory() const;
 };
 
-// Pixels [x0, x1) x [y0, y1) of the film.
+// The pixels [x0, x1) x [y0, y1) of the film.
 struct PixelRegion {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     int width() const { return x1 - x0; }
@@ -48,37 +48,37 @@ struct PixelRegion {
     size_t index(int x, int y) const { return size_t(y - y0) * size_t(width()) + size_t(x - x0); }
 };
 
-// Settings of the file, obeyed or overridden by the command line.
+// Render settings of the scene file, which the command line may override.
 struct RenderSettings {
-    std::string integrator = "path";  // as the file names it: "path", "directlighting", "iispt", ...
+    std::string integrator = "path";  // as named in the file: "path", "directlighting", "iispt", ...
     int maxDepth = 5;
     int samplesPerPixel = 16;
     std::string sampler = "halton";
     std::string outputFile = "pbrt.exr";
     SourceLocation outputFileAt;  // where the file names that, for messages; empty: it does not
     FilmGeometry film;
-    SourceLocation filmAt;                   // where the file gives the film's size, for messages; empty: it does not
+    SourceLocation filmAt;                   // where the file sets the film's size, for messages; empty if it does not
     float cropWindow[4] = {0, 1, 0, 1};      // as cropWindowOf() gives it (crop_window.h)
-    std::optional<PixelRegion> pixelBounds;  // of the film; none: all of it
-    // What of the film is rendered: the crop window in whole pixels, by pbrt's rounding, and of it what lies within the
-    // pixel bounds; at least one pixel.
+    std::optional<PixelRegion> pixelBounds;  // of the film; none: the whole film
+    // The region to render: the crop window, rounded to pixels as in pbrt, intersected with the pixel bounds; at least
+    // one pixel.
     PixelRegion region() const;
     float filmScale = 1;
     float maxSampleLuminance = kInfinity;
-    FilterPtr filter;  // never null
+    FilterPtr filter;  // not null
 };
 
 struct Scene {
     std::vector<Primitive> primitives;
     std::vector<ObjectDefinition> objects;
     std::vector<Instance> instances;
-    std::vector<LightPtr> lights;  // all, those of emissive primitives included
+    std::vector<LightPtr> lights;  // all lights, including those of emissive primitives
     std::unique_ptr<Camera> camera;
     RenderSettings settings;
 
-    // Of everything, wherever it moves.
+    // Bounds of all primitives over their whole motion.
     Bounds bounds() const;
-    size_t triangleCount() const;  // instances counted each
+    size_t triangleCount() const;  // counts the triangles of every instance
 };
 
 }  // namespace drc

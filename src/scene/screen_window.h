@@ -1,19 +1,19 @@
-// What perspective and orthographic cameras have in common.
+// The screen window, shared by perspective and orthographic cameras.
 #pragma once
 #include "math/warp.h"
 #include "scene/camera.h"
 
 namespace drc {
 
-// A point of the thin lens, uniformly for u in [0,1)^2; camera space.
+// A point on the thin lens, uniformly distributed for u in [0,1)^2; camera space.
 inline Vec3 onLens(const ProjectiveCameraParams& params, const Vec2& u) {
     if (!(params.lensRadius > 0)) return Vec3(0, 0, 0);
     const Vec2 lens = sampleConcentricDisk(u) * params.lensRadius;
     return Vec3(lens.x, lens.y, 0);
 }
 
-// The part of the screen that the film shows: its top left corner and the size of a pixel, in the screen's units, in
-// which the shorter side goes from -1 to 1 (PBR 3e, section 6.2). x to the right, y up.
+// The part of the screen that the film shows: its top left corner and the size of a pixel, in screen units, in which
+// the shorter axis runs from -1 to 1 (PBR 3e, section 6.2). x to the right, y up.
 struct ScreenWindow {
     double left, top, pixelX, pixelY;
 
@@ -38,7 +38,7 @@ struct ScreenWindow {
     Vec2 at(const Vec2& film) const {
         return Vec2(static_cast<float>(left + film.x * pixelX), static_cast<float>(top - film.y * pixelY));
     }
-    // The film position that at() brings there.
+    // Inverse of at(): the film position of a point of the screen.
     Vec2 film(const Vec2& screen) const {
         return Vec2(static_cast<float>((double(screen.x) - left) / pixelX),
                     static_cast<float>((top - double(screen.y)) / pixelY));

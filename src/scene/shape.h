@@ -1,7 +1,7 @@
 // A shape that is not made of triangles: sphere, disk, ... (PBR 3e, chapter 3).
 //
-// The shape has its own transform to world space; every argument and result here is in world space (or in the space
-// of the instanced object that it belongs to).
+// A shape knows its own transform to world space. All arguments and results are in world space, or in the space of the
+// object definition that the shape belongs to.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -22,7 +22,7 @@ struct Bounds {
             max[i] = std::max(max[i], p[i]);
         }
     }
-    // By nothing, if b is empty.
+    // Extends the bounds to contain b; no change if b is empty.
     void extend(const Bounds& b) {
         for (int i = 0; i < 3; ++i) {
             min[i] = std::min(min[i], b.min[i]);
@@ -36,12 +36,12 @@ struct Bounds {
 
 struct ShapeHit {
     float t = 0;
-    Vec3 p;        // on the surface, which the ray at t is only to the rounding of its own length
-    Vec3 ng;       // unit, oriented as pbrt does
-    Vec3 ns{0.f};  // shading normal, unit, on the side of ng; zero: ng itself
+    Vec3 p;        // exactly on the surface, whereas o + t d has the rounding error of the ray's length
+    Vec3 ng;       // unit, oriented as in pbrt
+    Vec3 ns{0.f};  // shading normal, unit, on the side of ng; zero if it is ng
     Vec2 uv;
     Vec3 dpdu, dpdv;
-    uint32_t part = 0;  // of shapes that have several
+    uint32_t part = 0;  // for shapes that consist of several parts
 };
 
 struct ShapeSample {
@@ -50,7 +50,7 @@ struct ShapeSample {
     float pdf = 0;  // per unit area
 };
 
-// What pdfFrom needs to know of a hit.
+// The description of a hit that pdfFrom() needs.
 struct ShapePoint {
     Vec3 p, ng;
     Vec2 uv{0.f};
@@ -66,13 +66,14 @@ class Shape {
     // Nearest hit with tMin < t < ray.tMax.
     virtual std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const = 0;
     virtual float area() const = 0;
-    // Uniform by area.
+    // Samples a point uniformly by area.
     virtual ShapeSample sample(const Vec2& u) const = 0;
-    // A point seen from p, with its density per solid angle at p in `pdf`; by default sample() converted.
+    // Samples a point for illumination of p; its pdf is per solid angle at p. By default sample() with the pdf
+    // converted.
     virtual ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const;
-    // Density per solid angle of sampleFrom(p) for the direction wi, where wi hits the shape at `hit`.
+    // Pdf of sampleFrom(p), per solid angle, for the direction wi, which hits the shape at `hit`.
     virtual float pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const;
-    // Curves, which Embree intersects by itself; null for any other shape.
+    // The curves, which Embree intersects itself; null for any other shape.
     virtual const Curves* asCurves() const { return nullptr; }
 };
 

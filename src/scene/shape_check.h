@@ -1,4 +1,4 @@
-// Checks that every shape must pass, for the tests of shapes.
+// Checks that every shape must pass.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 namespace drc {
 
-// A mean with its standard error.
+// A running mean with its standard error.
 class RunningMean {
   public:
     void add(double x) {
@@ -19,20 +19,20 @@ class RunningMean {
         m2_ += d * (x - mean_);
     }
     double mean() const { return mean_; }
-    double variance() const { return m2_ / (double(n_) * (n_ - 1)); }  // of the mean
+    double variance() const { return m2_ / (double(n_) * (n_ - 1)); }  // variance of the mean
 
   private:
     int n_ = 0;
     double mean_ = 0, m2_ = 0;
 };
 
-// Equal within four standard errors; slack absorbs the rounding of estimates without variance.
+// Expects equality within four standard errors; slack allows for the rounding of estimates without variance.
 inline void expectSame(const RunningMean& a, const RunningMean& b, double slack, const char* what) {
     EXPECT_NEAR(a.mean(), b.mean(), 4 * std::sqrt(a.variance() + b.variance()) + slack) << what;
 }
 
-// sampleFrom(p) against uniform directions: the solid angle and first moments of what p sees of the shape. Also that
-// pdfFrom agrees, and that normals and points are those of intersect.
+// Compares sampleFrom(p) with uniformly sampled directions, by the solid angle that the shape subtends at p and its
+// first moments. Also checks that pdfFrom(), points and normals agree with intersect().
 inline void checkSamplingFrom(const Shape& shape, const Vec3& p, int samples = 40000) {
     Pcg32 rng(17);
     RunningMean bySample[4], byDirection[4];
@@ -44,7 +44,7 @@ inline void checkSamplingFrom(const Shape& shape, const Vec3& p, int samples = 4
         const Vec3 w = d / distance;
         const auto hit = shape.intersect(rayFrom(p, w), 0);
         double value = 0;
-        // A sample may be hidden behind another part of the shape, or lie on its very edge.
+        // Samples may be hidden behind another part of the shape, or lie exactly on its edge.
         if (hit && std::abs(hit->t - distance) < 1e-3f * distance && s.pdf > 0) {
             value = 1 / s.pdf;
             ++visible;
@@ -61,13 +61,13 @@ inline void checkSamplingFrom(const Shape& shape, const Vec3& p, int samples = 4
         for (int k = 0; k < 4; ++k) byDirection[k].add(seen * (k < 3 ? double(u[k]) : 1.0));
     }
     EXPECT_GT(visible, samples / 10);
-    EXPECT_LE(different, samples / 5000);  // at the apex of a cone
+    EXPECT_LE(different, samples / 5000);  // some at the apex of a cone
     const char* names[] = {"x", "y", "z", "solid angle"};
     for (int k = 0; k < 4; ++k) expectSame(bySample[k], byDirection[k], 1e-3, names[k]);
 }
 
-// Points of sample() lie on the surface (a ray along the normal finds them) and inside the bounds, and E[1 / pdf] is
-// the area.
+// Checks that points of sample() are on the surface (a ray along the normal hits them) and inside the bounds, and that
+// the expectation of 1 / pdf is the area.
 inline void checkSampling(const Shape& shape, int samples = 4000) {
     Pcg32 rng(5);
     RunningMean area;
@@ -80,17 +80,17 @@ inline void checkSampling(const Shape& shape, int samples = 4000) {
             EXPECT_GE(s.p[k], b.min[k]);
             EXPECT_LE(s.p[k], b.max[k]);
         }
-        // Just above the surface along the normal, looking down.
+        // Starts slightly above the surface and looks down along the normal.
         const float h = 1e-3f * b.radius();
         const auto hit = shape.intersect(rayFrom(s.p + s.ng * h, -s.ng), 0);
-        if (!hit) continue;  // the very edge
+        if (!hit) continue;  // exactly on an edge
         EXPECT_NEAR(hit->t, h, 2e-2f * h);
         EXPECT_NEAR(dot(hit->ng, s.ng), 1, 1e-3);
     }
     EXPECT_NEAR(area.mean(), shape.area(), 4 * std::sqrt(area.variance()) + 1e-4 * shape.area());
 }
 
-// dpdu and dpdv against finite differences: moving by a small step in the tangent plane changes uv as they say.
+// Compares dpdu and dpdv with finite differences: a small step in the tangent plane must change uv accordingly.
 inline void checkDerivatives(const Shape& shape, const Ray& ray, float step) {
     const auto a = shape.intersect(ray, 0);
     ASSERT_TRUE(a);

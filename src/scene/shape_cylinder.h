@@ -1,4 +1,4 @@
-// An open cylinder about the z axis of object space, or a part of it (PBR 3e, section 3.3).
+// An open cylinder, or a part of one, around the z axis of object space (PBR 3e, section 3.3).
 #pragma once
 #include "scene/shape.h"
 
@@ -13,8 +13,8 @@ struct CylinderParams {
     float phiMax = 360;  // degrees from +x towards +y
 };
 
-// u = phi / phiMax, v from the smaller z to the larger. ng points outward in a right-handed, unreversed frame; as in
-// pbrt, ReverseOrientation and a transform that swaps handedness each turn it inward.
+// u = phi / phiMax, v runs from the smaller z to the larger. ng points outward in a right-handed, unreversed frame; as
+// in pbrt, ReverseOrientation and a transform that swaps handedness each flip it.
 ShapePtr makeCylinder(const CylinderParams& params);
 
 }  // namespace drc

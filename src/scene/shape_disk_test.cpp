@@ -15,9 +15,9 @@ TEST(Disk, HitsWhereItShould) {
     EXPECT_NEAR(hit->uv.y, 1 - 0.5 / 1.5, 1e-6);
     EXPECT_NEAR(hit->dpdu.x, -1.5 * kPi, 1e-5);
     EXPECT_NEAR(hit->dpdv.y, -1.5, 1e-5);
-    // From below, too.
+    // Also from below.
     EXPECT_TRUE(disk->intersect(rayFrom(Vec3(0, 1, 0), Vec3(0, 0, 1)), 0));
-    // The hole, outside, the missing quarter, parallel, and behind.
+    // Through the hole, outside, through the missing quarter, parallel, and behind the ray's origin.
     EXPECT_FALSE(disk->intersect(rayFrom(Vec3(0, 0.4f, 4), Vec3(0, 0, -1)), 0));
     EXPECT_FALSE(disk->intersect(rayFrom(Vec3(0, 2.1f, 4), Vec3(0, 0, -1)), 0));
     EXPECT_FALSE(disk->intersect(rayFrom(Vec3(1, -1, 4), Vec3(0, 0, -1)), 0));
@@ -25,7 +25,7 @@ TEST(Disk, HitsWhereItShould) {
     EXPECT_FALSE(disk->intersect(rayFrom(Vec3(0, 1, 4), Vec3(0, 0, 1)), 0));
     EXPECT_FALSE(disk->intersect(rayFrom(Vec3(0, 1, 4), Vec3(0, 0, -1)), 3.5f));
     EXPECT_NEAR(disk->area(), 0.75 * kPi * (4 - 0.25), 1e-5);
-    // The centre of a whole disk has finite derivatives.
+    // The derivatives must be finite at the centre of a whole disk.
     EXPECT_TRUE(std::isfinite(makeDisk({})->intersect(rayFrom(Vec3(0, 0, 1), Vec3(0, 0, -1)), 0)->dpdv.x));
 }
 

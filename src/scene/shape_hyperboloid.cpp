@@ -5,10 +5,9 @@
 namespace drc {
 namespace {
 
-// pbrt's program takes the points of width (x^2 + y^2) - height z^2 = 1, with its coefficients chosen so that the
-// circles of p2 and of a point on the same line beyond it, p2 + (p2 - p1), lie on the surface. Where those two are on
-// one cone around the origin it takes further points, and where all are it never returns: the surface is then that cone
-// itself.
+// The pbrt program takes the surface width (x^2 + y^2) - height z^2 = 1, with coefficients such that the circles of p2
+// and of a point beyond it on the same line, p2 + (p2 - p1), lie on it. If those two lie on a cone around the origin it
+// tries further points, and if all of them do, it never terminates. Here the surface is then that cone.
 RevolutionProfile profileOf(const Vec3d& p1, const Vec3d& p2) {
     const auto radiusSquared = [](const Vec3d& p) { return p.x * p.x + p.y * p.y; };
     const double r2 = radiusSquared(p2), z2 = p2.z * p2.z;

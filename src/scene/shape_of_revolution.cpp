@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kPiD = std::numbers::pi;
 
-// Over [a, b], Gauss-Legendre with five points.
+// Integral of the area element over [a, b], by Gauss-Legendre quadrature with five points.
 double integralOfArea(const RevolutionProfile& profile, double a, double b) {
     constexpr double node[3] = {0, 0.5384693101056831, 0.9061798459386640};
     constexpr double weight[3] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
@@ -20,7 +20,7 @@ double integralOfArea(const RevolutionProfile& profile, double a, double b) {
     return sum * half;
 }
 
-// vMin, 1, and between them where the curve reaches the axis, beyond which it may have no points.
+// vMin and 1, and between them the points where the curve meets the axis, beyond which it may have no points.
 std::vector<double> sectionsOf(const RevolutionProfile& profile) {
     std::vector<double> ends = {profile.vMin};
     const auto& c = profile.c;
@@ -34,7 +34,7 @@ std::vector<double> sectionsOf(const RevolutionProfile& profile) {
     return ends;
 }
 
-// Draws v with a density in proportion to the area element.
+// Samples v in proportion to the area element.
 class AreaTable {
   public:
     explicit AreaTable(const RevolutionProfile& profile) : profile_(profile) {
@@ -56,7 +56,7 @@ class AreaTable {
         const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, target);
         const size_t cell = size_t(above - sums_.begin()) - 1;
         const double a = edges_[cell], b = edges_[cell + 1], inCell = target - sums_[cell];
-        // Newton's method from where the element would be constant.
+        // Newton's method, starting at the solution for a constant area element.
         double v = a + (b - a) * inCell / (sums_[cell + 1] - sums_[cell]);
         for (int i = 0; i < 3; ++i) {
             const double element = profile_.areaElement(v);
@@ -67,11 +67,11 @@ class AreaTable {
     }
 
   private:
-    static constexpr int kCells = 32;  // of each section
+    static constexpr int kCells = 32;  // per section
 
     RevolutionProfile profile_;
-    std::vector<double> edges_;     // of cells
-    std::vector<double> sums_{0.};  // of the areas below them
+    std::vector<double> edges_;     // of the cells
+    std::vector<double> sums_{0.};  // cumulative areas at the edges
 };
 
 class ShapeOfRevolution final : public Shape {
@@ -93,7 +93,7 @@ class ShapeOfRevolution final : public Shape {
         });
     }
 
-    // Of a cylinder around the shape.
+    // Bounds of a cylinder around the shape.
     Bounds bounds() const override {
         Bounds box;
         const Vec3d x = space_.vectorToWorld(Vec3d(1, 0, 0)), y = space_.vectorToWorld(Vec3d(0, 1, 0));
@@ -102,7 +102,7 @@ class ShapeOfRevolution final : public Shape {
             Vec3 low, high;
             for (int i = 0; i < 3; ++i) {
                 const double extent = maxRadius_ * std::hypot(x[i], y[i]);
-                // Room for the rounding of what is computed from these floats.
+                // Padded by the rounding errors of what is computed from these floats.
                 const double pad = 1e-6 * (std::abs(centre[i]) + extent + std::abs(profile_.dz) * space_.extent(i));
                 low[i] = float(centre[i] - extent - pad);
                 high[i] = float(centre[i] + extent + pad);
@@ -114,20 +114,20 @@ class ShapeOfRevolution final : public Shape {
     }
 
     std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const override {
-        // d keeps the scale of the transform, so that t means the same in both spaces.
+        // d is not normalised, so that t has the same meaning in both spaces.
         const Vec3d origin = space_.pointToObject(ray.o), d = space_.vectorToObject(Vec3d(ray.d));
-        // From the ray's point next to the shape: far away, the coefficients would cancel.
+        // The ray's origin is moved next to the shape, because the coefficients would cancel from far away.
         const Vec3d centre(0, 0, profile_.z0 + 0.5 * profile_.dz);
         const double start = (centre - origin).dot(d) / d.length2();
         const Vec3d o = origin + d * start;
         const double v = (o.z - profile_.z0) / profile_.dz, dv = d.z / profile_.dz;
         const auto& c = profile_.c;
         const double a2 = d.x * d.x + d.y * d.y - c[2] * dv * dv;
-        const double a1 = o.x * d.x + o.y * d.y - dv * (0.5 * c[1] + c[2] * v);  // half of it
+        const double a1 = o.x * d.x + o.y * d.y - dv * (0.5 * c[1] + c[2] * v);  // half the linear coefficient
         const double a0 = o.x * o.x + o.y * o.y - (c[0] + v * (c[1] + v * c[2]));
         const double discriminant = a1 * a1 - a2 * a0;
         if (!(discriminant >= 0)) return {};
-        // Without a quadratic term one of the two is infinite, and the other right.
+        // If the quadratic coefficient is zero, one of the two solutions is infinite and the other is right.
         const double q = -(a1 + std::copysign(std::sqrt(discriminant), a1));
         return nearerHit(start + q / a2, start + a0 / q, tMin, ray.tMax,
                          [&](double t) { return hitAt(origin + d * t, t); });
@@ -157,25 +157,25 @@ class ShapeOfRevolution final : public Shape {
         const double cosine = std::cos(u * phiMax_), sine = std::sin(u * phiMax_);
         return Vec3d(g.x * cosine - g.y * sine, g.x * sine + g.y * cosine, g.z);
     }
-    // Unit, along cross(dpdu, dpdv): the gradient of x^2 + y^2 - radiusSquared.
+    // Unit normal along cross(dpdu, dpdv): the gradient of x^2 + y^2 - radiusSquared.
     Vec3d normalAt(const Vec3d& p, double v) const {
         const Vec3d n(p.x * profile_.dz, p.y * profile_.dz, -0.5 * profile_.slope(v));
         const double l = n.length();
-        return l > 0 ? n / l : Vec3d(1, 0, 0);  // the apex of a cone: any
+        return l > 0 ? n / l : Vec3d(1, 0, 0);  // at the apex of a cone any normal can be used
     }
-    // Density of sample() per unit world area where the object-space normal is n.
+    // Pdf of sample() per unit world area, where the object-space normal is n.
     float areaPdf(const Vec3d& n) const { return float(1 / (objectArea_ * space_.areaScale(n))); }
 
     std::optional<ShapeHit> hitAt(Vec3d p, double t) const {
         const double v = (p.z - profile_.z0) / profile_.dz;
         if (!(v >= profile_.vMin && v <= 1)) return {};
         const Vec3d g = profile_.at(v);
-        // The turn that takes the curve's point to p.
+        // The rotation that takes the curve's point to p.
         double phi = std::atan2(p.y * g.x - p.x * g.y, p.x * g.x + p.y * g.y);
         if (phi < 0) phi += 2 * kPiD;
         if (phi > phiMax_) return {};
         const double cosine = std::cos(phi), sine = std::sin(phi), radius = profile_.radius(v);
-        // Refined onto the surface. Where this meets the axis, derivatives are those a little off it.
+        // Moves p exactly onto the surface. On the axis, derivatives are those slightly beside it.
         const double away = std::max(radius, 1e-5 * maxRadius_);
         const Vec3d outward = radius > 0 ? Vec3d(g.x * cosine - g.y * sine, g.x * sine + g.y * cosine, 0) / radius
                                          : Vec3d(cosine, sine, 0);
@@ -244,7 +244,7 @@ RevolutionProfile RevolutionProfile::hyperbola(const Vec3d& p1, const Vec3d& p2,
 
 double RevolutionProfile::maxRadius() const {
     const double ends = std::max(radius(vMin), radius(1));
-    const double top = -c[1] / (2 * c[2]);  // where the square of the radius has its one extremum
+    const double top = -c[1] / (2 * c[2]);  // v of the extremum of the squared radius
     return top > vMin && top < 1 ? std::max(ends, radius(top)) : ends;
 }
 
@@ -259,8 +259,8 @@ Vec3d RevolutionProfile::at(double v) const {
 }
 
 double RevolutionProfile::areaElement(double v) const {
-    // |dp/dphi x dp/dv|, which for a curve turned about an axis is r sqrt(z'^2 + r'^2), with r r' half the slope of
-    // r^2: what a line's twist adds to the length of dp/dv lies along dp/dphi.
+    // |dp/dphi x dp/dv|, which for a surface of revolution is r sqrt(z'^2 + r'^2), with r r' half the derivative of
+    // r^2. A line's twist changes dp/dv only along dp/dphi.
     return std::hypot(dz * radius(v), 0.5 * slope(v));
 }
 

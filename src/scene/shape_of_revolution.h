@@ -1,4 +1,4 @@
-// What cylinders, cones, paraboloids and hyperboloids have in common: a line, a parabola or a hyperbola turned about
+// Common implementation of cylinders, cones, paraboloids and hyperboloids: a line, parabola or hyperbola rotated about
 // the z axis of object space (PBR 3e, section 3.5).
 #pragma once
 #include "scene/quadric_space.h"
@@ -6,23 +6,24 @@
 
 namespace drc {
 
-// The curve that is turned. With v from 0 to 1 along it: z = z0 + v dz, and the square of the distance to the axis is
-// c[0] + c[1] v + c[2] v^2.
+// The profile curve, parametrised by v in [0, 1]: z = z0 + v dz, and the squared distance to the axis is c[0] + c[1] v
+// + c[2] v^2.
 struct RevolutionProfile {
     double z0 = 0, dz = 1;
     double c[3] = {1, 0, 0};
-    double vMin = 0;  // there is no surface below, nor where that square is negative
-    // Which u counts as zero and along what v runs. A line need not meet the axis: the angle of its points about it
-    // depends on v. A parabola lies in the plane y = 0. A hyperbola has its points where the line has them, but for the
-    // distance to the axis, and is shaded with the normals of what the line would sweep.
+    double vMin = 0;  // there is no surface for smaller v, nor where the squared distance is negative
+    // Determines where u = 0 and how normals are computed. A line need not intersect the axis, so the angle of its
+    // points around the axis depends on v. A parabola lies in the plane y = 0. A hyperbola has the angles and the
+    // shading normals of the line, but its own distances to the axis.
     enum class Kind { Line, Parabola, Hyperbola } kind = Kind::Line;
-    Vec3d p1{0.0}, p2{0.0};  // of the line
+    Vec3d p1{0.0}, p2{0.0};  // ends of the line
 
-    // From p1 (v = 0) to p2 (v = 1), which differ in z.
+    // From p1 (v = 0) to p2 (v = 1), which must differ in z.
     static RevolutionProfile line(const Vec3d& p1, const Vec3d& p2);
-    // From zMin (v = 0) to zMax (v = 1), apex at the origin, with that radius at zMax.
+    // From zMin (v = 0) to zMax (v = 1), with the apex at the origin and the given radius at zMax.
     static RevolutionProfile parabola(double radius, double zMin, double zMax);
-    // The square of the distance to the axis is (1 + height z^2) / width, for z from p1's (v = 0) to p2's (v = 1).
+    // The squared distance to the axis is (1 + height z^2) / width, for z from that of p1 (v = 0) to that of p2 (v =
+    // 1).
     static RevolutionProfile hyperbola(const Vec3d& p1, const Vec3d& p2, double width, double height);
 
     double radiusSquared(double v) const { return c[0] + v * (c[1] + v * c[2]); }
@@ -30,13 +31,13 @@ struct RevolutionProfile {
     double slope(double v) const { return c[1] + 2 * v * c[2]; }  // derivative of radiusSquared
     double maxRadius() const;
     Vec3d at(double v) const;
-    // Area of object space for a step in v and a full turn, over 2 pi.
+    // Object-space area per step in v of a full revolution, divided by 2 pi.
     double areaElement(double v) const;
 };
 
-// Null if the curve has no points. u = phi / phiMax, v along the curve. phiMax in degrees. ng points to the side of
-// cross(dpdu, dpdv), which is outward where z grows with v, turned by ReverseOrientation and by a transform that swaps
-// handedness as in pbrt.
+// Null if the curve has no points. u = phi / phiMax (phiMax in degrees), v runs along the curve. ng is along
+// cross(dpdu, dpdv), which points outward if z increases with v; as in pbrt, ReverseOrientation and a transform that
+// swaps handedness each flip it.
 ShapePtr makeShapeOfRevolution(const Transform& objectToWorld, bool reverseOrientation, float phiMax,
                                const RevolutionProfile& profile);
 

@@ -1,4 +1,4 @@
-// The four shapes that are a line or a parabola turned about an axis.
+// Cylinder, cone, paraboloid and hyperboloid.
 #include "scene/shape_of_revolution.h"
 
 #include "scene/chi_square.h"
@@ -13,7 +13,8 @@ namespace {
 
 void expectNear(const Vec3& a, const Vec3& b, float tolerance) { EXPECT_LT(length(a - b), tolerance) << a << " " << b; }
 
-// Hit by a ray towards the axis of object space, from a distance of 5, at that height and angle.
+// The hit of a ray that starts 5 units from the axis of object space and runs towards it, at the given height and
+// angle.
 std::optional<ShapeHit> hitFromOutside(const Shape& shape, float z, float degrees) {
     const float phi = degrees * kPi / 180;
     const Vec3 outward(std::cos(phi), std::sin(phi), 0);
@@ -35,7 +36,7 @@ TEST(ShapeOfRevolution, CylinderHits) {
     EXPECT_NEAR(hit->uv.y, 0.75, 1e-6);
     expectNear(hit->dpdu, Vec3(-2 * 1.5f * kPi, 0, 0), 1e-5f);
     expectNear(hit->dpdv, Vec3(0, 0, 2), 1e-6f);
-    // Where a quarter is missing the far side is seen, from within; the ends are open.
+    // Through the missing quarter, the inside of the far wall is visible. The ends are open.
     EXPECT_NEAR(hitFromOutside(*cylinder, 0, 315)->t, 7, 1e-6);
     EXPECT_FALSE(hitFromOutside(*cylinder, 1.01f, 90));
     EXPECT_FALSE(cylinder->intersect(rayFrom(Vec3(1, 1, 5), Vec3(0, 0, -1)), 0));
@@ -53,16 +54,16 @@ TEST(ShapeOfRevolution, ConeHits) {
     EXPECT_NEAR(hit->uv.x, 0.5, 1e-6);
     EXPECT_NEAR(hit->uv.y, 0.25, 1e-6);
     expectNear(hit->dpdv, Vec3(2, 0, 4), 1e-5f);
-    // The second sheet is not there; the base is open.
+    // The cone has only one sheet, and its base is open.
     EXPECT_FALSE(hitFromOutside(*cone, 4.5f, 0));
     EXPECT_FALSE(hitFromOutside(*cone, -0.1f, 0));
     EXPECT_NEAR(cone->intersect(rayFrom(Vec3(0.5f, 0, -5), Vec3(0, 0, 1)), 0)->t, 5 + 3, 1e-5);
-    // Along a line of the surface's own slope there is only one hit.
+    // A ray parallel to the surface's slope has only one hit.
     const Vec3 d = normalize(Vec3(-2, 0, 4));
     const auto parallel = cone->intersect(rayFrom(Vec3(1, 0, 0) - d, d), 0);
     ASSERT_TRUE(parallel);
     EXPECT_LT(parallel->ng.x, 0);
-    // The apex has finite derivatives.
+    // The derivatives must be finite at the apex.
     const auto apex = cone->intersect(rayFrom(Vec3(0, 0, 9), Vec3(0, 0, -1)), 0);
     ASSERT_TRUE(apex);
     EXPECT_NEAR(length(apex->ng), 1, 1e-6);
@@ -81,7 +82,7 @@ TEST(ShapeOfRevolution, ParaboloidHits) {
     EXPECT_NEAR(hit->uv.y, 1.25 / 3, 1e-6);
     expectNear(hit->dpdv, Vec3(0, 3 / (2 * 1.5f), 3), 1e-5f);
     EXPECT_FALSE(hitFromOutside(*bowl, 0.5f, 90));
-    // A ray along the axis meets the infinite surface once.
+    // A ray along the axis meets the infinite surface only once.
     const ShapePtr whole = makeParaboloid({.radius = 2, .zMax = 4});
     EXPECT_NEAR(whole->intersect(rayFrom(Vec3(0.6f, 0.8f, 9), Vec3(0, 0, -1)), 0)->t, 8, 1e-5);
     EXPECT_FALSE(whole->intersect(rayFrom(Vec3(2.1f, 0, 9), Vec3(0, 0, -1)), 0));
@@ -91,7 +92,7 @@ TEST(ShapeOfRevolution, ParaboloidHits) {
     EXPECT_TRUE(std::isfinite(length(apex->dpdu) + length(apex->dpdv)));
     // pi r / (6 h^2) ((r^2 + 4 h^2)^(3/2) - r^3)
     EXPECT_NEAR(whole->area(), kPi * 2 / 96 * (std::pow(68, 1.5) - 8), 2e-4);
-    // Below the apex there is nothing, and v still counts from there.
+    // There is no surface below the apex, but v still counts from zMin.
     const ShapePtr below = makeParaboloid({.radius = 2, .zMin = -4, .zMax = 4});
     EXPECT_NEAR(below->area(), whole->area(), 1e-3);
     EXPECT_NEAR(hitFromOutside(*below, 2, 90)->uv.y, 0.75, 1e-6);
@@ -105,20 +106,20 @@ TEST(ShapeOfRevolution, HyperboloidHits) {
     EXPECT_NEAR(hit->t, 5 - 1.25f, 1e-6);
     expectNear(hit->ng, normalize(Vec3(1.25f, 0, -0.75f)), 1e-6f);
     EXPECT_NEAR(hit->uv.y, 0.875, 1e-6);
-    // The segment is at (1, 0.75) there: p is behind it by that angle.
+    // At that height the segment is at (1, 0.75), so phi of p differs by that angle.
     EXPECT_NEAR(hit->uv.x, 1 - std::atan(0.75f) / (2 * kPi), 1e-6);
-    // The surface holds the segment: dpdv at phi = 0 is along it, and so there uv is (0, v).
+    // The surface contains the segment: at phi = 0, dpdv is along it and uv is (0, v).
     const auto on = hyperboloid->intersect(rayFrom(Vec3(4, 2, 0.5f), normalize(Vec3(-3, -1.5f + 1e-4f, 0))), 0);
     ASSERT_TRUE(on);
     EXPECT_NEAR(on->uv.y, 0.75, 1e-5);
     expectNear(on->dpdv, Vec3(0, 2, 2), 1e-3f);
     EXPECT_NEAR(hyperboloid->area(), 2 * kPi * (std::sqrt(3.0) + std::asinh(std::sqrt(2.0)) / std::sqrt(2.0)), 1e-4);
-    // pbrt's default is a cone.
+    // pbrt's default hyperboloid is a cone.
     EXPECT_NEAR(makeHyperboloid({})->area(), kPi * std::sqrt(2.f) * std::sqrt(3.f), 1e-4);
 }
 
-// The segment's own points are at x^2 + y^2 = 1 + z + z^2 / 4: pbrt's equation has no term in z. Its surface goes
-// through the circle of p2, of radius 2 at z = 2, and through one of radius 3 at z = 4.
+// The segment's own points satisfy x^2 + y^2 = 1 + z + z^2 / 4, but pbrt's equation has no linear term in z. Its
+// surface passes through the circle of p2, with radius 2 at z = 2, and through one with radius 3 at z = 4.
 TEST(ShapeOfRevolution, HyperboloidsAreThoseOfPbrtsEquation) {
     const ShapePtr cone = makeHyperboloid({.p1 = Vec3(1, 0, 0), .p2 = Vec3(2, 0, 2)});
     // width 4 - height 4 = 1 and width 9 - height 16 = 1: r^2 = (28 + 5 z^2) / 12.
@@ -131,15 +132,15 @@ TEST(ShapeOfRevolution, HyperboloidsAreThoseOfPbrtsEquation) {
         EXPECT_NEAR(hit->uv.y, z / 2, 1e-6);
         const Vec3 outward(std::cos(kPi / 6), 0.5f, 0), up(0, 0, 1);
         expectNear(hit->ng, normalize(outward * radius - up * (5 * z / 12)), 1e-5f);
-        // Shading is that of the cone which the segment sweeps.
+        // Shading normals are those of the cone that the segment sweeps.
         expectNear(hit->ns, normalize(outward * 2.f - up), 1e-5f);
         expectNear(hit->dpdv, outward + up * 2.f, 1e-5f);
     }
     EXPECT_FALSE(hitFromOutside(*cone, -0.1f, 30));
     EXPECT_FALSE(hitFromOutside(*cone, 2.1f, 30));
-    // Of this one, a cone with its apex at p2, the equation has no points before the apex.
+    // In this case, a cone with its apex at p2, the equation has no points before the apex.
     EXPECT_EQ(makeHyperboloid({.p1 = Vec3(1, 0, 0), .p2 = Vec3(0, 0, 1)}), nullptr);
-    // This one has some above z = 0.39 and some below -0.39, and none between.
+    // In this case it has points above z = 0.39 and below -0.39, but none between.
     const ShapePtr two = makeHyperboloid({.p1 = Vec3(1, -0.6f, -0.5f), .p2 = Vec3(0.3f, 0.7f, 1)});
     EXPECT_TRUE(hitFromOutside(*two, 0.45f, 30) && hitFromOutside(*two, -0.45f, 30));
     EXPECT_FALSE(hitFromOutside(*two, 0.3f, 30));
@@ -155,7 +156,7 @@ TEST(ShapeOfRevolution, IsExactFromAfar) {
     EXPECT_FALSE(cylinder->intersect(rayFrom(Vec3(1e5f, 1.0001f, 0), Vec3(-1, 0, 0)), 0));
 }
 
-// One of each kind, whole or a part.
+// One shape of each kind, whole or partial.
 std::vector<ShapePtr> shapesIn(const Transform& t, bool reverse, bool whole) {
     const float phiMax = whole ? 360 : 250;
     return {makeCylinder({t, reverse, 0.8f, -0.5f, 1, phiMax}), makeCone({t, reverse, 0.9f, 1.6f, phiMax}),
@@ -171,7 +172,7 @@ TEST(ShapeOfRevolution, OrientationFollowsPbrt) {
             result.push_back(hitFromOutside(*shape, 0.5f, 20)->ng.x > 0);
         return result;
     };
-    // The last one runs downward, which turns its normals inward.
+    // The last one runs downwards, which flips its normals inwards.
     const std::vector<bool> usual = {true, true, true, true, false}, turned = {false, false, false, false, true};
     EXPECT_EQ(outward(Transform(), false), usual);
     EXPECT_EQ(outward(Transform(), true), turned);
@@ -186,8 +187,8 @@ TEST(ShapeOfRevolution, Sampling) {
 }
 
 TEST(ShapeOfRevolution, SamplesAreUniform) {
-    // Heights against the area below them: of a steep paraboloid, (r^2 + 4 h z)^(3/2) - r^3; of a cone, 1 - (1 -
-    // z/h)^2.
+    // Compares heights with the cumulative area: (r^2 + 4 h z)^(3/2) - r^3 for a steep paraboloid, 1 - (1 - z/h)^2 for
+    // a cone.
     Pcg32 rng(3);
     const ShapePtr bowl = makeParaboloid({.radius = 0.1f, .zMax = 2}), cone = makeCone({.radius = 1, .height = 2});
     const double perZ = 0.01 / 2;
@@ -216,8 +217,8 @@ TEST(ShapeOfRevolution, SamplingFromAPoint) {
         checkSamplingFrom(*shape, stretched.point(Vec3(0.5f, 1.4f, 1.2f)), 20000);
 }
 
-// From a point inside, where no part of the surface is edge-on: the density of a direction is that of all points that
-// lie in it.
+// From a point inside, where no part of the surface is edge-on. The pdf of a direction is the sum over all points on
+// the ray.
 TEST(ShapeOfRevolution, DirectionsFollowTheDensity) {
     const Transform t = tilted() * Transform::scale(1, 1.6f, 0.7f);
     for (const ShapePtr& shape : shapesIn(t, false, false)) {
@@ -244,7 +245,7 @@ TEST(ShapeOfRevolution, DirectionsFollowTheDensity) {
 TEST(ShapeOfRevolution, Derivatives) {
     const Transform t = tilted() * Transform::scale(1, 1.3f, 0.7f);
     std::vector<ShapePtr> shapes = shapesIn(t, false, false);
-    // Of hyperboloids only those whose segment lies on the surface have derivatives that do.
+    // Derivatives of hyperboloids lie on the surface only if the segment does.
     shapes.resize(3);
     shapes.push_back(makeHyperboloid({t, false, Vec3(0.6f, -0.7f, -1), Vec3(0.6f, 0.7f, 1)}));
     for (const ShapePtr& shape : shapes) {

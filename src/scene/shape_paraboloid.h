@@ -1,4 +1,4 @@
-// A paraboloid about the z axis of object space, with its apex at the origin (PBR 3e, section 3.5.2).
+// A paraboloid around the z axis of object space, with its apex at the origin (PBR 3e, section 3.5.2).
 #pragma once
 #include "scene/shape.h"
 
@@ -7,15 +7,15 @@ namespace drc {
 struct ParaboloidParams {
     Transform objectToWorld{};  // affine
     bool reverseOrientation = false;
-    float radius = 1;  // at the larger of the two z below
+    float radius = 1;  // at the larger of the two z values below
     float zMin = 0;
     float zMax = 1;
     float phiMax = 360;  // degrees from +x towards +y
 };
 
-// u = phi / phiMax, v from the smaller z to the larger, which must be positive. ng points outward (downward at the
+// u = phi / phiMax, v runs from the smaller z to the larger, which must be positive. ng points outward (downward at the
 // apex) in a right-handed, unreversed frame; as in pbrt, ReverseOrientation and a transform that swaps handedness each
-// turn it inward.
+// flip it.
 ShapePtr makeParaboloid(const ParaboloidParams& params);
 
 }  // namespace drc

@@ -23,14 +23,14 @@ class Sphere final : public Shape {
           area_(objectArea_ * space_.meanAreaScale([&](double u, double v) { return pointAt(u, v) / radius_; })) {}
 
     Bounds bounds() const override {
-        // The corners of the object-space box, but no further than the whole sphere reaches.
+        // The transformed object-space box, but not larger than the bounds of the whole sphere.
         Bounds box;
         for (int i = 0; i < 8; ++i)
             box.extend(Vec3(space_.pointToWorld(
                 Vec3d(i & 1 ? radius_ : -radius_, i & 2 ? radius_ : -radius_, i & 4 ? zMax_ : zMin_))));
         for (int i = 0; i < 3; ++i) {
             const double c = space_.origin()[i], e = radius_ * space_.extent(i);
-            // Room for the rounding of what is computed from these floats.
+            // Padded by the rounding errors of what is computed from these floats.
             const double pad = 1e-6 * (std::abs(c) + e);
             box.min[i] = float(std::max(double(box.min[i]), c - e) - pad);
             box.max[i] = float(std::min(double(box.max[i]), c + e) + pad);
@@ -39,10 +39,11 @@ class Sphere final : public Shape {
     }
 
     std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const override {
-        // d keeps the scale of the transform, so that t means the same in both spaces.
+        // d is not normalised, so that t has the same meaning in both spaces.
         const Vec3d o = space_.pointToObject(ray.o), d = space_.vectorToObject(Vec3d(ray.d));
         const double a = d.length2(), b = o.dot(d), c = o.length2() - radius_ * radius_;
-        // Discriminant from the distance of the line to the centre: b^2 - a c cancels for a far or grazing ray.
+        // The discriminant is computed from the distance of the line to the centre, because b^2 - a c cancels for
+        // distant or grazing rays.
         const double discriminant = a * (radius_ * radius_ - (o - d * (b / a)).length2());
         if (!(discriminant >= 0)) return {};
         const double q = -(b + std::copysign(std::sqrt(discriminant), b));
@@ -57,7 +58,7 @@ class Sphere final : public Shape {
         return {Vec3(space_.pointToWorld(p)), space_.normalToWorld(p / radius_), areaPdf(p / radius_)};
     }
 
-    // Uniform over the cone that the sphere subtends (PBR 3e, section 14.2.2), where it subtends one.
+    // Uniform over the cone that the sphere subtends (PBR 3e, section 14.2.2), if there is one.
     ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const override {
         const std::optional<Cone> cone = coneFrom(p);
         if (!cone) {
@@ -67,7 +68,7 @@ class Sphere final : public Shape {
         }
         const double h = u.x * cone->oneMinusCos, sin2 = h * (2 - h), cosine = 1 - h;  // h = 1 - cos theta
         const double r = radius_ * space_.scale(), distance = cone->distance;
-        // Distance to the near hit, and from it the angle at the centre between there and p.
+        // Distance to the near intersection, and from it the angle at the centre between that point and p.
         const double hit = distance * cosine - std::sqrt(std::max(0.0, r * r - distance * distance * sin2));
         const double cosAlpha = std::clamp((distance - hit * cosine) / r, -1.0, 1.0);
         const double sinAlpha = std::min(1.0, hit * std::sqrt(std::max(0.0, sin2)) / r);
@@ -87,12 +88,12 @@ class Sphere final : public Shape {
   private:
     struct Cone {
         Vec3d axis;          // unit, towards the centre
-        double distance;     // to the centre
-        double oneMinusCos;  // of the half angle
+        double distance;     // from p to the centre
+        double oneMinusCos;  // of the half-angle
         float pdf() const { return float(1 / (2 * kPiD * oneMinusCos)); }
     };
 
-    // None for a part of a sphere, an ellipsoid, and from within or too near.
+    // None for partial spheres and ellipsoids, and if p is inside or too close.
     std::optional<Cone> coneFrom(const Vec3& p) const {
         if (!full_ || !space_.conformal()) return {};
         const Vec3d toCentre = space_.origin() - Vec3d(p);
@@ -102,12 +103,12 @@ class Sphere final : public Shape {
         return Cone{toCentre / distance, distance, sin2 / (1 + std::sqrt(1 - sin2))};
     }
 
-    // Uniform by area in object space.
+    // A point uniform by area in object space.
     Vec3d pointAt(double u, double v) const {
         const double z = zMin_ + v * (zMax_ - zMin_), r = std::sqrt(std::max(0.0, radius_ * radius_ - z * z));
         return Vec3d(r * std::cos(u * phiMax_), r * std::sin(u * phiMax_), z);
     }
-    // Density of sample() per unit world area where the object-space normal is n.
+    // Pdf of sample() per unit world area, where the object-space normal is n.
     float areaPdf(const Vec3d& n) const { return float(1 / (objectArea_ * space_.areaScale(n))); }
 
     std::optional<ShapeHit> hitAt(Vec3d p, double t) const {

@@ -1,4 +1,4 @@
-// A sphere about the origin of object space, or a part of it (PBR 3e, section 3.2).
+// A sphere around the origin of object space, or a part of one (PBR 3e, section 3.2).
 #pragma once
 #include "scene/shape.h"
 
@@ -8,13 +8,13 @@ struct SphereParams {
     Transform objectToWorld{};  // affine
     bool reverseOrientation = false;
     float radius = 1;
-    float zMin = -kInfinity;  // the part with zMin <= z <= zMax ...
+    float zMin = -kInfinity;  // the sphere is clipped to zMin <= z <= zMax
     float zMax = kInfinity;
-    float phiMax = 360;  // ... and phi <= phiMax, degrees from +x towards +y
+    float phiMax = 360;  // and to phi <= phiMax, in degrees from +x towards +y
 };
 
-// u = phi / phiMax, v from zMin to zMax in equal steps of angle. ng points outward in a right-handed, unreversed frame;
-// as in pbrt, ReverseOrientation and a transform that swaps handedness each turn it inward.
+// u = phi / phiMax, v runs from zMin to zMax in equal steps of the polar angle. ng points outward in a right-handed,
+// unreversed frame; as in pbrt, ReverseOrientation and a transform that swaps handedness each flip it.
 ShapePtr makeSphere(const SphereParams& params);
 
 }  // namespace drc

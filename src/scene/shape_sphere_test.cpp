@@ -31,10 +31,10 @@ TEST(Sphere, HitsWhereItShould) {
     expectNear(outside->ng, Vec3(1, 0, 0), 1e-6f);
     EXPECT_NEAR(outside->uv.x, 0, 1e-6);
     EXPECT_NEAR(outside->uv.y, 0.5, 1e-6);
-    // PBR 3e, section 3.2.3: dpdu = phiMax (-y, x, 0); dpdv points up, for v grows with z.
+    // PBR 3e, section 3.2.3: dpdu = phiMax (-y, x, 0). dpdv points up, since v increases with z.
     expectNear(outside->dpdu, Vec3(0, 4 * kPi, 0), 1e-4f);
     expectNear(outside->dpdv, Vec3(0, 0, 2 * kPi), 1e-4f);
-    // From within, from beyond tMin, and behind tMax.
+    // From inside, with the near hit before tMin, and with the hits beyond tMax.
     EXPECT_FLOAT_EQ(sphere->intersect(rayFrom(Vec3(1, 0, 0), Vec3(1, 0, 0)), 0)->t, 1);
     EXPECT_FLOAT_EQ(sphere->intersect(rayFrom(Vec3(5, 0, 0), Vec3(-1, 0, 0)), 3.5f)->t, 7);
     Ray shortRay = rayFrom(Vec3(5, 0, 0), Vec3(-1, 0, 0));
@@ -60,9 +60,9 @@ TEST(Sphere, IsExactFromAfar) {
 
 TEST(Sphere, PartsAreClipped) {
     const ShapePtr sphere = makeSphere(partialSphere());
-    // Along y = 0 from +x: phi = 0 is there, and the back at phi = 180 too.
+    // Along y = 0 from +x: the surface exists at phi = 0, and also on the far side at phi = 180.
     EXPECT_FLOAT_EQ(sphere->intersect(rayFrom(Vec3(5, 1e-4f, 0), Vec3(-1, 0, 0)), 0)->t, 3);
-    // phi = 270 is cut away: a ray from -y passes and hits the inside at phi = 90.
+    // phi = 270 is cut away, so a ray from -y hits the inside at phi = 90.
     const auto hit = sphere->intersect(rayFrom(Vec3(0, -5, 0), Vec3(0, 1, 0)), 0);
     ASSERT_TRUE(hit);
     EXPECT_FLOAT_EQ(hit->t, 7);
@@ -103,7 +103,7 @@ TEST(Sphere, TransformedHits) {
     const Bounds b = sphere->bounds();
     expectNear(b.min, centre - Vec3(3, 3, 3), 1e-4f);
     expectNear(b.max, centre + Vec3(3, 3, 3), 1e-4f);
-    // A ray whose direction is not of unit length keeps its units.
+    // If the direction is not unit, t is in units of its length.
     EXPECT_NEAR(sphere->intersect(rayFrom(centre - d * 10, d * 2), 0)->t, 3.5, 1e-5);
 }
 
@@ -121,7 +121,7 @@ TEST(Sphere, Sampling) {
     checkSampling(*makeSphere(p));
     p.objectToWorld = tilted();
     checkSampling(*makeSphere(p));
-    // An ellipsoid: the density varies, and is still that of sample().
+    // For an ellipsoid the pdf varies with position, and must still be that of sample().
     const ShapePtr ellipsoid = makeSphere({.objectToWorld = Transform::scale(1, 2, 3)});
     checkSampling(*ellipsoid);
     EXPECT_NEAR(ellipsoid->area(), 48.882, 0.02);  // by elliptic integrals
@@ -130,7 +130,7 @@ TEST(Sphere, Sampling) {
 TEST(Sphere, SamplingFromOutside) {
     checkSamplingFrom(*makeSphere({}), Vec3(0, 0, 3));
     checkSamplingFrom(*makeSphere({.objectToWorld = tilted(), .reverseOrientation = true}), Vec3(1, 2, 3));
-    // Cone sampling: constant density, and never a sample that is hidden.
+    // Cone sampling has a constant pdf, and samples are never hidden.
     const ShapePtr sphere = makeSphere({});
     const double solidAngle = 2 * kPi * (1 - std::sqrt(1 - 1 / 9.0));
     for (int i = 0; i < 100; ++i) {
@@ -140,7 +140,7 @@ TEST(Sphere, SamplingFromOutside) {
         EXPECT_GE(dot(s.ng, Vec3(0, 0, 3) - s.p), -1e-5f);
         EXPECT_NEAR(length(s.p), 1, 1e-6);
     }
-    // A small and distant sphere: no cancellation.
+    // A small and distant sphere, where naive formulas would cancel.
     EXPECT_NEAR(sphere->sampleFrom(Vec3(0, 1e5f, 0), Vec2(0.5f, 0.5f)).pdf / (1e10 / kPi), 1, 1e-4);
 }
 

@@ -5,7 +5,7 @@
 
 namespace drc {
 
-// v01: at s = 0, t = 1. pbrt's defaults are 0 where t = 0 and 1 where t = 1. T: float or Rgb.
+// v01 is the value at s = 0, t = 1. pbrt's defaults are 0 at t = 0 and 1 at t = 1. T: float or Rgb.
 template <typename T>
 struct BilerpCorners {
     T v00, v01, v10, v11;

@@ -3,19 +3,19 @@
 namespace drc {
 namespace {
 
-// Parity without a conversion to int, which far coordinates would overflow.
+// Parity in floating point, since large coordinates would overflow an int.
 bool isOdd(float whole) { return std::fmod(whole, 2.f) != 0; }
 
-// Integral from 0 to x of what is 0 in the cells of even number and 1 in those of odd.
+// Integral from 0 to x of a function that is 0 in even cells and 1 in odd cells.
 float integralOfOddCells(float x) {
     const float pairs = std::floor(x / 2);
     return pairs + 2 * std::max(x / 2 - pairs - 0.5f, 0.f);
 }
 
-// Share of the interval of that width about x that lies in cells of odd number.
+// Share of the interval of the given width around x that lies in odd cells.
 float shareOfOddCells(float x, float width) {
     if (!(width > 1e-5f)) return isOdd(std::floor(x)) ? 1.f : 0.f;
-    if (width > 2) return 0.5f;  // as good as exact, and far coordinates would cancel
+    if (width > 2) return 0.5f;  // nearly exact, and large coordinates would cancel
     const float first = x - width / 2;
     if (const float cell = std::floor(first); cell == std::floor(first + width)) return isOdd(cell) ? 1.f : 0.f;
     return std::clamp((integralOfOddCells(first + width) - integralOfOddCells(first)) / width, 0.f, 1.f);
@@ -31,7 +31,7 @@ class Checkerboard final : public Texture<T> {
         const PlanePoint point = mapping_.at(at);
         if (edges_ == CheckerboardEdges::Sharp)
             return (isOdd(std::floor(point.st.x) + std::floor(point.st.y)) ? b_ : a_)->eval(at);
-        // The box about the point that is as wide as the footprint.
+        // Averages over an axis-aligned box as wide as the footprint.
         const float s = shareOfOddCells(point.st.x, std::max(std::abs(point.dstdx.x), std::abs(point.dstdy.x)));
         const float t = shareOfOddCells(point.st.y, std::max(std::abs(point.dstdx.y), std::abs(point.dstdy.y)));
         const float b = s + t - 2 * s * t;

@@ -24,7 +24,7 @@ TEST(Checkerboard, Alternates) {
     }
 }
 
-// Against the mean of many sharp lookups over the same box.
+// Compares with the mean of many point-sampled lookups over the same box.
 TEST(Checkerboard, AveragesItsFootprint) {
     const auto sharp = makeCheckerboardTexture<float>(number(1), number(0), UvMapping{}, CheckerboardEdges::Sharp);
     const auto averaged =

@@ -1,11 +1,11 @@
-// Dots at random places (pbrt's "dots"; PBR 3e, section 10.6.2).
+// Randomly placed dots (pbrt's "dots"; PBR 3e, section 10.6.2).
 #pragma once
 #include "scene/texture_mapping.h"
 
 namespace drc {
 
-// Every square of unit side in the mapping's (s, t) has one dot or none. Neither texture may be null; pbrt's defaults
-// are inside = 1, outside = 0. T: float or Rgb.
+// Each square of unit side in the mapping's (s, t) contains one dot or none. Neither texture may be null; pbrt's
+// defaults are inside = 1, outside = 0. T: float or Rgb.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeDotsTexture(std::shared_ptr<const Texture<T>> inside,
                                                   std::shared_ptr<const Texture<T>> outside, const Mapping2D& mapping);

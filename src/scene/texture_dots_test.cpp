@@ -27,10 +27,10 @@ TEST(Dots, ManySquaresHaveOneThatLiesInside) {
                 }
             if (area == 0) continue;
             ++withDot;
-            EXPECT_NEAR(area, kPi * 0.35 * 0.35, 0.03);  // whole: cut off by no square's edge
+            EXPECT_NEAR(area, kPi * 0.35 * 0.35, 0.03);  // no dot is cut off at the edge of its square
             EXPECT_LT(std::abs(centre.x / float(area) - float(i)), 0.16f);
         }
-    // Where noise is positive: in less than half of them, for it is zero in some.
+    // Squares where the noise is positive have dots: less than half, since it is zero in some.
     EXPECT_NEAR(withDot / double(squares * squares), 0.4, 0.05);
 }
 

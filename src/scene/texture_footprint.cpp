@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// At the horizon the ellipse would have no end; beyond this ratio of its axes nothing filters it as a whole anyway.
+// At the horizon the ellipse would be infinite. No texture filters over a larger ratio of its axes anyway.
 constexpr float kLeastCosine = 1 / 16.f;
 
 }  // namespace
@@ -26,10 +26,10 @@ void setFootprint(TextureContext& at, float width, const Vec3& ng, const Vec3& w
     // Least squares for d = dpdu * du + dpdv * dv: its normal equations have the matrix ((uu, uv), (uv, vv)).
     const float uu = lengthSquared(at.dpdu), uv = dot(at.dpdu, at.dpdv), vv = lengthSquared(at.dpdv);
     const float determinant = uu * vv - uv * uv;
-    // A determinant lost to rounding tells nothing of the direction: the finest level is the safe choice.
+    // If the determinant is mostly rounding error, the direction is unknown, and the finest level is the safe choice.
     if (!(determinant > 1e-6f * uu * vv)) return;
-    // A unit of uv covers the area sqrt(determinant); the root of that is its length, so that a stretched mapping gets
-    // neither blur nor aliasing in full where a lookup knows only one width.
+    // A unit square of uv covers the area sqrt(determinant), and its square root is used as the length of a unit. For
+    // lookups with a single filter width this is a compromise between blur and aliasing of stretched mappings.
     at.uvFootprint = width / std::sqrt(std::sqrt(determinant));
     const auto uvChange = [&](const Vec3& d) {
         const float u = dot(at.dpdu, d), v = dot(at.dpdv, d);

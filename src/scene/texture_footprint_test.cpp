@@ -23,7 +23,7 @@ TEST(Footprint, IsAsWideAsTheConeAcrossItAndStretchedAlongIt) {
 }
 
 TEST(Footprint, UvFollowsTheSurfacesDerivatives) {
-    // Neither perpendicular nor of one length.
+    // Neither perpendicular nor of equal length.
     const Vec3 dpdu(2, 0.5f, 0), dpdv(-0.3f, 0.25f, 0);
     for (const Vec3& wo : {Vec3(0, 0, 1), normalize(Vec3(1, -2, 0.5f)), normalize(Vec3(-1, 0.1f, -1))}) {
         TextureContext at = onPlane(dpdu, dpdv);

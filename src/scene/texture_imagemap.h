@@ -1,4 +1,4 @@
-// A texture that looks an image up (pbrt's "imagemap"; PBR 3e, section 10.4).
+// An image texture (pbrt's "imagemap"; PBR 3e, section 10.4).
 #pragma once
 #include "scene/mip_pyramid.h"
 #include "scene/texture_mapping.h"
@@ -9,12 +9,12 @@ struct ImageMapParams {
     Mapping2D mapping;
     ImageWrap wrap = ImageWrap::Repeat;
     float scale = 1;  // multiplies the decoded values
-    // Filter over a square as wide as twice the footprint's longest extent, instead of over the footprint's ellipse.
+    // Isotropic filtering over twice the footprint's longest extent, instead of over the footprint's ellipse.
     bool trilinear = false;
-    float maxAnisotropy = 8;  // how much longer than wide that ellipse may be
+    float maxAnisotropy = 8;  // largest ratio of the ellipse's axes
 };
 
-// The pyramid may be shared by any number of textures.
+// Any number of textures may share the pyramid.
 RgbTexturePtr makeImageMap(std::shared_ptr<const RgbPyramid> pyramid, const ImageMapParams& params);
 FloatTexturePtr makeImageMap(std::shared_ptr<const FloatPyramid> pyramid, const ImageMapParams& params);
 

@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// With a round footprint of that width in uv.
+// A point with a round footprint of the given width in uv.
 TextureContext at(float u, float v, float width = 0) {
     TextureContext c;
     c.uv = Vec2(u, v);
@@ -33,7 +33,7 @@ TEST(ImageMap, FootprintIsScaledWithTheMapping) {
     p.trilinear = false;
     p.mapping = UvMapping{8, 1, 0, 0};
     EXPECT_NEAR(makeImageMap(kStripes, p)->eval(at(0.375f / 8, 0.5f, 0.25f)).x, 0.5f, 0.02f);
-    // What is long along the stripes does not blur them.
+    // A footprint elongated along the stripes must not blur them.
     TextureContext alongStripes = at(0.375f, 0.5f, 0);
     alongStripes.duvdx = Vec2(0, 4);
     EXPECT_NEAR(makeImageMap(kStripes, ImageMapParams())->eval(alongStripes).x, 1, 1e-5f);

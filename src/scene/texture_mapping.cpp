@@ -4,10 +4,10 @@ namespace drc {
 namespace {
 
 constexpr float kInv2Pi = 0.5f * kInvPi;
-// On the axis the angle about it has no derivative; this keeps it finite.
+// The azimuth has no derivative on the axis; this bound keeps it finite.
 constexpr float kLeastSquare = 1e-12f;
 
-// A position relative to the texture's origin, and what both mappings about the z axis need of it.
+// A position relative to the texture's origin, with terms that both mappings around the z axis use.
 struct AboutAxis {
     Vec3 p;
     float axisSquared;    // squared distance from the axis
@@ -17,8 +17,8 @@ struct AboutAxis {
         : p(point),
           axisSquared(std::max(p.x * p.x + p.y * p.y, kLeastSquare)),
           originSquared(axisSquared + p.z * p.z) {}
-    // Changes when p moves by d. They are exact derivatives, so they know nothing of the seam where the angle starts
-    // again, over which a difference of two angles would jump.
+    // Derivatives in the direction d. As exact derivatives they are not affected by the seam of the azimuth, across
+    // which a finite difference would jump.
     float changeOfAngleAboutAxis(const Vec3& d) const { return (p.x * d.y - p.y * d.x) / axisSquared; }
     float changeOfAngleToAxis(const Vec3& d) const {
         return (p.z * (p.x * d.x + p.y * d.y) - axisSquared * d.z) / (originSquared * std::sqrt(axisSquared));

@@ -1,12 +1,11 @@
-// From a point of a surface to the coordinates in which a texture is looked up, and how these change over the lookup's
-// footprint (PBR 3e, section 10.2).
+// Maps a point on a surface to texture coordinates, with their derivatives over the footprint (PBR 3e, section 10.2).
 #pragma once
 #include "math/transform.h"
 #include "scene/texture.h"
 
 namespace drc {
 
-// Coordinates of a 2D texture, and their changes along the two axes of the footprint.
+// 2D texture coordinates, and their changes along the two axes of the footprint.
 struct PlanePoint {
     Vec2 st;
     Vec2 dstdx, dstdy;
@@ -20,13 +19,14 @@ struct UvMapping {
 
 class Mapping2D {
   public:
-    Mapping2D(const UvMapping& uv = {}) : uv_(uv) {}  // implicit: it is the mapping of nearly every texture
-    // About the texture's z axis: s is the angle to the axis over pi, t the angle about it over 2 pi.
+    Mapping2D(const UvMapping& uv = {}) : uv_(uv) {}  // implicit, since nearly every texture uses it
+    // Spherical coordinates around the texture's z axis: s is the polar angle divided by pi, t the azimuth divided by 2
+    // pi.
     static Mapping2D spherical(const Transform& worldToTexture);
-    // About the texture's z axis: s is the angle about it over 2 pi, from -x on, t the z of the direction from the
-    // texture's origin.
+    // Cylindrical coordinates around the texture's z axis: s is the azimuth divided by 2 pi, starting at -x; t is the z
+    // component of the unit direction from the texture's origin.
     static Mapping2D cylindrical(const Transform& worldToTexture);
-    // s and t are dot products of the position, in world space, with vs and vt, shifted by the deltas.
+    // s and t are dot products of the world-space position with vs and vt, plus delta.
     static Mapping2D planar(const Vec3& vs, const Vec3& vt, const Vec2& delta);
 
     PlanePoint at(const TextureContext& context) const;
@@ -43,13 +43,13 @@ class Mapping2D {
     Vec3 vs_{0.f}, vt_{0.f};
 };
 
-// Position in the space of a 3D texture, and its changes along the two axes of the footprint.
+// Position in the space of a solid texture, and its changes along the two axes of the footprint.
 struct SolidPoint {
     Vec3 p;
     Vec3 dpdx, dpdy;
 };
 
-// The identity in the texture's own space.
+// The position in texture space, unchanged.
 class Mapping3D {
   public:
     explicit Mapping3D(const Transform& worldToTexture = {}) : worldToTexture_(worldToTexture) {}

@@ -26,7 +26,7 @@ TEST(Mapping2D, Uv) {
 
 TEST(Mapping2D, Spherical) {
     const auto st = [](const Vec3& p) {
-        // The texture's sphere stands at (1, 2, 3).
+        // The texture's origin is at (1, 2, 3).
         return Mapping2D::spherical(Transform::translate(Vec3(1, 2, 3)).inverse()).at(contextAt(p + Vec3(1, 2, 3))).st;
     };
     EXPECT_LT((st(Vec3(0, 0, 5)) - Vec2(0, 0)).length(), 1e-6f);
@@ -54,7 +54,7 @@ TEST(Mapping2D, Planar) {
     EXPECT_LT((point.dstdy - Vec2(0, 0.05f)).length(), 1e-6f);
 }
 
-// By differences of the mapping itself, away from the seam.
+// Compares with finite differences of the mapping, except across the seam.
 TEST(Mapping2D, ChangesAreDerivatives) {
     const Transform frame = Transform::rotate(40, Vec3(1, 2, 3)) * Transform::scale(1, 2, 0.5f);
     const Mapping2D mappings[] = {Mapping2D::spherical(frame), Mapping2D::cylindrical(frame),
@@ -72,7 +72,7 @@ TEST(Mapping2D, ChangesAreDerivatives) {
             for (const auto& [step, change] : {std::pair(at.dpdx, point.dstdx), std::pair(at.dpdy, point.dstdy)}) {
                 const Vec2 difference =
                     (mapping.at(contextAt(at.p + step)).st - mapping.at(contextAt(at.p - step)).st) * 0.5f;
-                if (difference.length() > 0.2f) continue;  // the seam lies between
+                if (difference.length() > 0.2f) continue;  // across the seam
                 EXPECT_LT((difference - change).length(), 0.02f * change.length() + 2e-6f);
             }
         }
@@ -80,7 +80,7 @@ TEST(Mapping2D, ChangesAreDerivatives) {
 }
 
 TEST(Mapping2D, HasNoSeamAndStaysFiniteOnTheAxis) {
-    // Across y = 0 the angle jumps by a turn on one side or the other.
+    // Near y = 0, where the azimuth jumps by a full turn.
     for (const Mapping2D& mapping : {Mapping2D::spherical({}), Mapping2D::cylindrical({})})
         for (const float side : {-1.f, 1.f}) {
             TextureContext at = contextAt(Vec3(side, -1e-5f, 0.1f));

@@ -5,17 +5,17 @@
 namespace drc {
 namespace {
 
-// The layers' colours from one side to the other: white stone with a grey and a blue vein (the book's values).
+// The colours across the layers: white stone with a grey and a blue vein (values from PBR 3e).
 const std::array<Rgb, 9> kColors = {Rgb(0.58f, 0.58f, 0.6f), Rgb(0.58f, 0.58f, 0.6f), Rgb(0.58f, 0.58f, 0.6f),
                                     Rgb(0.5f, 0.5f, 0.5f),   Rgb(0.6f, 0.59f, 0.58f), Rgb(0.58f, 0.58f, 0.6f),
                                     Rgb(0.58f, 0.58f, 0.6f), Rgb(0.2f, 0.2f, 0.33f),  Rgb(0.58f, 0.58f, 0.6f)};
 constexpr int kSegments = int(kColors.size()) - 3;
 constexpr float kContrast = 1.5f;
 
-// Piecewise cubic Bezier curves over four neighbouring colours each, by de Casteljau's construction. t in [0, 1].
+// Piecewise cubic Bezier curves over four consecutive colours each, by de Casteljau's algorithm. t in [0, 1].
 Rgb colorAt(float t) {
-    // The book's own program bounds the segment's number by one, which leaves the curve for most of [0, 1]; the bound
-    // that keeps it within the table is meant.
+    // The book's program clamps the index of the segment to at least one, which extrapolates the curve over most of [0,
+    // 1]. The intended bound keeps the index within the table.
     const int first = std::clamp(static_cast<int>(t * kSegments), 0, kSegments - 1);
     const float x = t * kSegments - float(first);
     std::array<Rgb, 4> c;

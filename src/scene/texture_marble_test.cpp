@@ -15,13 +15,14 @@ TEST(Marble, LayersWithoutVariationAreKnown) {
     MarbleParams params;
     params.variation = 0;
     const auto marble = makeMarbleTexture(params, Mapping3D());
-    // sin(y) = -1, the first end: the curve starts at the first colour. Across the layers, x and z, nothing changes.
+    // sin(y) = -1: the curve starts at the first colour. Nothing changes along x and z, which are parallel to the
+    // layers.
     for (const float x : {0.f, 3.7f})
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(at(marble, Vec3(x, -kPi / 2, -x))[c], 1.5f * Rgb(0.58f, 0.58f, 0.6f)[c], 1e-4f);
-    // sin(y) = 1, the other end: the last colour.
+    // sin(y) = 1: the curve ends at the last colour.
     EXPECT_NEAR(at(marble, Vec3(0, kPi / 2, 0)).x, 1.5f * 0.58f, 1e-4f);
-    // y = 0, t = 1/2: the fourth segment's start, its first colour.
+    // y = 0, t = 1/2: the start of the fourth segment, which is its first colour.
     EXPECT_NEAR(at(marble, Vec3(0.f)).x, 1.5f * 0.5f, 1e-4f);
 }
 

@@ -5,13 +5,13 @@
 
 namespace drc {
 
-// Each gives the same number in every channel. T: float or Rgb.
+// Each of these returns the same number in all channels. T: float or Rgb.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeFbmTexture(const NoiseSum& sum, const Mapping3D& mapping);
 // The turbulence of the same noise, for bumps with creases.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeWrinkledTexture(const NoiseSum& sum, const Mapping3D& mapping);
-// Waves on water, of a height that changes from gust to gust.
+// Waves on water, whose height varies as with gusts of wind.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeWindyTexture(const Mapping3D& mapping);
 

@@ -7,7 +7,7 @@ namespace drc {
 
 float ThinDielectric::reflectance(float cosTheta) const {
     const float r = fresnelDielectric(std::abs(cosTheta), 1, eta_);
-    // r + t r t + t r^3 t + ..., with t = 1 - r.
+    // The series r + t r t + t r^3 t + ..., with t = 1 - r.
     return 2 * r / (1 + r);
 }
 

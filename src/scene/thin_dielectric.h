@@ -1,5 +1,5 @@
-// A smooth sheet of glass too thin to shift light that passes: a window pane. What is reflected back and forth between
-// its two faces is summed (pbrt-v4's "thindielectric"; PBR 4e, section 9.5.1).
+// A smooth glass sheet too thin to displace transmitted light, such as a window pane. All interreflections between its
+// two faces are summed (pbrt-v4's "thindielectric"; PBR 4e, section 9.5.1).
 #pragma once
 #include "scene/lobe.h"
 
@@ -14,7 +14,7 @@ class ThinDielectric : public SpecularLobe {
     // Nothing is absorbed.
     Rgb albedo(const Vec3&) const { return Rgb(1.f); }
 
-    // Of both faces together.
+    // Reflectance of both faces together.
     float reflectance(float cosTheta) const;
 
   private:

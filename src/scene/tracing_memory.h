@@ -1,16 +1,17 @@
-// What tracing rays takes of memory beside the scene itself: asked for before it is taken, and already where a few
-// bytes of a file make millions of primitives, for there the error has a place.
+// The memory that ray tracing needs in addition to the scene itself. It is claimed (memory.h) before it is allocated,
+// and already when a few bytes of a file create millions of primitives, because there the error can name a place in the
+// file.
 #pragma once
 #include "base/memory.h"
 #include "scene/scene.h"
 
 namespace drc {
 
-// Embree's tree and what it is built from, with the copy of a mesh that hits read: as measured, the most at a time.
+// Embree's BVH and its build buffers, and the copy of a mesh that shading reads: measured peaks.
 inline constexpr double kTracingBytesPerTriangle = 120, kTracingBytesPerVertex = 32;
 inline constexpr double kTracingBytesPerCurvePiece = 104;
 
-// For all meshes and curves of the scene, each object once. Throws Error if there is less.
+// Claims the memory for all meshes and curves of the scene, counting each object once. Throws Error if there is less.
 MemoryClaim claimForTracing(const Scene& scene);
 
 }  // namespace drc

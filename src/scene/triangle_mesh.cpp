@@ -3,8 +3,8 @@
 namespace drc {
 namespace {
 
-// Twice the area, along the normal that the winding gives. The two edges that pbrt takes, from the third vertex; their
-// cross product is that of any two edges taken in the order of the winding.
+// Twice the area, along the normal given by the winding. pbrt uses the two edges from the third vertex; the cross
+// product of any two edges in the order of the winding is the same.
 Imath::V3d windingNormal(const TriangleMesh& mesh, uint32_t triangle) {
     const uint32_t* v = &mesh.indices[3 * size_t(triangle)];
     const Imath::V3d p2(mesh.positions[v[2]]);
@@ -31,7 +31,7 @@ void TriangleMesh::apply(const Transform& t) {
     for (Vec3& p : positions) p = t.point(p);
     for (Vec3& n : normals) n = normalize(t.normal(n));
     for (Vec3& s : tangents) s = t.vector(s);
-    // Normals transform by the inverse transpose, cross products of edges by that times the determinant.
+    // Normals transform by the inverse transpose; cross products of edges are multiplied by the determinant as well.
     flipNormal ^= t.swapsHandedness();
 }
 

@@ -9,31 +9,31 @@
 
 namespace drc {
 
-// Along which directions bump maps displace a mesh that has normals or tangents of its own.
+// The directions along which bump maps displace meshes that have normals or tangents of their own.
 enum class BumpTangents {
-    Derivatives,  // those of the position by u and v, in the shading normal's plane
-    // Unit vectors in the directions opposite to those. pbrt-v3's program has it so: bumps are turned inside out, and
-    // as steep as if the mesh's texture were one unit wide.
+    Derivatives,  // the derivatives of position with respect to u and v, projected to the plane of the shading normal
+                  // Unit vectors in the opposite directions, as in the pbrt-v3 program: bumps are turned inside out,
+                  // and as steep as if the mesh's texture were one unit wide.
     OppositeUnit,
 };
 
 struct TriangleMesh {
-    std::vector<Vec3> positions;    // world space; in an object's own space if the object is instanced
-    std::vector<Vec3> normals;      // unit, empty or one a vertex
-    std::vector<Vec2> uvs;          // empty or one a vertex
-    std::vector<Vec3> tangents;     // that the shading frame's s goes along, in place of dpdu; empty or one a vertex
-    std::vector<uint32_t> indices;  // three a triangle
-    // Reverses the geometric normal (pbrt's ReverseOrientation xor a transform that swaps handedness). The normals
-    // above are as they will be used: pbrt negates them for ReverseOrientation when it reads the mesh.
+    std::vector<Vec3> positions;    // world space, or object space if the object is instanced
+    std::vector<Vec3> normals;      // unit; empty or one per vertex
+    std::vector<Vec2> uvs;          // empty or one per vertex
+    std::vector<Vec3> tangents;     // direction of the shading frame's s in place of dpdu; empty or one per vertex
+    std::vector<uint32_t> indices;  // three per triangle
+    // Flips the geometric normal (pbrt's ReverseOrientation xor a transform that swaps handedness). The normals above
+    // are final: pbrt negates them for ReverseOrientation when it reads the mesh.
     bool flipNormal = false;
     BumpTangents bumpTangents = BumpTangents::Derivatives;
 
     uint32_t triangleCount() const { return uint32_t(indices.size() / 3); }
-    // Geometric normal, unit, with the orientation that pbrt gives it: by winding and flipNormal, then turned to the
-    // side of the shading normals where there are any (PBR 3e, section 3.6.2). Zero for a degenerate triangle.
+    // Geometric normal, unit, oriented as in pbrt: by the winding and flipNormal, then flipped to the side of the
+    // shading normals if there are any (PBR 3e, section 3.6.2). Zero for a degenerate triangle.
     Vec3 geometricNormal(uint32_t triangle) const;
     float area(uint32_t triangle) const;
-    // Moves everything to another space, normals and tangents included, and keeps flipNormal right.
+    // Transforms everything to another space, including normals and tangents, and adjusts flipNormal.
     void apply(const Transform& t);
 };
 

@@ -37,7 +37,7 @@ TEST(TriangleMesh, Degenerate) {
     m.positions[2] = Vec3(1, 0, 0);
     EXPECT_EQ(m.geometricNormal(0), Vec3(0, 0, 0));
     EXPECT_EQ(m.area(0), 0);
-    // Small is not degenerate.
+    // A very small triangle is not degenerate.
     m = triangle();
     for (Vec3& p : m.positions) p *= 1e-15f;
     EXPECT_EQ(m.geometricNormal(0), Vec3(0, 0, 1));

@@ -1,4 +1,4 @@
-// What a transform does to directions, by the images of the axes: a Transform itself reckons in doubles.
+// The effect of a transform on directions, by the images of the axes in single precision. (Transform uses doubles.)
 #pragma once
 #include "math/transform.h"
 
@@ -9,7 +9,7 @@ struct Turn {
     explicit Turn(const Transform& t)
         : x(t.vector(Vec3(1, 0, 0))), y(t.vector(Vec3(0, 1, 0))), z(t.vector(Vec3(0, 0, 1))) {}
     Vec3 operator()(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
-    // Whether angles stay what they were: rotations, mirrors and scales that are the same along all axes.
+    // Whether angles are preserved: rotations, reflections and uniform scales.
     bool keepsAngles() const {
         const float l2 = lengthSquared(x);
         const auto same = [l2](const Vec3& v) { return std::abs(lengthSquared(v) - l2) < 1e-4f * l2; };

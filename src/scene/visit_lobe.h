@@ -1,5 +1,5 @@
-// std::visit for lobes, with the commonest ones first: beyond a dozen kinds of lobe the library calls through a table,
-// which costs more than what most lobes do, and which the compiler cannot see through.
+// std::visit for lobes, with the most common ones tested first. For more than a dozen alternatives, std::visit calls
+// through a table, which costs more than most lobes and prevents inlining.
 #pragma once
 #include <utility>
 

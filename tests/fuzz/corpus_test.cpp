@@ -1,4 +1,4 @@
-// The fuzzers' seeds, and all that they found: each file must be read, or refused with an Error.
+// The seeds of the fuzzers and everything that they found: each file must either be read or be refused with an Error.
 #include <gtest/gtest.h>
 
 #include <filesystem>

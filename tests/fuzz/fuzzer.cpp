@@ -1,4 +1,4 @@
-// libFuzzer's entry: DRC_FUZZ_TARGET is one of the functions of targets.h.
+// libFuzzer's entry point. DRC_FUZZ_TARGET is one of the functions in targets.h.
 #include <cstddef>
 #include <cstdint>
 
@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    drc::forgetWarnings();  // millions of inputs have as many
+    drc::forgetWarnings();  // otherwise the warnings of millions of inputs would accumulate
     drc::fuzz::DRC_FUZZ_TARGET(std::string_view(reinterpret_cast<const char*>(data), size));
     return 0;
 }

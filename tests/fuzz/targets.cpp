@@ -18,7 +18,7 @@
 namespace drc::fuzz {
 namespace {
 
-// A file in memory, for readers that want a path.
+// A file in memory, for readers that take a path.
 class MemoryFile {
   public:
     explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("fuzz", 0)) {
@@ -60,7 +60,8 @@ std::string confined(std::string_view scene) {
 
 void parser(std::string_view bytes) {
     try {
-        // Subdivision takes time by the triangles that it makes, curves by their pieces: no finding of the fuzzer's.
+        // Subdivision and curves take time in proportion to the triangles and pieces they make, which is not a fault to
+        // find.
         const pbrt::LoadOptions options{.subdividedTriangles = 1e5, .curvePieces = 100'000};
         (void)pbrt::loadPbrtString(confined(bytes), "/nonexistent", options, "fuzz.pbrt");
     } catch (const Error&) {
