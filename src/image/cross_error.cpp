@@ -49,6 +49,10 @@ Plane relativeProducts(const Image& a, const Image& b, const Image& c, const Ima
     return products;
 }
 
+double referenceNoise(const Image& first, const Image& second, const Image& norm) {
+    return mean(relativeProducts(first, second, first, second, norm)) / 2;
+}
+
 CrossErrors crossErrors(const Image& first, const Image& second, const Image& norm, const Image& test) {
     requireSameSize(first, second);
     requireSameSize(first, test);
@@ -77,7 +81,7 @@ CrossErrors crossErrors(const Image& first, const Image& second, const Image& no
     const int side = tileSide(t.width(), t.height());
     Plane products = relativeProducts(t, r1, t, r2, norm);
     result.error = meanOverTiles(products, side);
-    result.noise = mean(relativeProducts(r1, r2, r1, r2, norm)) / 2;
+    result.noise = referenceNoise(r1, r2, norm);
     if (std::isnan(result.error.mean)) result.meanRatio.fill(kNan);
     for (const size_t i : outliers(relativeProducts(t, norm, t, norm, norm).values)) products.values[i] = kNan;
     result.trimmed = meanOverTiles(products, side);
@@ -86,7 +90,7 @@ CrossErrors crossErrors(const Image& first, const Image& second, const Image& no
     const Image bt = blockMeans(t, kComparedBlock);
     const Image bn = relativeNorm(b1, b2, kBlockRing);
     result.block = meanOverTiles(relativeProducts(bt, b1, bt, b2, bn), std::max(1, side / kComparedBlock));
-    result.blockNoise = mean(relativeProducts(b1, b2, b1, b2, bn)) / 2;
+    result.blockNoise = referenceNoise(b1, b2, bn);
     return result;
 }
 

@@ -33,6 +33,9 @@ struct CrossErrors {
 // norm: relativeNorm(first, second). Throws Error if sizes differ.
 CrossErrors crossErrors(const Image& first, const Image& second, const Image& norm, const Image& test);
 
+// CrossErrors::noise alone.
+double referenceNoise(const Image& first, const Image& second, const Image& norm);
+
 // Mean over the channels of (a - b)(c - d) / (norm^2 + 0.01) at each pixel; NaN where one is not finite. All of one
 // size.
 Plane relativeProducts(const Image& a, const Image& b, const Image& c, const Image& d, const Image& norm);

@@ -15,8 +15,6 @@
 namespace drc {
 namespace {
 
-constexpr double kMostNoise = 0.25;  // of what is measured
-
 void requireSize(const Image& a, const std::string& aName, const Image& b, const std::string& bName) {
     if (a.width() != b.width() || a.height() != b.height())
         throw Error(
@@ -66,8 +64,8 @@ PairMetrics ReferencePair::compare(const Image& test, const std::string& testNam
     const Image shown = exposed(t, exposure_);
     m.ssim = ssim(shown_, shown);
     m.flip = flip(shown_, shown);
-    m.ssimIsNoisy = ssimNoise_ > kMostNoise * (1 - m.ssim);
-    m.flipIsNoisy = flipNoise_ > kMostNoise * m.flip;
+    m.ssimIsNoisy = ssimNoise_ > kMostDisplayedNoise * (1 - m.ssim);
+    m.flipIsNoisy = flipNoise_ > kMostDisplayedNoise * m.flip;
     m.pngKb = {pngKb_, pngKb(shown)};
     return m;
 }

@@ -8,6 +8,9 @@
 
 namespace drc {
 
+// The share of a displayed metric that the noise of the references' mean may have.
+inline constexpr double kMostDisplayedNoise = 0.25;
+
 struct PairMetrics {
     CrossErrors errors;
     double ssim = 0, flip = 0;  // ssim.h and flip.h, against the mean of both references
