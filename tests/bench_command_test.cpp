@@ -52,7 +52,7 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
                                              "--method",
                                              "fine=--spacing 4",
                                              "--reference-error",
-                                             "0.002",
+                                             "0.01",
                                              "--resolution",
                                              "24x16",
                                              "--repeats",
