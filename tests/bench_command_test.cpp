@@ -52,7 +52,9 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
                                              "--method",
                                              "fine=--spacing 4",
                                              "--reference-error",
-                                             "0.05",
+                                             "0.01",
+                                             "--resolution",
+                                             "24x16",
                                              "--repeats",
                                              "2"};
     const ProcessUse use = bench(arguments);
@@ -60,17 +62,30 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
     EXPECT_THAT(use.output, AllOf(HasSubstr("| room  | path"), HasSubstr("## 1 task\n"), HasSubstr("0 failed")));
     const auto report = json();
     EXPECT_EQ(report["scenes"][0]["width"], 24);
-    EXPECT_THAT(report["scenes"][0]["reference_origin"].get<std::string>(), HasSubstr("path, "));
+    EXPECT_THAT(report["scenes"][0]["reference_origin"].get<std::string>(), HasSubstr("path, 2 x "));
+    ASSERT_EQ(report["scenes"][0]["reference_pair"].size(), 2u);
     EXPECT_EQ(report["runs"].size(), 2u * (2 * 2 + 3));
     for (const auto& run : report["runs"]) {
         EXPECT_FALSE(run.contains("failure")) << run;
-        EXPECT_LT(run["relmse"], 1);
+        EXPECT_LT(run["error"], 1);
+        EXPECT_GT(run["error_se"], 0);
+        EXPECT_LT(run["block_error"], run["error"]);
+        EXPECT_GT(run["spp"], 0);
+        EXPECT_EQ(run["denoise_seconds"], 0);
         for (const double ratio : run["mean_ratio"]) EXPECT_NEAR(ratio, 1, 0.2) << run;
         EXPECT_GT(run["seconds"], run["render_seconds"]);
         EXPECT_GT(run["peak_mb"], 1);
     }
     const std::string page = readFile(path("out/index.html"));
     EXPECT_THAT(page, AllOf(HasSubstr("fine"), HasSubstr("data:image/png;base64,")));
+
+    // drc compare finds the same error.
+    const std::string first = report["scenes"][0]["reference_pair"][0],
+                      second = report["scenes"][0]["reference_pair"][1];
+    const std::string picture = report["runs"][0]["picture"];
+    const ProcessUse compared = runMeasured(
+        {DRC_PROGRAM, "compare", path("out/" + first), path("out/" + second), path("out/" + picture), "--json"});
+    EXPECT_EQ(nlohmann::json::parse(compared.output)["error"], report["runs"][0]["error"]);
 
     // A second run must not measure anything again.
     EXPECT_EQ(bench(arguments).exitCode, 0);
@@ -94,7 +109,8 @@ TEST_F(BenchCommand, BadRequestsGetOneLine) {
     EXPECT_THAT(error({"--adapter", path("none")}), HasSubstr("none"));
     EXPECT_THAT(error({"--resolution", "64"}), HasSubstr("1280x720"));
     EXPECT_THAT(error({"--resolution", "64x10"}), HasSubstr("from 11 pixels"));
-    EXPECT_THAT(error({"--references", path("nowhere")}), HasSubstr("room.exr"));
+    EXPECT_THAT(error({"--references", path("nowhere")}), HasSubstr("room-1.exr"));
+    EXPECT_THAT(error({"--methods", "path+oidn:best"}), HasSubstr("fast-raw"));
     folder_.write("room/scene.pbrt", "Shape \"sphere\"\n");
     EXPECT_THAT(error({}), HasSubstr("scene.pbrt:1:"));
 }

@@ -156,7 +156,10 @@ void addBenchCommand(CLI::App& app) {
         ->add_option(
             "--methods", o->methods,
             "With commas between: path, bdpt, direct, drc, drc:ENHANCER (none, gaussian, oracle), drc:NETWORK, or "
-            "the name of an adapter (cycles, mitsuba3, pbrt-v3, pbrt-v4); each with +DENOISER, as path+oidn")
+            "the name of an adapter (cycles, mitsuba3, pbrt-v3, pbrt-v4); each with +DENOISER, as path+oidn: Open "
+            "Image "
+            "Denoise in its best mode for the budget, or in one that is named: path+oidn:high, :balanced, :high-raw, "
+            ":balanced-raw, :fast-raw; raw: albedo and normal are not filtered first")
         ->delimiter(',')
         ->capture_default_str();
     command->add_option("--method", o->namedMethods,
@@ -174,19 +177,24 @@ void addBenchCommand(CLI::App& app) {
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     command->add_option("--references", o->references,
-                        "Folder with NAME.exr for each scene, NAME being its file's, or its folder's if that is "
-                        "scene.pbrt. Default: rendered, and kept in the output's folder");
-    command->add_option("--reference-error", o->reference.error, "relMSE to which references are rendered")
+                        "Folder with NAME-1.exr and NAME-2.exr for each scene, of different seeds, or NAME.exr, whose "
+                        "noise then is in the errors; NAME being its file's, or its folder's if that is scene.pbrt. "
+                        "Default: pairs are rendered, and kept in the output's folder");
+    command
+        ->add_option("--reference-error", o->reference.error,
+                     "Standard error that the noise of rendered references may leave in an error")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     command->add_option("--reference-integrator", o->reference.integrator, "path or bdpt")
         ->capture_default_str()
         ->check(CLI::IsMember({"path", "bdpt"}));
-    command->add_option("--reference-spp", o->reference.maxSpp, "Samples a pixel after which that is given up")
+    command
+        ->add_option("--reference-spp", o->reference.maxSpp,
+                     "Samples a pixel of each reference after which that is given up")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     command->add_option("--resolution", o->resolution,
-                        "WIDTHxHEIGHT in pixels. Default: the given references', else the scenes' own");
+                        "WIDTHxHEIGHT in pixels. Default: the given references', else 1280x720");
     command->add_option("--limit", o->limit, "Seconds after which a run that keeps no seconds is ended")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
@@ -198,7 +206,7 @@ void addBenchCommand(CLI::App& app) {
     command->add_flag("--quiet", o->quiet, "Say nothing but the table, warnings and errors");
     command->add_flag("-v,--verbose", o->verbose, "Say more, command lines among it");
     command->footer(
-        "Example: drc bench scene.pbrt --methods drc,path,path+oidn --seconds 10,30\n"
+        "Example: drc bench scene.pbrt --methods drc,path+oidn --seconds 10,30,60\n"
         "Interrupted, it goes on where it was when called again.");
     command->callback([o] { bench(*o); });
 }

@@ -3,29 +3,34 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/log.h"
 #include "image/difference_image.h"
 #include "image/image_io.h"
 #include "image/metrics.h"
+#include "image/pair_metrics.h"
 
 namespace drc {
 namespace {
 
 struct CompareOptions {
-    std::string reference, test, diff;
+    std::vector<std::string> pictures;  // one reference or two, then the test image
+    std::string diff;
     bool json = false;
     float exposure = 0;
 };
 
 void warnOfNonFinite(int64_t count, const std::string& path) {
     if (count > 0)
-        logWarning(fmt::format("{}: {} pixel(s) are NaN or infinite; relMSE, MSE, L1 and the mean ratio leave them out",
+        logWarning(fmt::format("{}: {} pixel(s) are NaN or infinite; all errors and the mean ratio leave them out",
                                path, count));
 }
 
@@ -61,28 +66,104 @@ std::string toTable(const Metrics& m) {
     return table;
 }
 
-void run(const CompareOptions& options) {
-    const Image reference = readLinearRgb(options.reference), test = readLinearRgb(options.test);
+std::string toJson(const ReferencePair& pair, const PairMetrics& m) {
+    const CrossErrors& e = m.errors;
+    nlohmann::ordered_json json;
+    json["error"] = number(e.error.mean);
+    json["error_se"] = number(e.error.standardError);
+    json["trimmed_error"] = number(e.trimmed.mean);
+    json["trimmed_error_se"] = number(e.trimmed.standardError);
+    json["block_error"] = number(e.block.mean);
+    json["block_error_se"] = number(e.block.standardError);
+    json["reference_noise"] = number(e.noise);
+    json["block_reference_noise"] = number(e.blockNoise);
+    json["ssim"] = number(m.ssim);
+    json["ssim_noise"] = number(pair.ssimNoise());
+    json["ssim_is_noisy"] = m.ssimIsNoisy;
+    json["flip"] = number(m.flip);
+    json["flip_noise"] = number(pair.flipNoise());
+    json["flip_is_noisy"] = m.flipIsNoisy;
+    json["mean_ratio"] = {number(e.meanRatio[0]), number(e.meanRatio[1]), number(e.meanRatio[2])};
+    json["png_kb"] = {number(m.pngKb[0]), number(m.pngKb[1])};
+    return json.dump();
+}
+
+std::string toTable(const ReferencePair& pair, const PairMetrics& m) {
+    const CrossErrors& e = m.errors;
+    const auto line = [](const char* name, const Estimate& estimate, const char* note) {
+        return fmt::format("{:<11} {:.6g} +- {:.2g}   {}\n", name, estimate.mean, estimate.standardError, note);
+    };
+    const auto noisy = [](bool isNoisy, double noise) {
+        return isNoisy ? fmt::format(", of which the references' noise is about {:.2g}: too much to tell", noise) : "";
+    };
+    std::string table;
+    table += line("error", e.error, "without the references' noise");
+    table += line("  trimmed", e.trimmed, "without the 0.1 % of pixels that stand out most");
+    table += line("  of blocks", e.block, "means of 8x8 pixels");
+    table += fmt::format("ref. noise  {:.6g}   of each reference, in the same norm; of blocks {:.6g}\n", e.noise,
+                         e.blockNoise);
+    table += fmt::format("SSIM        {:.6f}   1 is equal{}\n", m.ssim, noisy(m.ssimIsNoisy, pair.ssimNoise()));
+    table += fmt::format("FLIP        {:.6f}   0 is equal{}\n", m.flip, noisy(m.flipIsNoisy, pair.flipNoise()));
+    table += fmt::format("mean ratio  {:.4f} {:.4f} {:.4f}   R G B, test / mean of the references\n", e.meanRatio[0],
+                         e.meanRatio[1], e.meanRatio[2]);
+    table += fmt::format("PNG kB      {:.1f} {:.1f}   mean of the references, test\n", m.pngKb[0], m.pngKb[1]);
+    return table;
+}
+
+// Before the work, not after it.
+void checkDifferencePath(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    if (extension != ".png") throw Error(fmt::format("--diff {}: the differences are written as .png", path));
+}
+
+void compareWithOne(const CompareOptions& options) {
+    const std::string &referencePath = options.pictures[0], &testPath = options.pictures[1];
+    const Image reference = readLinearRgb(referencePath), test = readLinearRgb(testPath);
     if (reference.width() != test.width() || reference.height() != test.height())
-        throw Error(fmt::format("the images differ in size: {} is {}, {} is {}", options.reference,
-                                sizeString(reference), options.test, sizeString(test)));
+        throw Error(fmt::format("the images differ in size: {} is {}, {} is {}", referencePath, sizeString(reference),
+                                testPath, sizeString(test)));
     const Metrics m = compare(reference, test, options.exposure);
-    warnOfNonFinite(m.nonFiniteReference, options.reference);
-    warnOfNonFinite(m.nonFiniteTest, options.test);
+    warnOfNonFinite(m.nonFiniteReference, referencePath);
+    warnOfNonFinite(m.nonFiniteTest, testPath);
     if (!options.diff.empty()) writePng(options.diff, differenceImage(reference, test, options.exposure));
     fmt::print("{}{}", options.json ? toJson(m) : toTable(m), options.json ? "\n" : "");
+}
+
+void compareWithTwo(const CompareOptions& options) {
+    const auto& paths = options.pictures;
+    const ReferencePair pair(readLinearRgb(paths[0]), readLinearRgb(paths[1]), options.exposure, paths[0], paths[1]);
+    const Image test = readLinearRgb(paths[2]);
+    const PairMetrics m = pair.compare(test, paths[2]);
+    for (size_t i = 0; i < paths.size(); ++i) warnOfNonFinite(m.errors.nonFinite[i], paths[i]);
+    if (!options.diff.empty()) writePng(options.diff, differenceImage(pair.mean(), test, options.exposure));
+    fmt::print("{}{}", options.json ? toJson(pair, m) : toTable(pair, m), options.json ? "\n" : "");
+}
+
+void run(const CompareOptions& options) {
+    if (!options.diff.empty()) checkDifferencePath(options.diff);
+    options.pictures.size() == 2 ? compareWithOne(options) : compareWithTwo(options);
 }
 
 }  // namespace
 
 void addCompareCommand(CLI::App& app) {
     const auto options = std::make_shared<CompareOptions>();
-    CLI::App* command = app.add_subcommand("compare", "Measure how far an image is from a reference");
-    command->add_option("REF", options->reference, "Reference image (EXR, PFM, PNG, JPEG, HDR, TGA)")->required();
-    command->add_option("TEST", options->test, "Image to judge, of the same size")->required();
-    command->add_flag("--json", options->json,
-                      "Print one JSON object: ssim, flip, relmse, block_relmse, mse, l1, mean_ratio [R, G, B], png_kb "
-                      "[REF, TEST]");
+    CLI::App* command =
+        app.add_subcommand("compare", "Measure how far an image is from a reference, or from two of different seeds");
+    command
+        ->add_option(
+            "PICTURE", options->pictures,
+            "REF TEST, or REF1 REF2 TEST: references (EXR, PFM, PNG, JPEG, HDR, TGA), then the image to judge; "
+            "all of one size")
+        ->required()
+        ->expected(2, 3);
+    command->add_flag(
+        "--json", options->json,
+        "Print one JSON object. With one reference: ssim, flip, relmse, block_relmse, mse, l1, mean_ratio "
+        "[R, G, B], png_kb [REF, TEST]. With two: error, trimmed_error, block_error, each with _se, its "
+        "standard error; reference_noise, block_reference_noise; ssim and flip, each with _noise and "
+        "_is_noisy; mean_ratio, png_kb");
     command->add_option("--diff", options->diff,
                         "Write a PNG: reference | test | 4 |difference| | red where brighter, blue where darker");
     command->add_option("--exposure", options->exposure, "Stops by which both are brightened for SSIM, FLIP and PNGs")
@@ -90,9 +171,12 @@ void addCompareCommand(CLI::App& app) {
         ->check(CLI::Range(-100.f, 100.f));
     command->footer(
         "SSIM and FLIP compare displayed colours; relMSE (without the worst 0.1 % of pixels), MSE and L1 compare\n"
-        "linear radiance. The relMSE of the means of 8x8 pixels shows errors that noise hides.\n\n"
-        "Example:\n"
-        "  drc compare reference.exr drc.exr --diff difference.png");
+        "linear radiance. The relMSE of the means of 8x8 pixels shows errors that noise hides.\n"
+        "With two references, rendered with different seeds, the errors are without the references' own noise:\n"
+        "the mean of (T - R1)(T - R2) / (D^2 + 0.01), D the references' radiance about the pixel.\n\n"
+        "Examples:\n"
+        "  drc compare reference.exr drc.exr --diff difference.png\n"
+        "  drc compare seed1.exr seed2.exr drc.exr");
     command->callback([options] { run(*options); });
 }
 

@@ -24,6 +24,14 @@ class CompareCommandTest : public FolderTest {
         writeExr(path("a.exr"), a);
         writeExr(path("b.exr"), b);
         writeExr(path("small.exr"), a.crop(0, 0, 8, 8));
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 16; ++x) {
+                b.setRgb(x, y, Rgb((x + y) % 2 ? 0.55f : 0.45f));
+                a.setRgb(x, y, Rgb(x % 2 ? 0.55f : 0.45f));
+            }
+        writeExr(path("seed1.exr"), a);
+        writeExr(path("seed2.exr"), b);
+        for (float& v : b.data()) v = 0.5f;
         b.at(3, 3, 1) = std::numeric_limits<float>::quiet_NaN();
         writeExr(path("nan.exr"), b);
     }
@@ -89,7 +97,11 @@ TEST_F(CompareCommandTest, BadInput) {
     EXPECT_THAT(errorOf({"compare", path("a.exr"), path("small.exr")}), AllOf(HasSubstr("16x12"), HasSubstr("8x8")));
     EXPECT_THAT(errorOf({"compare", path("a.exr"), path("none.exr")}), HasSubstr("none.exr: No such file"));
     EXPECT_THAT(errorOf({"compare", path("a.exr"), path("b.exr"), "--diff", path("no/d.png")}), HasSubstr("no/d.png"));
-    EXPECT_THROW(run({"compare", path("a.exr")}), CLI::RequiredError);
+    EXPECT_THAT(errorOf({"compare", path("a.exr"), path("b.exr"), "--diff", path("d.exr")}),
+                AllOf(HasSubstr("d.exr"), HasSubstr(".png")));
+    EXPECT_FALSE(std::filesystem::exists(path("d.exr")));
+    EXPECT_THROW(run({"compare", path("a.exr")}), CLI::ParseError);
+    EXPECT_THROW(run({"compare", path("a.exr"), path("a.exr"), path("a.exr"), path("a.exr")}), CLI::ParseError);
 }
 
 TEST_F(CompareCommandTest, WarnsOfNan) {
@@ -97,6 +109,48 @@ TEST_F(CompareCommandTest, WarnsOfNan) {
     const std::string text = run({"compare", path("a.exr"), path("nan.exr"), "--json"});
     EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("1 pixel(s) are NaN or infinite"));
     EXPECT_NEAR(nlohmann::json::parse(text)["l1"].get<double>(), 0.25, 1e-9);
+}
+
+// Checkers about 0.5 that do not agree: noise of variance 0.0025 whose mean product is nothing.
+TEST_F(CompareCommandTest, WithTwoReferencesTheirNoiseIsGone) {
+    const auto json =
+        nlohmann::ordered_json::parse(run({"compare", path("seed1.exr"), path("seed2.exr"), path("b.exr"), "--json"}));
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items()) keys.push_back(key);
+    EXPECT_THAT(keys,
+                testing::ElementsAre("error", "error_se", "trimmed_error", "trimmed_error_se", "block_error",
+                                     "block_error_se", "reference_noise", "block_reference_noise", "ssim", "ssim_noise",
+                                     "ssim_is_noisy", "flip", "flip_noise", "flip_is_noisy", "mean_ratio", "png_kb"));
+    EXPECT_NEAR(json["error"].get<double>(), 0, 2e-4);
+    EXPECT_NEAR(json["reference_noise"].get<double>(), 0.0025 / 0.26, 1e-4);
+    EXPECT_NEAR(json["mean_ratio"][1].get<double>(), 1, 1e-6);
+    EXPECT_TRUE(json["ssim_is_noisy"].get<bool>());
+    const auto dark =
+        nlohmann::json::parse(run({"compare", path("seed1.exr"), path("seed2.exr"), path("a.exr"), "--json"}));
+    EXPECT_NEAR(dark["error"].get<double>(), 0.0625 / 0.26, 2e-3);
+    EXPECT_FALSE(dark["flip_is_noisy"].get<bool>());
+}
+
+TEST_F(CompareCommandTest, TableOfTwoReferences) {
+    const std::string text =
+        run({"compare", path("seed1.exr"), path("seed2.exr"), path("b.exr"), "--diff", path("d.png")});
+    EXPECT_THAT(text, AllOf(HasSubstr("error"), HasSubstr(" +- "), HasSubstr("ref. noise"),
+                            HasSubstr("mean ratio  1.0000"), HasSubstr("too much to tell")));
+    EXPECT_EQ(readImage(path("d.png")).width(), 64);
+}
+
+TEST_F(CompareCommandTest, BadPairsOfReferences) {
+    const auto error = [&](const char* first, const char* second, const char* test) {
+        return errorOf([&] { run({"compare", path(first), path(second), path(test)}); });
+    };
+    EXPECT_THAT(error("seed1.exr", "seed1.exr", "b.exr"),
+                AllOf(HasSubstr("seed1.exr and"), HasSubstr("are the same picture"), testing::Not(HasSubstr("\n"))));
+    EXPECT_THAT(error("seed1.exr", "seed2.exr", "seed2.exr"), HasSubstr("cannot be measured by itself"));
+    EXPECT_THAT(error("seed1.exr", "small.exr", "b.exr"), AllOf(HasSubstr("16x12"), HasSubstr("small.exr is 8x8")));
+    EXPECT_THAT(error("seed1.exr", "seed2.exr", "small.exr"), AllOf(HasSubstr("16x12"), HasSubstr("small.exr is 8x8")));
+    testing::internal::CaptureStderr();
+    run({"compare", path("seed1.exr"), path("seed2.exr"), path("nan.exr")});
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("nan.exr: 1 pixel(s) are NaN or infinite"));
 }
 
 }  // namespace

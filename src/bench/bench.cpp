@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -14,15 +16,16 @@
 #include "base/log.h"
 #include "bench/bench_json.h"
 #include "bench/measured_process.h"
-#include "image/entropy.h"
+#include "bench/scene_references.h"
 #include "image/image_io.h"
-#include "image/metrics.h"
-#include "pbrt/scene_file.h"
 
 namespace drc {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int kUsersWidth = 1280, kUsersHeight = 720;  // smaller pictures have more samples a pixel than users' have
+constexpr const char* kMeasuring = "2";                // to be raised when what is measured of a picture changes
 
 // Size and time of a file: what tells that it was changed.
 std::string state(const std::string& path) {
@@ -70,23 +73,34 @@ std::string budgetFile(const Budget& budget, int repeat) {
     return fmt::format("{}-{}", name, repeat);
 }
 
-void measurePicture(const std::string& path, const Image& reference, BenchRun& run) {
-    const Image picture = readLinearRgb(path);
-    if (picture.width() != reference.width() || picture.height() != reference.height())
-        throw Error(fmt::format("wrote {} pixels, not {}", sizeString(picture), sizeString(reference)));
-    const Metrics m = compare(reference, picture);
-    run.ssim = m.ssim, run.flip = m.flip, run.relmse = m.relmse, run.mse = m.mse;
-    run.pngKb = m.pngKb[1];
-    run.meanRatio = m.meanRatio;
-    run.entropy = luminanceEntropy(picture);
+// What a program tells of itself.
+void readTiming(const std::string& timing, BenchRun& run) {
+    try {
+        const auto json = nlohmann::json::parse(readFile(timing));
+        const auto read = [&](const char* key, double& value) {
+            if (json.contains(key) && json[key].is_number()) value = json[key];
+        };
+        read("load_seconds", run.loadSeconds);
+        read("render_seconds", run.renderSeconds);
+        read("denoise_seconds", run.denoiseSeconds);
+        read("write_seconds", run.writeSeconds);
+        read("spp", run.spp);
+    } catch (const std::exception&) {  // few programs tell
+    }
 }
 
-double renderSeconds(const std::string& timing) {
-    try {
-        return nlohmann::json::parse(readFile(timing)).at("render_seconds");
-    } catch (const std::exception&) {  // few programs tell
-        return kNotMeasured;
-    }
+// What ours tells besides.
+void readOwnMetadata(const std::string& picture, BenchRun& run) {
+    if (std::isnan(run.denoiseSeconds) && !std::isnan(run.renderSeconds)) run.denoiseSeconds = 0;
+    const ExrMetadata metadata = readExrMetadata(picture);
+    if (const auto spp = metadata.find("drc:spp"); spp != metadata.end())
+        run.spp = std::strtod(spp->second.c_str(), nullptr);
+}
+
+std::string found(const BenchRun& run) {
+    const std::string se = std::isnan(run.errorSe) ? "" : fmt::format(" +- {:.5f}", run.errorSe);
+    return fmt::format("{:.1f} s, error {:.5f}{}, SSIM {:.4f}, FLIP {:.4f}", run.seconds, run.error, se, run.ssim,
+                       run.flip);
 }
 
 class Bench {
@@ -135,30 +149,60 @@ class Bench {
         scene.name = sceneName(file);
         scene.file = file;
         scene.width = s_.width, scene.height = s_.height;
+        const fs::path folder = fs::path(s_.output) / "references";
+        std::vector<std::string> paths;
         if (!s_.references.empty()) {
-            scene.reference = fs::absolute(fs::path(s_.references) / (scene.name + ".exr")).lexically_normal().string();
+            paths = givenReferences(s_.references, scene.name);
             scene.referenceOrigin = "given";
         } else {
-            if (scene.width == 0) {
-                const FilmGeometry film = pbrt::loadPbrtFile(file)->settings.film;
-                scene.width = film.width, scene.height = film.height;
-            }
-            const std::string folder = (fs::path(s_.output) / "references").string();
+            if (scene.width == 0) scene.width = kUsersWidth, scene.height = kUsersHeight;
             fs::create_directories(folder);
-            const Reference reference = renderReference(file, fileName(scene.name), scene.width, scene.height, folder,
-                                                        state(file), s_.reference, cancel_);
-            if (reference.path.empty()) return;
-            scene.reference = fs::relative(reference.path, s_.output).string();
-            scene.referenceOrigin = reference.origin;
+            const RenderedReferences rendered = renderReferences(file, fileName(scene.name), scene.width, scene.height,
+                                                                 folder.string(), state(file), s_.reference, cancel_);
+            if (rendered.first.empty()) return;
+            paths = {fs::relative(rendered.first, s_.output).string(),
+                     fs::relative(rendered.second, s_.output).string()};
+            scene.referenceOrigin = rendered.origin;
         }
-        const Image picture = readLinearRgb((fs::path(s_.output) / scene.reference).string());
-        if (scene.width == 0) scene.width = picture.width(), scene.height = picture.height();
-        if (picture.width() != scene.width || picture.height() != scene.height)
+        if (paths.size() == 2) scene.pair = paths;
+        scene.reference = paths[0];
+        const SceneReferences& references = referencesOf(scene);
+        const Image& shown = references.shown();
+        if (scene.width == 0) scene.width = shown.width(), scene.height = shown.height();
+        if (shown.width() != scene.width || shown.height() != scene.height)
             throw Error(fmt::format("{}: the reference has {} pixels, {}x{} are wanted", scene.reference,
-                                    sizeString(picture), scene.width, scene.height));
-        scene.referencePngKb = double(encodePng(picture).size()) / 1000;
-        scene.referenceEntropy = luminanceEntropy(picture);
+                                    sizeString(shown), scene.width, scene.height));
+        references.describe(scene);
+        if (references.isPair()) {
+            fs::create_directories(folder);
+            const fs::path mean =
+                folder / fmt::format("{}-{}x{}-mean.exr", fileName(scene.name), scene.width, scene.height);
+            writeExr(mean.string(), shown);
+            scene.reference = fs::relative(mean, s_.output).string();
+        }
         report_.scenes.push_back(scene);
+    }
+
+    // Read once for all runs that follow each other.
+    const SceneReferences& referencesOf(const BenchScene& scene) {
+        if (loadedFor_ != scene.name) {
+            loaded_.emplace(absolute(filesOf(scene)));
+            loadedFor_ = scene.name;
+        }
+        return *loaded_;
+    }
+    static std::vector<std::string> filesOf(const BenchScene& scene) {
+        return scene.pair.empty() ? std::vector{scene.reference} : scene.pair;
+    }
+    std::vector<std::string> absolute(std::vector<std::string> files) const {
+        for (std::string& file : files) file = (fs::path(s_.output) / file).string();
+        return files;
+    }
+    // When it changes, pictures are measured anew.
+    std::string stateOfReferences(const BenchScene& scene) const {
+        std::string states = kMeasuring;
+        for (const std::string& file : absolute(filesOf(scene))) states += " " + state(file);
+        return states;
     }
 
     std::string keyOf(const BenchMethod& method, BenchJob job) const {
@@ -179,29 +223,42 @@ class Bench {
         job.threads = s_.threads, job.seed = repeat;
         job.budget = budget;
         const std::string key = keyOf(method, job), record = stem + ".json";
-        if (fs::exists(record))
-            if (auto known = runFromJson(readFile(record), key))
-                if (known->failure.empty() && fs::exists(job.output)) {
-                    report_.runs.push_back(std::move(*known));
-                    return;
-                }
+        if (std::optional<BenchRun> known = knownRun(record, key, job.output, scene)) {
+            report_.runs.push_back(std::move(*known));
+            return;
+        }
 
         BenchRun run;
         run.scene = scene.name, run.method = method.name(), run.budget = budget, run.repeat = repeat;
         run.picture = (relative.string() + ".exr");
+        if (const OidnMode* mode = method.oidnMode(job)) run.oidnMode = mode->name;
         fs::create_directories(fs::path(stem).parent_path());
         for (const std::string& old : {record, job.output, job.timing}) fs::remove(old);
         if (!measure(method, job, scene, run)) return;
         writeFileAtomically(record, toJson(run, key));
         logInfo(fmt::format("{}/{} {}, {}, {}: {}", number_, count, run.scene, run.method, budgetName(budget),
-                            run.failure.empty() ? fmt::format("{:.1f} s, SSIM {:.4f}, FLIP {:.4f}, relMSE {:.5f}",
-                                                              run.seconds, run.ssim, run.flip, run.relmse)
-                                                : "failed: " + run.failure));
+                            run.failure.empty() ? found(run) : "failed: " + run.failure));
         report_.runs.push_back(std::move(run));
     }
 
+    // What an earlier call has found out, measured anew if the references have changed since.
+    std::optional<BenchRun> knownRun(const std::string& record, const std::string& key, const std::string& picture,
+                                     const BenchScene& scene) {
+        if (!fs::exists(record) || !fs::exists(picture)) return {};
+        std::optional<BenchRun> known = runFromJson(readFile(record), key);
+        if (!known || !known->failure.empty()) return {};
+        if (known->measuredAgainst == stateOfReferences(scene)) return known;
+        try {
+            measurePicture(picture, scene, *known);
+        } catch (const Error&) {  // damaged: as if it were not there
+            return {};
+        }
+        writeFileAtomically(record, toJson(*known, key));
+        return known;
+    }
+
     // False if it was cancelled.
-    bool measure(const BenchMethod& method, const BenchJob& job, const BenchScene& scene, BenchRun& run) const {
+    bool measure(const BenchMethod& method, const BenchJob& job, const BenchScene& scene, BenchRun& run) {
         const std::vector<std::string> command = method.command(job, s_.own);
         std::string line;
         for (const std::string& word : command) line += " " + word;
@@ -216,18 +273,25 @@ class Bench {
                 throw Error(use.output.empty() ? fmt::format("exit code {}", use.exitCode) : lastLine(use.output));
             if (!fs::exists(job.output)) throw Error("ended without a picture");
             run.seconds = use.seconds, run.cpuSeconds = use.cpuSeconds, run.peakMegabytes = use.peakMegabytes;
-            run.renderSeconds = renderSeconds(job.timing);
-            const Image reference = readLinearRgb((fs::path(s_.output) / scene.reference).string());
-            measurePicture(job.output, reference, run);
+            readTiming(job.timing, run);
+            if (!method.adapter()) readOwnMetadata(job.output, run);
+            measurePicture(job.output, scene, run);
         } catch (const Error& error) {
             run.failure = lastLine(error.what());
         }
         return true;
     }
 
+    void measurePicture(const std::string& picture, const BenchScene& scene, BenchRun& run) {
+        referencesOf(scene).measure(picture, run);
+        run.measuredAgainst = stateOfReferences(scene);
+    }
+
     const BenchSettings& s_;
     const CancelToken* cancel_;
     BenchReport report_;
+    std::optional<SceneReferences> loaded_;
+    std::string loadedFor_;
     int number_ = 0;
 };
 

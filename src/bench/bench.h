@@ -1,4 +1,4 @@
-// Scenes x methods x budgets: each a process of its own, measured, its picture compared with the scene's reference.
+// Scenes x methods x budgets: each a process of its own, measured, its picture compared with the scene's references.
 #pragma once
 #include <optional>
 #include <string>
@@ -17,9 +17,9 @@ struct BenchSettings {
     std::vector<Budget> budgets;       // a method is left out of those that it does not keep
     int repeats = 1;                   // each with a seed of its own, from 0
     std::string output;                // folder, made if need be: runs/ and references/ in it
-    std::string references;            // folder with NAME.exr for each scene; empty: they are rendered
+    std::string references;            // folder (scene_references.h); empty: they are rendered
     ReferenceSettings reference;
-    int width = 0, height = 0;   // 0: the reference's if it is given, else the scene's own
+    int width = 0, height = 0;   // 0: the references' if they are given, else 1280x720
     int threads = 0;             // at least 1
     double limitSeconds = 3600;  // of a run that is to keep no seconds
     OwnProgram own;
@@ -29,7 +29,8 @@ struct BenchSettings {
 std::string sceneName(const std::string& file);
 
 // Runs what there is no result of yet in settings.output and returns all. A result counts for as long as the command,
-// the program (ours: drc itself) and the scene's file stay as they were. Repeats are the outermost loop and methods the
+// the program (ours: drc itself) and the scene's file stay as they were; where references have changed, its picture is
+// measured anew. Repeats are the outermost loop and methods the
 // innermost, so that methods that are compared run side by side. A method that fails leaves a BenchRun with what it
 // said, and is tried again the next time. Stops early on `cancel`, with what is done so far. Throws Error on what makes
 // all of it pointless: a scene or a reference that cannot be read, an external program that is not installed, two

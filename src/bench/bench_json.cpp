@@ -13,13 +13,21 @@ struct Quantity {
     double BenchRun::*value;
 };
 constexpr Quantity kQuantities[] = {{"seconds", &BenchRun::seconds},
+                                    {"load_seconds", &BenchRun::loadSeconds},
                                     {"render_seconds", &BenchRun::renderSeconds},
+                                    {"denoise_seconds", &BenchRun::denoiseSeconds},
+                                    {"write_seconds", &BenchRun::writeSeconds},
                                     {"cpu_seconds", &BenchRun::cpuSeconds},
                                     {"peak_mb", &BenchRun::peakMegabytes},
+                                    {"spp", &BenchRun::spp},
+                                    {"error", &BenchRun::error},
+                                    {"error_se", &BenchRun::errorSe},
+                                    {"trimmed_error", &BenchRun::trimmedError},
+                                    {"trimmed_error_se", &BenchRun::trimmedErrorSe},
+                                    {"block_error", &BenchRun::blockError},
+                                    {"block_error_se", &BenchRun::blockErrorSe},
                                     {"ssim", &BenchRun::ssim},
                                     {"flip", &BenchRun::flip},
-                                    {"relmse", &BenchRun::relmse},
-                                    {"mse", &BenchRun::mse},
                                     {"png_kb", &BenchRun::pngKb},
                                     {"entropy", &BenchRun::entropy}};
 
@@ -54,6 +62,7 @@ Json runJson(const BenchRun& run) {
         return json;
     }
     json["picture"] = run.picture;
+    if (!run.oidnMode.empty()) json["oidn_mode"] = run.oidnMode;
     for (const Quantity& quantity : kQuantities) json[quantity.name] = number(run.*quantity.value);
     json["mean_ratio"] = {number(run.meanRatio[0]), number(run.meanRatio[1]), number(run.meanRatio[2])};
     return json;
@@ -68,6 +77,7 @@ BenchRun runFrom(const Json& json) {
     run.failure = json.value("failure", "");
     if (!run.failure.empty()) return run;
     run.picture = json.at("picture");
+    run.oidnMode = json.value("oidn_mode", "");
     for (const Quantity& quantity : kQuantities) run.*quantity.value = number(json.at(quantity.name));
     for (size_t c = 0; c < 3; ++c) run.meanRatio[c] = number(json.at("mean_ratio").at(c));
     return run;
@@ -84,13 +94,16 @@ Json spreadJson(const BenchReport& report, const BenchScene& scene, const std::s
         json[quantity.name] = {
             {"median", number(spread.median)}, {"low", number(spread.low)}, {"high", number(spread.high)}};
     }
+    const double opponent = opponentError(report, scene.name, budget);
+    json["error_by_path_oidn"] =
+        number(json["error"]["median"].is_null() ? kNotMeasured : json["error"]["median"].get<double>() / opponent);
     return json;
 }
 
 }  // namespace
 
 std::string toJson(const BenchReport& report) {
-    Json json{{"format", "drc-bench-1"},   {"version", report.version}, {"processor", report.processor},
+    Json json{{"format", "drc-bench-2"},   {"version", report.version}, {"processor", report.processor},
               {"threads", report.threads}, {"methods", report.methods}, {"scenes", Json::array()},
               {"runs", Json::array()},     {"summary", Json::array()}};
     for (const BenchScene& scene : report.scenes)
@@ -99,6 +112,10 @@ std::string toJson(const BenchReport& report) {
                                   {"width", scene.width},
                                   {"height", scene.height},
                                   {"reference", scene.reference},
+                                  {"reference_pair", scene.pair},
+                                  {"reference_noise", number(scene.referenceNoise)},
+                                  {"ssim_noise", number(scene.ssimNoise)},
+                                  {"flip_noise", number(scene.flipNoise)},
                                   {"reference_origin", scene.referenceOrigin},
                                   {"reference_png_kb", number(scene.referencePngKb)},
                                   {"reference_entropy", number(scene.referenceEntropy)}});
@@ -114,6 +131,7 @@ std::string toJson(const BenchReport& report) {
 std::string toJson(const BenchRun& run, const std::string& key) {
     Json json = runJson(run);
     json["key"] = key;
+    json["measured_against"] = run.measuredAgainst;
     return json.dump(1) + "\n";
 }
 
@@ -121,7 +139,9 @@ std::optional<BenchRun> runFromJson(const std::string& text, const std::string& 
     try {
         const Json json = Json::parse(text);
         if (json.at("key") != key) return {};
-        return runFrom(json);
+        BenchRun run = runFrom(json);
+        run.measuredAgainst = json.at("measured_against");
+        return run;
     } catch (const std::exception&) {
         return {};
     }

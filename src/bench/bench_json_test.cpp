@@ -15,7 +15,8 @@ BenchRun someRun() {
     run.repeat = 2;
     run.picture = "runs/a.exr";
     run.seconds = 1.5, run.cpuSeconds = 2.5, run.peakMegabytes = 99;
-    run.ssim = .9, run.flip = .1, run.relmse = 0.01, run.mse = .02, run.pngKb = 12.5, run.entropy = 6.5;
+    run.ssim = .9, run.flip = .1, run.error = 0.01, run.errorSe = .002, run.pngKb = 12.5, run.entropy = 6.5;
+    run.oidnMode = "fast-raw", run.measuredAgainst = "state";
     run.meanRatio = {1, .99, 1.01};
     return run;
 }
@@ -32,6 +33,9 @@ TEST(BenchJson, RunsComeBackAsTheyWere) {
     EXPECT_EQ(back->seconds, 1.5);
     EXPECT_TRUE(std::isnan(back->renderSeconds));
     EXPECT_EQ(back->entropy, 6.5);
+    EXPECT_EQ(back->errorSe, .002);
+    EXPECT_EQ(back->oidnMode, "fast-raw");
+    EXPECT_EQ(back->measuredAgainst, "state");
     EXPECT_EQ(back->meanRatio, run.meanRatio);
 }
 
@@ -67,6 +71,11 @@ TEST(BenchJson, ReportsHaveMediansOfRepeats) {
     EXPECT_EQ(json["summary"][0]["ssim"]["low"], .7);
     EXPECT_EQ(json["summary"][0]["ssim"]["high"], .9);
     EXPECT_TRUE(json["summary"][0]["render_seconds"]["median"].is_null());
+    EXPECT_TRUE(json["summary"][0]["error_by_path_oidn"].is_null());
+    report.methods.push_back("path+oidn:high");
+    report.runs.push_back(someRun());
+    report.runs.back().method = "path+oidn:high", report.runs.back().error = .02;
+    EXPECT_EQ(nlohmann::json::parse(toJson(report))["summary"][0]["error_by_path_oidn"], .5);
 }
 
 }  // namespace

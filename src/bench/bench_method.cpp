@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include "base/error.h"
@@ -76,6 +77,15 @@ BenchMethod::BenchMethod(const std::string& text,
         options_.insert(options_.end(), {isOneOf(enhancer, kEnhancers) ? "--enhancer" : "--weights", enhancer});
     }
     if (plus == std::string::npos) return;
+    if (const size_t mode = denoiser_.find(':'); mode != std::string::npos) {
+        oidnMode_ = findOidnMode(denoiser_.substr(mode + 1));
+        denoiser_.resize(mode);
+        if (!oidnMode_ || !denoiser_.starts_with("oidn")) {
+            std::string modes;
+            for (const OidnMode& known : oidnModes()) modes += std::string(modes.empty() ? "" : ", ") + known.name;
+            throw Error(fmt::format("method '{}': oidn and oidn-direct have the modes {}", text, modes));
+        }
+    }
     if (!isOneOf(denoiser_, kDenoisers))
         throw Error(fmt::format("method '{}': denoisers are off, surface, oidn and oidn-direct", text));
     if (!hasMaps_ && (denoiser_ == "surface" || denoiser_ == "oidn-direct"))
@@ -86,6 +96,14 @@ BenchMethod::BenchMethod(const std::string& text,
 bool BenchMethod::keeps(BudgetUnit unit) const {
     if (adapter_) return adapter_->commands.contains(unit);
     return unit == BudgetUnit::Seconds || (unit == BudgetUnit::Tasks) == hasMaps_;
+}
+
+const OidnMode* BenchMethod::oidnMode(const BenchJob& job) const {
+    if (adapter_ || !denoiser_.starts_with("oidn")) return nullptr;
+    if (oidnMode_) return oidnMode_;
+    // Samples and tasks cost no time that denoising could take.
+    const bool timed = job.budget.unit == BudgetUnit::Seconds;
+    return &bestOidnMode(timed ? job.budget.amount : INFINITY, double(job.width) * job.height, job.threads);
 }
 
 std::vector<std::string> BenchMethod::command(const BenchJob& job, const OwnProgram& own) const {
@@ -101,6 +119,8 @@ std::vector<std::string> BenchMethod::command(const BenchJob& job, const OwnProg
     argv.insert(argv.end(), options_.begin(), options_.end());
     if (!own.oidnLibrary.empty() && denoiser_.starts_with("oidn"))
         argv.insert(argv.end(), {"--oidn-library", own.oidnLibrary});
+    if (const OidnMode* mode = oidnMode(job))
+        argv.insert(argv.end(), {"--oidn-quality", mode->quality, "--oidn-prefilter", mode->prefilter ? "on" : "off"});
     const std::string amount = fmt::format("{:g}", job.budget.amount);
     if (job.budget.unit == BudgetUnit::Seconds) argv.insert(argv.end(), {"--time", amount});
     if (job.budget.unit == BudgetUnit::Spp) argv.insert(argv.end(), {"--spp", amount});

@@ -50,6 +50,28 @@ TEST(BenchMethod, EnhancersNetworksAndDenoisers) {
     EXPECT_THAT(line("path", budget, {"drc", 16, "lib.so"}), Not(HasSubstr("lib.so")));
 }
 
+// 32x16 pixels are denoised in no time; of a budget in samples denoising takes nothing.
+TEST(BenchMethod, OpenImageDenoiseIsAskedForAMode) {
+    const Budget second{BudgetUnit::Seconds, 1}, little{BudgetUnit::Seconds, 1e-4}, samples{BudgetUnit::Spp, 1};
+    const char *best = "--denoise oidn --oidn-quality high --oidn-prefilter on ",
+               *quick = "--denoise oidn --oidn-quality balanced --oidn-prefilter off ";
+    EXPECT_THAT(line("path+oidn", second), HasSubstr(best));
+    EXPECT_THAT(line("path+oidn", samples), HasSubstr(best));
+    EXPECT_THAT(line("path+oidn", little), HasSubstr(quick));
+    EXPECT_THAT(line("path+oidn:balanced-raw", second), HasSubstr(quick));
+    EXPECT_THAT(line("path+oidn:high", little), HasSubstr(best));
+    EXPECT_THAT(line("path+oidn:high-raw", second), HasSubstr("--oidn-quality high --oidn-prefilter off "));
+    EXPECT_THAT(line("path+oidn:balanced", second), HasSubstr("--oidn-quality balanced --oidn-prefilter on "));
+    EXPECT_THAT(line("drc+oidn-direct:fast-raw", second),
+                HasSubstr("--denoise oidn-direct --oidn-quality fast --oidn-prefilter off "));
+    EXPECT_THAT(line("drc+off", second), Not(HasSubstr("--oidn")));
+    BenchJob job;
+    job.budget = second;
+    EXPECT_EQ(BenchMethod("path+oidn:fast-raw", onlyOther).oidnMode(job)->name, std::string("fast-raw"));
+    EXPECT_EQ(BenchMethod("path", onlyOther).oidnMode(job), nullptr);
+    EXPECT_EQ(BenchMethod("other+oidn", onlyOther).oidnMode(job), nullptr);
+}
+
 TEST(BenchMethod, OptionsOfOnesOwn) {
     EXPECT_EQ(BenchMethod("many maps=--spacing 2", onlyOther).name(), "many maps");
     EXPECT_THAT(line("many maps=--spacing 2", {BudgetUnit::Tasks, 4}), HasSubstr("render s.pbrt --spacing 2 "));
@@ -79,6 +101,8 @@ TEST(BenchMethod, ErrorsSayWhatWouldBeRight) {
     EXPECT_THAT(error("drc+nlm"), HasSubstr("oidn-direct"));
     EXPECT_THAT(error("path+surface"), HasSubstr("only drc"));
     EXPECT_THAT(error("other+optix"), HasSubstr("'optix'"));
+    EXPECT_THAT(error("path+oidn:best"), AllOf(HasSubstr("'path+oidn:best'"), HasSubstr("balanced-raw, fast-raw")));
+    EXPECT_THAT(error("drc+surface:high"), HasSubstr("oidn and oidn-direct have the modes"));
     EXPECT_THAT(error("=--spacing 2"), HasSubstr("no name"));
 }
 

@@ -23,8 +23,10 @@ struct Section {
 
 constexpr const char* kEqualTimeNote =
     "<p class=\"note\">Every method had the same seconds for all that its process does, reading and writing included. "
-    "Medians of the repeats; in small type the interval that holds the true median with 95&#8201;%, or, of fewer than "
-    "six repeats, all of them. Bold: the best of its scene. Arrows point to where better is.</p>\n";
+    "Medians of the repeats; in small type the standard error of one run and the interval that holds the true median "
+    "with 95&#8201;%, or, of fewer than six repeats, all of them. Bold: the best of its scene. Arrows point to where "
+    "better is. ~: more than a quarter of it is the references\u2019 own noise. load to write: seconds, where the "
+    "program tells; seconds: of the whole process.</p>\n";
 constexpr const char* kPaperNote =
     "<p class=\"note\">The rows of the paper\u2019s table, in the units of each method. In the paper SSIM was 0.89 at "
     "16 tasks and went no higher than 0.91; bidirectional path tracing had 0.82 in the same time and 0.90 in four "
@@ -42,10 +44,10 @@ constexpr const char* kFiguresNote =
     "large. Numbers are those of the picture shown, the first repeat.</p>\n";
 
 constexpr const char* kTableStyle = R"(
-.equal-time { table-layout: fixed; width: 56rem; }
-.equal-time thead th { width: 6rem; } .equal-time thead th.interval { width: 9rem; }
+.equal-time { table-layout: fixed; width: 97rem; }
+.equal-time thead th { width: 5rem; } .equal-time thead th.interval { width: 9rem; }
 .equal-time thead th:first-child { width: 11rem; } .equal-time .name { white-space: normal; overflow-wrap: anywhere; }
-@media (max-width: 40rem) { .equal-time { width: 51rem; } .equal-time thead th:first-child { width: 6rem; } }
+@media (max-width: 40rem) { .equal-time { width: 92rem; } .equal-time thead th:first-child { width: 6rem; } }
 )";
 
 std::string paragraph(const std::string& style, const std::string& html) {
@@ -124,19 +126,25 @@ std::string howItWasMade(const BenchReport& report) {
     for (const BenchScene& scene : report.scenes)
         scenes += fmt::format(
             "<tr><td class=\"name\">{}</td><td class=\"text\"><code>{}</code></td><td>{}&#8201;&#215;&#8201;{}</td>"
-            "<td class=\"text\">{}</td></tr>\n",
+            "<td class=\"text\">{}</td><td>{}</td></tr>\n",
             escapeHtml(scene.name), escapeHtml(scene.file), scene.width, scene.height,
-            escapeHtml(scene.referenceOrigin));
+            (scene.pair.empty() ? "one, " : "two, ") + escapeHtml(scene.referenceOrigin),
+            htmlSignificant(scene.referenceNoise));
     return "<div class=\"wide\"><table>\n<tbody>\n" + factRow("program", "drc " + escapeHtml(report.version)) +
            factRow("processor", escapeHtml(report.processor)) + factRow("threads", std::to_string(report.threads)) +
            factRow("methods", joined(report.methods, [](const std::string& name) { return name; })) +
            factRow("budgets", budgets(report)) + factRow("repeats", repeats(report)) +
            "</tbody>\n</table></div>\n<div class=\"wide\"><table>\n<thead><tr><th class=\"name\">scene</th><th "
-           "class=\"name\">file</th><th>pixels</th><th class=\"name\">reference</th></tr></thead>\n<tbody>\n" +
+           "class=\"name\">file</th><th>pixels</th><th class=\"name\">references</th><th>their "
+           "noise</th></tr></thead>\n<tbody>\n" +
            scenes +
            "</tbody>\n</table></div>\n<p class=\"note\"><b>SSIM</b>: structural similarity of the displayed "
-           "luminances. <b>FLIP</b>: the difference that is seen when two pictures alternate. <b>MSE</b> and "
-           "<b>relMSE</b>: squared error of linear values, and the same relative to the reference\u2019s. "
+           "luminances. <b>FLIP</b>: the difference that is seen when two pictures alternate. <b>error</b>: mean of "
+           "(T&#160;&#8722;&#160;R<sub>1</sub>)(T&#160;&#8722;&#160;R<sub>2</sub>)&#8201;/&#8201;"
+           "(D<sup>2</sup>&#160;+&#160;0.01), D the radiance about the pixel: the squared relative error without the "
+           "references\u2019 noise. <b>trimmed</b>: without the 0.1&#8201;% of pixels that stand out most. "
+           "<b>blocks</b>: of means of 8&#215;8 pixels. With one reference only, error and blocks are relMSE, the "
+           "reference\u2019s noise in them. "
            "<b>seconds</b>: wall clock of the whole process. <b>CPU&#8201;s</b>: of all its threads and children. "
            "<b>peak MB</b>: its largest resident memory, in units of 10<sup>6</sup> bytes. <b>PNG KB</b>: size of the "
            "8-bit picture in units of 1000 bytes; noise does not compress. <b>entropy</b>: of the 256 levels of its "

@@ -12,8 +12,9 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "bench/measured_process.h"
+#include "image/cross_error.h"
 #include "image/image_io.h"
-#include "image/relmse.h"
+#include "image/relative_norm.h"
 
 namespace drc {
 namespace {
@@ -23,7 +24,10 @@ namespace fs = std::filesystem;
 constexpr const char* kKey = "drc:bench_key";
 constexpr const char* kOrigin = "drc:bench_origin";
 constexpr const char* kError = "drc:bench_error";
-constexpr int kFirstSpp = 64;        // of the first two parts; each later pair has twice as many
+constexpr const char* kSpp = "drc:bench_spp";
+constexpr const char* kParts = "drc:bench_parts";
+constexpr int kStreams = 4;          // first and second half of the first reference, then of the second
+constexpr int kFirstSpp = 32;        // of a stream's first part; each later one adds half of what there is
 constexpr int kFirstSeed = 1 << 20;  // far from the seeds of the runs that are compared
 
 std::string entry(const ExrMetadata& metadata, const char* name) {
@@ -42,72 +46,112 @@ std::optional<ExrMetadata> metadataOf(const fs::path& path, const std::string& k
     return {};
 }
 
-struct Half {
-    Image sum;
-    double spp = 0;
+Image weightedMean(const Image& a, double weightA, const Image& b, double weightB) {
+    Image mean = a;
+    for (size_t i = 0; i < mean.data().size(); ++i)
+        mean.data()[i] = float((weightA * a.data()[i] + weightB * b.data()[i]) / (weightA + weightB));
+    return mean;
+}
 
-    void add(const Image& picture, double samples) {
-        if (sum.empty()) sum = Image(picture.width(), picture.height());
-        for (size_t i = 0; i < sum.data().size(); ++i) sum.data()[i] += float(samples) * picture.data()[i];
+// The mean of parts of different seeds; a file that is replaced as it grows.
+struct Stream {
+    Stream(const fs::path& file, const std::string& key) : path(file) {
+        const auto metadata = metadataOf(path, key);
+        if (!metadata) return;
+        mean = readLinearRgb(path.string());
+        spp = std::atoi(entry(*metadata, kSpp).c_str());
+        parts = std::atoi(entry(*metadata, kParts).c_str());
+    }
+    int nextSpp() const { return spp == 0 ? kFirstSpp : spp / 2; }
+    void add(const Image& part, const std::string& key) {
+        const int samples = nextSpp();
+        mean = spp == 0 ? part : weightedMean(mean, spp, part, samples);
         spp += samples;
+        ++parts;
+        writeExr(path.string(), mean, {{kKey, key}, {kSpp, std::to_string(spp)}, {kParts, std::to_string(parts)}});
     }
-    Image mean() const {
-        Image m = sum;
-        for (float& x : m.data()) x /= float(spp);
-        return m;
-    }
+
+    fs::path path;
+    Image mean;
+    int spp = 0, parts = 0;
 };
+
+struct State {
+    double error = std::numeric_limits<double>::infinity(), noise = 0;
+};
+
+State stateOf(const std::vector<Stream>& streams) {
+    const Image first = weightedMean(streams[0].mean, 1, streams[1].mean, 1),
+                second = weightedMean(streams[2].mean, 1, streams[3].mean, 1), norm = relativeNorm(first, second);
+    Plane products = relativeProducts(streams[0].mean, streams[1].mean, streams[2].mean, streams[3].mean, norm);
+    for (float& product : products.values) product /= 4;
+    return {standardErrorOfZero(products, tileSide(first.width(), first.height())),
+            referenceNoise(first, second, norm)};
+}
 
 }  // namespace
 
-Reference renderReference(const std::string& scene, const std::string& name, int width, int height,
-                          const std::string& folder, const std::string& key, const ReferenceSettings& settings,
-                          const CancelToken* cancel) {
-    const std::string size = fmt::format("{}x{}", width, height);
-    const fs::path target = fs::path(folder) / fmt::format("{}-{}.exr", name, size);
+RenderedReferences renderReferences(const std::string& scene, const std::string& name, int width, int height,
+                                    const std::string& folder, const std::string& key,
+                                    const ReferenceSettings& settings, const CancelToken* cancel) {
+    const std::string size = fmt::format("{}x{}", width, height), stem = fmt::format("{}-{}", name, size);
     const std::string wholeKey = settings.integrator + "\n" + key;
-    if (const auto metadata = metadataOf(target, wholeKey))
-        if (std::strtod(entry(*metadata, kError).c_str(), nullptr) <= settings.error)
-            return {target.string(), entry(*metadata, kOrigin)};
+    const fs::path first = fs::path(folder) / (stem + "-1.exr"), second = fs::path(folder) / (stem + "-2.exr");
+    const auto knownFirst = metadataOf(first, wholeKey), knownSecond = metadataOf(second, wholeKey);
+    if (knownFirst && knownSecond && entry(*knownFirst, kOrigin) == entry(*knownSecond, kOrigin) &&
+        std::strtod(entry(*knownFirst, kError).c_str(), nullptr) <= settings.error)
+        return {first.string(), second.string(), entry(*knownFirst, kOrigin)};
 
-    const fs::path parts = fs::path(folder) / fmt::format("{}-{}-parts", name, size);
+    const fs::path parts = fs::path(folder) / stem;
     fs::create_directories(parts);
-    Half halves[2];
-    double error = kInfinity;
-    for (int part = 0; error > settings.error || part % 2; ++part) {
-        const int spp = kFirstSpp << std::min(part / 2, 20);
-        if (part % 2 == 0 && halves[0].spp + halves[1].spp + 2 * spp > settings.maxSpp) break;
-        const fs::path file = parts / fmt::format("{:02}.exr", part);
-        if (!metadataOf(file, wholeKey)) {
-            logInfo(fmt::format("reference of {}: {:g} spp so far{}, {} more", name, halves[0].spp + halves[1].spp,
-                                std::isfinite(error) ? fmt::format(", relMSE about {:.1e}", error) : "", spp));
-            const std::string raw = (parts / "part.exr").string();
-            const ProcessUse use =
-                runMeasured({settings.program, "render", scene, "--integrator", settings.integrator, "--spp",
-                             std::to_string(spp), "--seed", std::to_string(kFirstSeed + part), "--resolution", size,
-                             "--nthreads", std::to_string(settings.threads), "--quiet", "-o", raw},
-                            {}, cancel);
-            if (cancel && cancel->cancelled()) return {};
-            if (use.exitCode != 0)
-                throw Error(fmt::format("the reference of {} could not be rendered: {}", name, lastLine(use.output)));
-            writeExr(file.string(), readLinearRgb(raw), {{kKey, wholeKey}});
-            fs::remove(raw);
+    std::vector<Stream> streams;
+    for (const char* file : {"1a.exr", "1b.exr", "2a.exr", "2b.exr"}) streams.emplace_back(parts / file, wholeKey);
+    const auto fewest = [&] {
+        return std::min_element(streams.begin(), streams.end(),
+                                [](const auto& a, const auto& b) { return a.parts < b.parts; });
+    };
+    const auto complete = [&] {
+        return streams[0].parts > 0 &&
+               std::all_of(streams.begin(), streams.end(), [&](const auto& s) { return s.parts == streams[0].parts; });
+    };
+    State state;
+    for (;;) {
+        if (complete()) {
+            state = stateOf(streams);
+            if (state.error <= settings.error) break;
+            if (2 * (streams[0].spp + streams[0].nextSpp()) > settings.maxSpp) break;
         }
-        halves[part % 2].add(readLinearRgb(file.string()), spp);
-        if (part % 2) error = radianceErrors(halves[0].mean(), halves[1].mean()).relmse / 4;
+        const auto stream = fewest();
+        if (stream->parts == 0 && 2 * kFirstSpp > settings.maxSpp)
+            throw Error(fmt::format("the references of {}: at least {} spp are needed", name, 2 * kFirstSpp));
+        if (complete())
+            logInfo(fmt::format("references of {}: 2 x {} spp so far{}", name, 2 * streams[0].spp,
+                                fmt::format(", noise {:.1e}, standard error about {:.1e}", state.noise, state.error)));
+        const std::string raw = (parts / "part.exr").string();
+        const int seed = kFirstSeed + kStreams * stream->parts + int(stream - streams.begin());
+        const ProcessUse use =
+            runMeasured({settings.program, "render", scene, "--integrator", settings.integrator, "--spp",
+                         std::to_string(stream->nextSpp()), "--seed", std::to_string(seed), "--resolution", size,
+                         "--nthreads", std::to_string(settings.threads), "--quiet", "-o", raw},
+                        {}, cancel);
+        if (cancel && cancel->cancelled()) return {};
+        if (use.exitCode != 0)
+            throw Error(fmt::format("the references of {} could not be rendered: {}", name, lastLine(use.output)));
+        stream->add(readLinearRgb(raw), wholeKey);
+        fs::remove(raw);
     }
-    if (halves[1].spp == 0)
-        throw Error(fmt::format("the reference of {}: at least {} spp are needed", name, 2 * kFirstSpp));
-    if (error > settings.error)
-        logWarning(fmt::format("the reference of {} has a relMSE of about {:.1e} after {:g} spp; {:.1e} was wanted",
-                               name, error, halves[0].spp + halves[1].spp, settings.error));
-    Half whole;
-    for (const Half& half : halves) whole.add(half.mean(), half.spp);
-    const std::string origin = fmt::format("{}, {:g} spp, relMSE about {:.1e}", settings.integrator, whole.spp, error);
-    writeExr(target.string(), whole.mean(),
-             {{kKey, wholeKey}, {kOrigin, origin}, {kError, fmt::format("{:.6e}", error)}});
-    fs::remove_all(parts);
-    return {target.string(), origin};
+    const int spp = 2 * streams[0].spp;
+    if (!(state.error <= settings.error))
+        logWarning(
+            fmt::format("the references of {} leave a standard error of about {:.1e} after 2 x {} spp; {:.1e} "
+                        "was wanted",
+                        name, state.error, spp, settings.error));
+    const std::string origin = fmt::format("{}, 2 x {} spp, noise {:.1e}, standard error about {:.1e}",
+                                           settings.integrator, spp, state.noise, state.error);
+    const ExrMetadata metadata{{kKey, wholeKey}, {kOrigin, origin}, {kError, fmt::format("{:.6e}", state.error)}};
+    writeExr(first.string(), weightedMean(streams[0].mean, 1, streams[1].mean, 1), metadata);
+    writeExr(second.string(), weightedMean(streams[2].mean, 1, streams[3].mean, 1), metadata);
+    return {first.string(), second.string(), origin};
 }
 
 }  // namespace drc

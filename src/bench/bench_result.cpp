@@ -42,4 +42,15 @@ std::vector<const BenchRun*> runsOf(const BenchReport& report, const std::string
     return runs;
 }
 
+double opponentError(const BenchReport& report, const std::string& scene, const Budget& budget) {
+    double best = kNotMeasured;
+    for (const std::string& method : report.methods) {
+        if (method != kOpponent && !method.starts_with(std::string(kOpponent) + ":")) continue;
+        std::vector<double> errors;
+        for (const BenchRun* run : runsOf(report, scene, method, budget)) errors.push_back(run->error);
+        best = std::fmin(best, spreadOf(errors).median);  // fmin passes by NaN
+    }
+    return best > 0 ? best : kNotMeasured;  // a cross error of nearly nothing may be below zero
+}
+
 }  // namespace drc

@@ -50,5 +50,24 @@ TEST(BenchResult, RunsThatFailedAreNoneOfTheRuns) {
     EXPECT_EQ(runsOf(report, "s", "m", {BudgetUnit::Tasks, 4}).size(), 0u);
 }
 
+TEST(BenchResult, TheOpponentIsPathTracingWithTheBestModeOfOpenImageDenoise) {
+    BenchReport report;
+    const Budget budget{BudgetUnit::Seconds, 4};
+    EXPECT_TRUE(std::isnan(opponentError(report, "s", budget)));
+    report.methods = {"drc", "path+oidn", "path+oidn:fast-raw", "path+oidn:high", "path+oidn2"};
+    for (const auto& [method, error] :
+         {std::pair("drc", .1), {"path+oidn", .5}, {"path+oidn", .7}, {"path+oidn:fast-raw", .4}, {"path+oidn2", .2}}) {
+        BenchRun run;
+        run.scene = "s", run.method = method, run.budget = budget, run.error = error;
+        report.runs.push_back(run);
+    }
+    EXPECT_EQ(opponentError(report, "s", budget), .4);
+    report.methods.erase(report.methods.begin() + 2);
+    EXPECT_EQ(opponentError(report, "s", budget), .6);  // the median of its repeats
+    EXPECT_TRUE(std::isnan(opponentError(report, "other", budget)));
+    for (BenchRun& run : report.runs) run.error = -1e-6;
+    EXPECT_TRUE(std::isnan(opponentError(report, "s", budget)));
+}
+
 }  // namespace
 }  // namespace drc

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "base/folder_testing.h"
@@ -59,24 +60,75 @@ class BenchTest : public FolderTest {
 };
 
 TEST_F(BenchTest, MeasuresWhatProgramsDo) {
-    addMethod("copy", copying("half.exr") + "; echo '{{\"render_seconds\": 1.25}}' >{timing}");
+    addMethod("copy", copying("half.exr") + "; echo '{{\"render_seconds\": 1.25, \"spp\": 7}}' >{timing}");
     const BenchReport report = run();
     ASSERT_EQ(report.runs.size(), 1u);
     const BenchRun& r = report.runs[0];
     EXPECT_EQ(r.failure, "");
     EXPECT_NEAR(r.meanRatio[0], 1.25, 1e-6);
-    EXPECT_NEAR(r.mse, 0.01, 1e-8);
-    EXPECT_NEAR(r.relmse, 0.01 / 0.17, 1e-6);
+    EXPECT_NEAR(r.error, 0.01 / 0.17, 1e-6);
+    EXPECT_NEAR(r.blockError, 0.01 / 0.17, 1e-6);
+    EXPECT_TRUE(std::isnan(r.errorSe) && std::isnan(r.trimmedError));
     EXPECT_EQ(r.entropy, 0);
     EXPECT_GT(r.pngKb, 0);
     EXPECT_GT(r.peakMegabytes, 0);
     EXPECT_EQ(r.renderSeconds, 1.25);
+    EXPECT_EQ(r.spp, 7);
+    EXPECT_TRUE(std::isnan(r.denoiseSeconds));  // nobody says that it took none
     EXPECT_GT(r.seconds, 0);
     EXPECT_TRUE(std::filesystem::exists(path("out/" + r.picture)));
     ASSERT_EQ(report.scenes.size(), 1u);
     EXPECT_EQ(report.scenes[0].width, 16);
     EXPECT_EQ(report.scenes[0].height, 12);
     EXPECT_EQ(report.scenes[0].referenceOrigin, "given");
+    EXPECT_EQ(report.scenes[0].pair.size(), 0u);
+}
+
+// Against 0.4 +- 0.05 in a checkerboard: with the sign of their noise from one to the other.
+TEST_F(BenchTest, OfAPairOfReferencesTheNoiseIsLeftOut) {
+    for (const float sign : {1.f, -1.f}) {
+        Image image = flat(0.4f);
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 16; ++x)
+                image.setRgb(x, y, Rgb(0.4f + 0.05f * ((sign > 0 ? x + y : x) % 2 ? 1.f : -1.f)));
+        writeExr(path(sign > 0 ? "references/room-1.exr" : "references/room-2.exr"), image);
+    }
+    addMethod("copy", copying("half.exr") + "; echo '{{\"load_seconds\": 1, \"denoise_seconds\": 2}}' >{timing}");
+    const BenchReport report = run();
+    ASSERT_EQ(report.runs.size(), 1u);
+    EXPECT_EQ(report.runs[0].failure, "");
+    EXPECT_NEAR(report.runs[0].error, 0.01 / 0.17, 1e-3);
+    EXPECT_NEAR(report.runs[0].blockError, 0.01 / 0.17, 1e-3);
+    EXPECT_NEAR(report.runs[0].meanRatio[0], 1.25, 1e-5);
+    EXPECT_TRUE(std::isfinite(report.runs[0].errorSe) && std::isfinite(report.runs[0].trimmedErrorSe));
+    EXPECT_EQ(report.runs[0].loadSeconds, 1);
+    EXPECT_EQ(report.runs[0].denoiseSeconds, 2);
+    const BenchScene& scene = report.scenes[0];
+    ASSERT_EQ(scene.pair.size(), 2u);
+    EXPECT_NEAR(scene.referenceNoise, 0.0025 / 0.17, 1e-3);
+    EXPECT_GT(scene.flipNoise, 0);
+    const Image mean = readLinearRgb(path("out/" + scene.reference));
+    EXPECT_NEAR(mean.at(1, 1, 0), 0.4f, 1e-6f);
+}
+
+TEST_F(BenchTest, HalfAPairIsAnError) {
+    addMethod("a", copying("half.exr"));
+    std::filesystem::rename(path("references/room.exr"), path("references/room-1.exr"));
+    EXPECT_THAT(errorOf([&] { run(); }), AllOf(HasSubstr("room-1.exr is there"), HasSubstr("room-2.exr")));
+    std::filesystem::copy(path("references/room-1.exr"), path("references/room-2.exr"));
+    EXPECT_THAT(errorOf([&] { run(); }), HasSubstr("are the same picture"));
+}
+
+// A better reference makes nobody render again.
+TEST_F(BenchTest, PicturesAreMeasuredAnewWhenReferencesChange) {
+    addMethod("a", copying("half.exr"));
+    const double before = run().runs[0].error;
+    calls();
+    writeExr(path("references/room.exr"), flat(0.5f));
+    EXPECT_GT(before, 0.01);
+    EXPECT_NEAR(run().runs[0].error, 0, 1e-9);
+    EXPECT_NEAR(run().runs[0].error, 0, 1e-9);
+    EXPECT_TRUE(calls().empty());
 }
 
 TEST_F(BenchTest, MethodsAreInnermostAndRepeatsOutermost) {

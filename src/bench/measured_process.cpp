@@ -139,11 +139,16 @@ ProcessUse runMeasured(const std::vector<std::string>& argv, std::optional<doubl
 
 std::string lastLine(const std::string& output) {
     constexpr const char* kBlank = " \t\r\n";
-    const size_t end = output.find_last_not_of(kBlank);
-    if (end == std::string::npos) return "";
-    const size_t before = output.find_last_of("\r\n", end);
-    const size_t begin = output.find_first_not_of(kBlank, before == std::string::npos ? 0 : before);
-    return output.substr(begin, end + 1 - begin);
+    std::string lines[3];  // the last comes first
+    size_t end = output.find_last_not_of(kBlank);
+    for (std::string& line : lines) {
+        if (end == std::string::npos) break;
+        const size_t before = output.find_last_of("\r\n", end);
+        const size_t begin = output.find_first_not_of(kBlank, before == std::string::npos ? 0 : before);
+        line = output.substr(begin, end + 1 - begin);
+        end = before == std::string::npos ? before : output.find_last_not_of(kBlank, before);
+    }
+    return lines[0] == "^" && !lines[2].empty() ? lines[2] : lines[0];
 }
 
 }  // namespace drc

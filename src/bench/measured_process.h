@@ -23,7 +23,9 @@ struct ProcessUse {
 ProcessUse runMeasured(const std::vector<std::string>& argv, std::optional<double> limitSeconds = {},
                        const CancelToken* cancel = nullptr);
 
-// The last line of a program's output that is not blank, without blanks about it: where programs say what is wrong.
+// The last line of a program's output that is not blank, without blanks about it: where programs say what is wrong. If
+// the output ends with a line of text and a caret below it, as ours does where a scene's file is wrong, the line before
+// these two.
 std::string lastLine(const std::string& output);
 
 }  // namespace drc

@@ -101,5 +101,12 @@ TEST(LastLine, OfBlankEndsAndCarriageReturns) {
     EXPECT_EQ(lastLine("10%\r20%\r99% \n"), "99%");
 }
 
+TEST(LastLine, IsTheMessageWhereTextWithACaretFollows) {
+    EXPECT_EQ(lastLine("loading\nroom.pbrt:1:1: no such shape\n    Shape \"cube\"\n          ^\n"),
+              "room.pbrt:1:1: no such shape");
+    EXPECT_EQ(lastLine("one\n^\n"), "^");
+    EXPECT_EQ(lastLine("^"), "^");
+}
+
 }  // namespace
 }  // namespace drc

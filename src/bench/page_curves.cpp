@@ -26,7 +26,7 @@ struct Error {
     BenchMeasure measure;
     double of(double value) const { return measure.better > 0 ? 1 - value : value; }
 };
-const Error kErrors[] = {{"relMSE", kRelmse}, {"1 \u2212 SSIM", kSsim}, {"FLIP", kFlip}};
+const Error kErrors[] = {{"error", kError}, {"1 \u2212 SSIM", kSsim}, {"FLIP", kFlip}};
 
 LinePlotPoint errorPoint(const std::vector<const BenchRun*>& runs, const Error& error) {
     const BenchSpread spread = spreadOver(runs, error.measure);

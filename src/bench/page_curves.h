@@ -6,7 +6,7 @@
 
 namespace drc {
 
-// Per scene a plot each of relMSE, 1 - SSIM and FLIP against the seconds of the process, both logarithmic: a line a
+// Per scene a plot each of the error, 1 - SSIM and FLIP against the seconds of the process, both logarithmic: a line a
 // method and unit of its budgets. Empty if no method has two budgets.
 std::string errorCurves(const BenchReport& report);
 

@@ -16,9 +16,9 @@ TEST(PageCurves, PointsAreErrorAgainstSecondsOfTheProcess) {
     const std::string html = errorCurves(b.report);
     EXPECT_EQ(brokenNesting(html), "");
     EXPECT_EQ(occurrences(html, "<svg "), 3);
-    // All three fall from corner to corner: relMSE and 1 - SSIM from 1 to 0.01, FLIP from 0.5 to 0.005.
+    // All three fall from corner to corner: the error and 1 - SSIM from 1 to 0.01, FLIP from 0.5 to 0.005.
     EXPECT_EQ(occurrences(html, "d=\"M46.0 24.0L198.0 117.0L350.0 210.0\""), 3);
-    EXPECT_NE(html.find("<title>drc, 10 s: relMSE 0.1 in 10.00 s</title>"), std::string::npos);
+    EXPECT_NE(html.find("<title>drc, 10 s: error 0.1 in 10.00 s</title>"), std::string::npos);
     EXPECT_NE(html.find("1 \u2212 SSIM 0.1 in 10.00 s</title>"), std::string::npos);
 }
 
@@ -29,21 +29,21 @@ TEST(PageCurves, EachUnitHasALineAndAMark) {
         b.add("box", "a", tasks(n), 1 / n).seconds = n;
         b.add("box", "b", spp(n), 1 / n).seconds = n;
     }
-    const std::string relmse = between(errorCurves(b.report), "<svg ", "</svg>");
-    EXPECT_EQ(occurrences(relmse, "class=\"line\""), 3);
-    EXPECT_EQ(occurrences(relmse, "<circle"), 2);
-    EXPECT_EQ(occurrences(relmse, "<path class=\"mark\""), 4);
+    const std::string plot = between(errorCurves(b.report), "<svg ", "</svg>");
+    EXPECT_EQ(occurrences(plot, "class=\"line\""), 3);
+    EXPECT_EQ(occurrences(plot, "<circle"), 2);
+    EXPECT_EQ(occurrences(plot, "<path class=\"mark\""), 4);
     EXPECT_EQ(occurrences(errorCurves(b.report), "<i></i>"), 2);  // names in the legend
 }
 
 TEST(PageCurves, RepeatsAreOnePointWithABar) {
     ReportBuilder b;
-    for (const double relmse : {0.1, 0.2, 0.4}) b.add("box", "a", seconds(1), relmse);
+    for (const double error : {0.1, 0.2, 0.4}) b.add("box", "a", seconds(1), error);
     b.add("box", "a", seconds(5), 0.05);
-    const std::string relmse = between(errorCurves(b.report), "<svg ", "</svg>");
-    EXPECT_EQ(occurrences(relmse, "<circle"), 2);
-    EXPECT_EQ(occurrences(relmse, "class=\"whisker\""), 1);
-    EXPECT_NE(relmse.find("relMSE 0.2 in"), std::string::npos);
+    const std::string plot = between(errorCurves(b.report), "<svg ", "</svg>");
+    EXPECT_EQ(occurrences(plot, "<circle"), 2);
+    EXPECT_EQ(occurrences(plot, "class=\"whisker\""), 1);
+    EXPECT_NE(plot.find("error 0.2 in"), std::string::npos);
 }
 
 TEST(PageCurves, NoLineNoPlot) {

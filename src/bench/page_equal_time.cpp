@@ -5,13 +5,16 @@
 #include <cmath>
 
 #include "bench/page_measures.h"
+#include "image/pair_metrics.h"
 #include "report/html_page.h"
 
 namespace drc {
 namespace {
 
-const BenchMeasure* const kColumns[] = {&kSsim, &kFlip, &kRelmse, &kSeconds, &kCpuSeconds, &kPeakMegabytes};
-constexpr size_t kColumnCount = std::size(kColumns);
+const BenchMeasure* const kColumns[] = {&kError,   &kTrimmedError, &kBlockError,    &kSsim,           &kFlip,
+                                        &kSpp,     &kLoadSeconds,  &kRenderSeconds, &kDenoiseSeconds, &kWriteSeconds,
+                                        &kSeconds, &kCpuSeconds,   &kPeakMegabytes};
+constexpr size_t kColumnCount = std::size(kColumns) + 1;  // and, beside the error, its ratio to the opponent's
 
 std::string block(const std::string& title, const std::string& rows) {
     return fmt::format("<tbody class=\"group\">\n<tr><th class=\"block\" colspan=\"{}\">{}</th></tr>\n{}</tbody>\n",
@@ -19,10 +22,10 @@ std::string block(const std::string& title, const std::string& rows) {
 }
 
 // The best median among the methods; NaN if fewer than two have one.
-double bestOf(const std::vector<BenchSpread>& methods, int better) {
+double bestOf(const std::vector<MeasuredSpread>& methods, int better) {
     double best = kNotMeasured;
     int count = 0;
-    for (const BenchSpread& spread : methods) {
+    for (const MeasuredSpread& spread : methods) {
         if (std::isnan(spread.median)) continue;
         if (count++ == 0 || better * spread.median > better * best) best = spread.median;
     }
@@ -35,23 +38,40 @@ std::string failureText(const std::vector<const BenchRun*>& failures, size_t suc
     return fmt::format("{} of {} failed: {}", failures.size(), failures.size() + succeeded, reason);
 }
 
-std::string sceneBlock(const BenchReport& report, const std::string& scene, const Budget& budget) {
+// Where a perfect picture would be by this measure, and how far the references' noise puts it from there.
+struct Displayed {
+    double perfect = 0, noise = 0;
+    bool isNoisy(double value) const { return noise > kMostDisplayedNoise * std::abs(value - perfect); }
+};
+
+Displayed displayed(const BenchScene& scene, const BenchMeasure* measure) {
+    return measure == &kSsim   ? Displayed{1, scene.ssimNoise}
+           : measure == &kFlip ? Displayed{0, scene.flipNoise}
+                               : Displayed{};
+}
+
+std::string sceneBlock(const BenchReport& report, const BenchScene& scene, const Budget& budget) {
     std::vector<std::vector<const BenchRun*>> runs;
-    for (const std::string& method : report.methods) runs.push_back(runsOf(report, scene, method, budget));
+    for (const std::string& method : report.methods) runs.push_back(runsOf(report, scene.name, method, budget));
     std::vector<std::string> cells(report.methods.size());
+    const double opponent = opponentError(report, scene.name, budget);
     for (const BenchMeasure* measure : kColumns) {
-        std::vector<BenchSpread> spreads;
+        std::vector<MeasuredSpread> spreads;
         for (const auto& ofMethod : runs) spreads.push_back(spreadOver(ofMethod, *measure));
         const double best = bestOf(spreads, measure->better);
-        for (size_t m = 0; m < runs.size(); ++m)
+        const Displayed shown = displayed(scene, measure);
+        for (size_t m = 0; m < runs.size(); ++m) {
             cells[m] +=
-                fmt::format("<td{}>{}</td>", spreads[m].median == best ? " class=\"best\"" : "",
+                fmt::format("<td{}>{}{}</td>", spreads[m].median == best ? " class=\"best\"" : "",
+                            shown.isNoisy(spreads[m].median) ? "~" : "",
                             // Of time and memory the median is enough.
                             measure->better == 0 ? measure->text(spreads[m].median) : spreadText(spreads[m], *measure));
+            if (measure == &kError) cells[m] += "<td>" + twoDecimals(spreads[m].median / opponent) + "</td>";
+        }
     }
     std::string rows;
     for (size_t m = 0; m < runs.size(); ++m) {
-        const auto failures = failuresOf(report, scene, report.methods[m], budget);
+        const auto failures = failuresOf(report, scene.name, report.methods[m], budget);
         if (runs[m].empty() && failures.empty()) continue;
         const std::string name = fmt::format("<th class=\"name\">{}</th>", escapeHtml(report.methods[m]));
         if (!runs[m].empty()) rows += "<tr>" + name + cells[m] + "</tr>\n";
@@ -60,12 +80,27 @@ std::string sceneBlock(const BenchReport& report, const std::string& scene, cons
                 fmt::format("<tr>{}<td class=\"text failure\" colspan=\"{}\">{}</td></tr>\n",
                             runs[m].empty() ? name : "<th></th>", kColumnCount, failureText(failures, runs[m].size()));
     }
-    return rows.empty() ? "" : block(escapeHtml(scene), rows);
+    return rows.empty() ? "" : block(escapeHtml(scene.name), rows);
 }
 
-double medianRelmse(const BenchReport& report, const std::string& scene, const std::string& method,
-                    const Budget& budget) {
-    return spreadOver(runsOf(report, scene, method, budget), kRelmse).median;
+double medianError(const BenchReport& report, const std::string& scene, const std::string& method,
+                   const Budget& budget) {
+    return spreadOver(runsOf(report, scene, method, budget), kError).median;
+}
+
+// What the others are shares of: the opponent, or the first method where it was not run.
+struct Base {
+    bool isOpponent;
+    std::string method;
+    double error(const BenchReport& report, const std::string& scene, const Budget& budget) const {
+        return isOpponent ? opponentError(report, scene, budget) : medianError(report, scene, method, budget);
+    }
+};
+
+Base baseOf(const BenchReport& report, const Budget& budget) {
+    for (const BenchScene& scene : report.scenes)
+        if (!std::isnan(opponentError(report, scene.name, budget))) return {true, std::string("the best ") + kOpponent};
+    return {false, report.methods.front()};
 }
 
 struct GeometricMean {
@@ -73,13 +108,13 @@ struct GeometricMean {
     int scenes = 0;  // that both have
 };
 
-GeometricMean relativeError(const BenchReport& report, const std::string& method, const std::string& base,
+GeometricMean relativeError(const BenchReport& report, const std::string& method, const Base& base,
                             const Budget& budget) {
     double sum = 0;
     GeometricMean mean;
     for (const BenchScene& scene : report.scenes) {
-        const double own = medianRelmse(report, scene.name, method, budget),
-                     others = medianRelmse(report, scene.name, base, budget);
+        const double own = medianError(report, scene.name, method, budget),
+                     others = base.error(report, scene.name, budget);
         if (!(own > 0 && others > 0) || std::isinf(own) || std::isinf(others)) continue;
         sum += std::log(own / others);
         ++mean.scenes;
@@ -89,19 +124,22 @@ GeometricMean relativeError(const BenchReport& report, const std::string& method
 }
 
 std::string meanBlock(const BenchReport& report, const Budget& budget) {
-    const std::string& base = report.methods.front();
-    if (relativeError(report, base, base, budget).scenes == 0) return "";
+    const Base base = baseOf(report, budget);
     std::string rows;
+    bool any = base.isOpponent;
     for (const std::string& method : report.methods) {
         const GeometricMean mean = relativeError(report, method, base, budget);
         if (mean.scenes == 0) continue;
-        // Under relMSE: what stands there for the single scenes.
+        any |= method == base.method;
+        // Under the error: what stands there for the single scenes.
         rows += fmt::format(
-            "<tr><th class=\"name\">{}</th><td></td><td></td><td>{}&#8201;&#215;</td>"
-            "<td class=\"text soft\" colspan=\"3\">{} {}</td></tr>\n",
-            escapeHtml(method), htmlSignificant(mean.ratio), mean.scenes, mean.scenes == 1 ? "scene" : "scenes");
+            "<tr><th class=\"name\">{}</th><td>{}&#8201;&#215;</td><td class=\"text soft\" colspan=\"{}\">{} "
+            "{}</td></tr>\n",
+            escapeHtml(method), htmlSignificant(mean.ratio), kColumnCount - 1, mean.scenes,
+            mean.scenes == 1 ? "scene" : "scenes");
     }
-    return block(fmt::format("relMSE as a multiple of that of {}, geometric mean", escapeHtml(base)), rows);
+    if (!any) return "";
+    return block(fmt::format("error as a multiple of that of {}, geometric mean", escapeHtml(base.method)), rows);
 }
 
 }  // namespace
@@ -110,14 +148,16 @@ std::string equalTimeTables(const BenchReport& report) {
     std::string html;
     for (const Budget& budget : budgetsOf(report, BudgetUnit::Seconds)) {
         std::string blocks;
-        for (const BenchScene& scene : report.scenes) blocks += sceneBlock(report, scene.name, budget);
+        for (const BenchScene& scene : report.scenes) blocks += sceneBlock(report, scene, budget);
         if (blocks.empty()) continue;
         std::string head = "<thead><tr><th></th>";
-        for (const BenchMeasure* measure : kColumns)
+        for (const BenchMeasure* measure : kColumns) {
             head += fmt::format("<th{}>{}{}</th>", measure->better == 0 ? "" : " class=\"interval\"", measure->title,
                                 measure->better > 0   ? " &#8593;"
                                 : measure->better < 0 ? " &#8595;"
                                                       : "");
+            if (measure == &kError) head += fmt::format("<th>/ {}</th>", kOpponent);
+        }
         html += fmt::format(
             "<h3>{}</h3>\n<div class=\"wide\"><table class=\"equal-time\">\n{}</tr></thead>\n{}{}"
             "</table></div>\n",

@@ -7,7 +7,8 @@
 namespace drc {
 
 // Per budget in seconds a table: a block a scene, a row a method, and the geometric means over the scenes of the
-// methods' relMSE, as shares of the first method's. Empty if nothing was run so.
+// methods' errors, as multiples of the best path+oidn's, or of the first method's without one. Empty if nothing was run
+// so.
 std::string equalTimeTables(const BenchReport& report);
 
 }  // namespace drc

@@ -31,7 +31,7 @@ TEST(PageEqualTime, BestOfAScene) {
     const std::string html = equalTimeTables(b.report);
     EXPECT_EQ(occurrences(html, "<td class=\"best\">0.9000</td>"), 2);  // SSIM of a and c
     EXPECT_EQ(occurrences(html, "<td class=\"best\">0.0500</td>"), 1);  // FLIP of b
-    EXPECT_EQ(occurrences(html, "<td class=\"best\">0.100</td>"), 1);   // relMSE of b
+    EXPECT_EQ(occurrences(html, "<td class=\"best\">0.100</td>"), 1);   // the error of b
     EXPECT_EQ(occurrences(html, "\"best\""), 4);
 }
 
@@ -42,12 +42,12 @@ TEST(PageEqualTime, OneMethodIsNotTheBest) {
     const std::string html = equalTimeTables(b.report);
     EXPECT_EQ(occurrences(html, "\"best\""), 0);
     EXPECT_EQ(html.find("nan"), std::string::npos);
-    EXPECT_EQ(occurrences(html, "<td>&#8211;</td>"), 3);
+    EXPECT_EQ(occurrences(html, "<th class=\"name\">b</th><td>&#8211;</td><td>&#8211;</td>"), 1);
 }
 
 TEST(PageEqualTime, RepeatsHaveAMedianAndAnInterval) {
     ReportBuilder b;
-    for (const double relmse : {0.3, 0.1, 0.2}) b.add("box", "a", seconds(2), relmse, 1 - relmse);
+    for (const double error : {0.3, 0.1, 0.2}) b.add("box", "a", seconds(2), error, 1 - error);
     b.add("box", "b", seconds(2), 0.25, 0.25);
     const std::string html = equalTimeTables(b.report);
     EXPECT_NE(html.find("0.8000<small>0.7000&#8202;&#8211;&#8202;0.9000</small>"), std::string::npos);
@@ -56,12 +56,36 @@ TEST(PageEqualTime, RepeatsHaveAMedianAndAnInterval) {
     EXPECT_EQ(occurrences(html, "<small>"), 3);
 }
 
+TEST(PageEqualTime, StandardErrorsAreThere) {
+    ReportBuilder b;
+    b.add("box", "a", seconds(2), 0.3).errorSe = 0.01;
+    EXPECT_NE(equalTimeTables(b.report).find("<td>0.300<small>&#177;&#8202;0.0100</small></td>"), std::string::npos);
+    b.add("box", "a", seconds(2), 0.1).errorSe = 0.03;
+    EXPECT_NE(equalTimeTables(b.report).find(
+                  "<td>0.200<small>&#177;&#8202;0.0200; 0.100&#8202;&#8211;&#8202;0.300</small></td>"),
+              std::string::npos);
+}
+
+TEST(PageEqualTime, DisplayedMetricsThatAreMostlyNoiseAreMarked) {
+    ReportBuilder b;
+    b.add("box", "a", seconds(2), 0.2, 0.9);
+    b.add("box", "b", seconds(2), 0.2, 0.99);
+    b.report.scenes[0].ssimNoise = 0.01;
+    const std::string html = equalTimeTables(b.report);
+    EXPECT_NE(html.find("<td>0.9000</td>"), std::string::npos);
+    EXPECT_NE(html.find(">~0.9900</td>"), std::string::npos);
+    EXPECT_EQ(occurrences(html, "~"), 1);
+}
+
 TEST(PageEqualTime, TimeAndMemoryArePresent) {
     ReportBuilder b;
     BenchRun& run = b.add("box", "a", seconds(2), 0.2);
     run.seconds = 1.987, run.cpuSeconds = 3.94, run.peakMegabytes = 1234.4;
+    run.spp = 17, run.loadSeconds = .25, run.renderSeconds = 1.1, run.denoiseSeconds = 0.5, run.writeSeconds = .125;
     const std::string html = equalTimeTables(b.report);
-    EXPECT_NE(html.find("<td>1.99</td><td>3.9</td><td>1234</td>"), std::string::npos);
+    EXPECT_NE(html.find("<td>17</td><td>0.25</td><td>1.10</td><td>0.50</td><td>0.12</td><td>1.99</td><td>3.9</td>"
+                        "<td>1234</td>"),
+              std::string::npos);
 }
 
 TEST(PageEqualTime, FailuresSayWhy) {
@@ -72,8 +96,13 @@ TEST(PageEqualTime, FailuresSayWhy) {
     const std::string html = equalTimeTables(b.report);
     EXPECT_EQ(brokenNesting(html), "");
     EXPECT_NE(html.find(">1 of 2 failed: no memory</td>"), std::string::npos);
-    EXPECT_NE(html.find("<th class=\"name\">b</th><td class=\"text failure\" colspan=\"6\">killed &lt;9&gt;</td>"),
+    EXPECT_NE(html.find("<th class=\"name\">b</th><td class=\"text failure\" colspan=\"14\">killed &lt;9&gt;</td>"),
               std::string::npos);
+}
+
+std::string meanRow(const std::string& name, const std::string& ratio, const std::string& scenes) {
+    return ">" + name + "</th><td>" + ratio + "&#8201;&#215;</td><td class=\"text soft\" colspan=\"13\">" + scenes +
+           "<";
 }
 
 // Over the scenes that both have: ratios of 2 and 8 in two, none in the third.
@@ -85,13 +114,21 @@ TEST(PageEqualTime, GeometricMeansAreRelativeToTheFirstMethod) {
     b.add("hall", "other", seconds(2), 0.08);
     b.add("yard", "base", seconds(2), 0.3);
     b.addFailure("yard", "other", seconds(2), "no");
-    const std::string means = between(equalTimeTables(b.report), "geometric mean", "</table>");
-    EXPECT_NE(means.find(">base</th><td></td><td></td><td>1.00&#8201;&#215;</td><td class=\"text soft\" "
-                         "colspan=\"3\">3 scenes<"),
-              std::string::npos);
-    EXPECT_NE(means.find(">other</th><td></td><td></td><td>4.00&#8201;&#215;</td><td class=\"text soft\" "
-                         "colspan=\"3\">2 scenes<"),
-              std::string::npos);
+    const std::string means = between(equalTimeTables(b.report), "that of base, geometric mean", "</table>");
+    EXPECT_NE(means.find(meanRow("base", "1.00", "3 scenes")), std::string::npos) << means;
+    EXPECT_NE(means.find(meanRow("other", "4.00", "2 scenes")), std::string::npos) << means;
+}
+
+TEST(PageEqualTime, PathTracingWithOpenImageDenoiseIsWhatOthersAreMeasuredBy) {
+    ReportBuilder b;
+    b.add("box", "drc", seconds(2), 0.1);
+    b.add("box", "path+oidn", seconds(2), 0.4);
+    b.add("box", "path+oidn:fast-raw", seconds(2), 0.2);  // the better one
+    const std::string html = equalTimeTables(b.report), means = between(html, "that of the best path+oidn", "</table>");
+    EXPECT_NE(html.find(">0.100</td><td>0.50</td>"), std::string::npos);
+    EXPECT_NE(html.find(">0.400</td><td>2.00</td>"), std::string::npos);
+    EXPECT_NE(means.find(meanRow("drc", "0.500", "1 scene")), std::string::npos) << means;
+    EXPECT_NE(means.find(meanRow("path+oidn:fast-raw", "1.00", "1 scene")), std::string::npos) << means;
 }
 
 TEST(PageEqualTime, NoMeansWithoutTheFirstMethod) {

@@ -22,24 +22,35 @@ std::string noDecimals(double x) { return decimals(x, 0); }
 
 const BenchMeasure kSsim{"SSIM", &BenchRun::ssim, fourDecimals, 1};
 const BenchMeasure kFlip{"FLIP", &BenchRun::flip, fourDecimals, -1};
-const BenchMeasure kRelmse{"relMSE", &BenchRun::relmse, htmlSignificant, -1};
-const BenchMeasure kMse{"MSE", &BenchRun::mse, htmlSignificant, -1};
+const BenchMeasure kError{"error", &BenchRun::error, htmlSignificant, -1, &BenchRun::errorSe};
+const BenchMeasure kTrimmedError{"trimmed", &BenchRun::trimmedError, htmlSignificant, -1, &BenchRun::trimmedErrorSe};
+const BenchMeasure kBlockError{"blocks", &BenchRun::blockError, htmlSignificant, -1, &BenchRun::blockErrorSe};
+const BenchMeasure kSpp{"spp", &BenchRun::spp, noDecimals, 0};
+const BenchMeasure kLoadSeconds{"load", &BenchRun::loadSeconds, twoDecimals, 0};
+const BenchMeasure kRenderSeconds{"render", &BenchRun::renderSeconds, twoDecimals, 0};
+const BenchMeasure kDenoiseSeconds{"denoise", &BenchRun::denoiseSeconds, twoDecimals, 0};
+const BenchMeasure kWriteSeconds{"write", &BenchRun::writeSeconds, twoDecimals, 0};
 const BenchMeasure kSeconds{"seconds", &BenchRun::seconds, twoDecimals, 0};
 const BenchMeasure kCpuSeconds{"CPU s", &BenchRun::cpuSeconds, oneDecimal, 0};
 const BenchMeasure kPeakMegabytes{"peak MB", &BenchRun::peakMegabytes, noDecimals, 0};
 const BenchMeasure kPngKb{"PNG KB", &BenchRun::pngKb, oneDecimal, 0};
 
-BenchSpread spreadOver(const std::vector<const BenchRun*>& runs, const BenchMeasure& measure) {
-    std::vector<double> values;
-    for (const BenchRun* run : runs) values.push_back(run->*measure.value);
-    return spreadOf(values);
+MeasuredSpread spreadOver(const std::vector<const BenchRun*>& runs, const BenchMeasure& measure) {
+    std::vector<double> values, errors;
+    for (const BenchRun* run : runs) {
+        values.push_back(run->*measure.value);
+        if (measure.standardError) errors.push_back(run->*measure.standardError);
+    }
+    return {spreadOf(values), spreadOf(errors).median};
 }
 
-std::string spreadText(const BenchSpread& spread, const BenchMeasure& measure) {
-    std::string html = measure.text(spread.median);
+std::string spreadText(const MeasuredSpread& spread, const BenchMeasure& measure) {
+    std::string small;
+    if (!std::isnan(spread.standardError)) small += "&#177;&#8202;" + measure.text(spread.standardError);
     if (spread.count > 1)
-        html += "<small>" + measure.text(spread.low) + "&#8202;&#8211;&#8202;" + measure.text(spread.high) + "</small>";
-    return html;
+        small += (small.empty() ? "" : "; ") + measure.text(spread.low) + "&#8202;&#8211;&#8202;" +
+                 measure.text(spread.high);
+    return measure.text(spread.median) + (small.empty() ? "" : "<small>" + small + "</small>");
 }
 
 std::vector<const BenchRun*> failuresOf(const BenchReport& report, const std::string& scene, const std::string& method,

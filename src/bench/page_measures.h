@@ -10,8 +10,9 @@ namespace drc {
 struct BenchMeasure {
     const char* title;
     double BenchRun::*value;
-    std::string (*text)(double);  // as HTML; a dash for NaN
-    int better;                   // 1: larger is better; -1: smaller is; 0: neither
+    std::string (*text)(double);                // as HTML; a dash for NaN
+    int better;                                 // 1: larger is better; -1: smaller is; 0: neither
+    double BenchRun::*standardError = nullptr;  // where it is measured
 };
 
 std::string fourDecimals(double x);  // htmlNumber
@@ -19,12 +20,17 @@ std::string twoDecimals(double x);
 std::string oneDecimal(double x);
 std::string noDecimals(double x);
 
-extern const BenchMeasure kSsim, kFlip, kRelmse, kMse, kSeconds, kCpuSeconds, kPeakMegabytes, kPngKb;
+extern const BenchMeasure kError, kTrimmedError, kBlockError, kSsim, kFlip, kSpp, kLoadSeconds, kRenderSeconds,
+    kDenoiseSeconds, kWriteSeconds, kSeconds, kCpuSeconds, kPeakMegabytes, kPngKb;
 
-BenchSpread spreadOver(const std::vector<const BenchRun*>& runs, const BenchMeasure& measure);
+struct MeasuredSpread : BenchSpread {
+    double standardError = kNotMeasured;  // median of the runs'
+};
+MeasuredSpread spreadOver(const std::vector<const BenchRun*>& runs, const BenchMeasure& measure);
 
-// "median", and in small type from where to where the repeats lie, where there are several.
-std::string spreadText(const BenchSpread& spread, const BenchMeasure& measure);
+// "median", and in small type the standard error of a run, if there is one, and from where to where the repeats lie,
+// where there are several.
+std::string spreadText(const MeasuredSpread& spread, const BenchMeasure& measure);
 
 // The repeats that failed.
 std::vector<const BenchRun*> failuresOf(const BenchReport& report, const std::string& scene, const std::string& method,

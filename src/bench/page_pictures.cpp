@@ -16,7 +16,7 @@
 namespace drc {
 namespace {
 
-const BenchMeasure* const kCaption[] = {&kMse, &kSsim, &kFlip, &kRelmse, &kSeconds};
+const BenchMeasure* const kCaption[] = {&kError, &kBlockError, &kSsim, &kFlip, &kSeconds};
 
 std::string pathIn(const std::string& folder, const std::string& file) {
     return (std::filesystem::path(folder) / file).string();

@@ -63,8 +63,8 @@ TEST_F(PagePicturesTest, TheFirstRepeatIsShown) {
     EXPECT_EQ(made.figures, "");
     EXPECT_NE(made.gallery.find(uri(first)), std::string::npos);
     EXPECT_EQ(made.gallery.find(uri(second)), std::string::npos);
-    EXPECT_NE(made.gallery.find("<dt>relMSE</dt><dd>0.125</dd>"), std::string::npos);
-    EXPECT_NE(made.gallery.find("<dt>MSE</dt><dd>0.0312</dd>"), std::string::npos);
+    EXPECT_NE(made.gallery.find("<dt>error</dt><dd>0.125</dd>"), std::string::npos);
+    EXPECT_NE(made.gallery.find("<dt>FLIP</dt><dd>0.0625</dd>"), std::string::npos);
 }
 
 TEST_F(PagePicturesTest, ScenesWithoutPicturesNeedNoReference) {

@@ -34,7 +34,7 @@ class ReportBuilder {
 
     // A run that took as long as its budget says, or one second. Change what it returns; it stays where it is until the
     // next run comes.
-    BenchRun& add(const std::string& scene, const std::string& method, const Budget& budget, double relmse,
+    BenchRun& add(const std::string& scene, const std::string& method, const Budget& budget, double error,
                   double ssim = 0.5) {
         if (std::none_of(report.scenes.begin(), report.scenes.end(), [&](const auto& s) { return s.name == scene; })) {
             BenchScene added;
@@ -55,7 +55,7 @@ class ReportBuilder {
         run.seconds = budget.unit == BudgetUnit::Seconds ? budget.amount : 1;
         run.cpuSeconds = 2 * run.seconds;
         run.peakMegabytes = 100;
-        run.relmse = relmse, run.ssim = ssim, run.flip = relmse / 2, run.mse = relmse / 4;
+        run.error = error, run.ssim = ssim, run.flip = error / 2;
         run.pngKb = 10;
         run.picture = picture();
         report.runs.push_back(run);

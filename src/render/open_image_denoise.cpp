@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "base/parallel.h"
 
 namespace drc {
@@ -15,6 +16,32 @@ namespace {
 using Device = void*;
 using Filter = void*;
 constexpr int kCpu = 1, kFloat3 = 3;
+
+struct QualityName {
+    OidnQuality quality;
+    const char* name;
+    int value;         // of the filter's parameter "quality"
+    int firstVersion;  // of the library that knows it
+};
+// From the better to the faster. High is what every version does without being told.
+constexpr QualityName kQualities[] = {{OidnQuality::High, "high", 6, 0},
+                                      {OidnQuality::Balanced, "balanced", 5, 20000},
+                                      {OidnQuality::Fast, "fast", 4, 20300}};
+
+// The wanted one, or the next better that the version knows.
+const QualityName& knownQuality(OidnQuality wanted, int version) {
+    const QualityName* known = &kQualities[0];
+    for (const QualityName& quality : kQualities) {
+        if (quality.firstVersion <= version) known = &quality;
+        if (quality.quality != wanted) continue;
+        if (known != &quality)
+            logWarning(fmt::format("Open Image Denoise {}.{} has no quality '{}', which came with {}.{}: '{}' instead",
+                                   version / 10000, version / 100 % 100, quality.name, quality.firstVersion / 10000,
+                                   quality.firstVersion / 100 % 100, known->name));
+        break;
+    }
+    return *known;
+}
 
 struct NamedImage {
     const char* name;
@@ -43,9 +70,11 @@ struct OpenImageDenoise::Library {
         find(getDeviceError, "oidnGetDeviceError");
         find(releaseDevice, "oidnReleaseDevice");
         find(setDeviceInt, "oidnSetDeviceInt", "oidnSetDevice1i");
+        find(getDeviceInt, "oidnGetDeviceInt", "oidnGetDevice1i");
         find(newFilter, "oidnNewFilter");
         find(setImage, "oidnSetSharedFilterImage");
         find(setBool, "oidnSetFilterBool", "oidnSetFilter1b");
+        find(setInt, "oidnSetFilterInt", "oidnSetFilter1i");
         find(commitFilter, "oidnCommitFilter");
         find(executeFilter, "oidnExecuteFilter");
         find(releaseFilter, "oidnReleaseFilter");
@@ -55,6 +84,7 @@ struct OpenImageDenoise::Library {
             commitDevice(device);
         }
         check();
+        version = getDeviceInt(device, "version");
     }
     ~Library() {
         if (device) releaseDevice(device);
@@ -78,7 +108,8 @@ struct OpenImageDenoise::Library {
     }
 
     // inputs: the first is what is filtered.
-    Image run(std::initializer_list<NamedImage> inputs, bool hdr, bool cleanAuxiliaries) const {
+    Image run(std::initializer_list<NamedImage> inputs, const QualityName& quality, bool hdr,
+              bool cleanAuxiliaries) const {
         const Image& first = *inputs.begin()->image;
         const auto width = size_t(first.width()), height = size_t(first.height());
         Image output(first.width(), first.height());
@@ -90,6 +121,7 @@ struct OpenImageDenoise::Library {
         bind("output", output);
         if (hdr) setBool(filter.get(), "hdr", true);
         if (cleanAuxiliaries) setBool(filter.get(), "cleanAux", true);
+        if (quality.quality != OidnQuality::High) setInt(filter.get(), "quality", quality.value);
         commitFilter(filter.get());
         executeFilter(filter.get());
         check();
@@ -98,15 +130,18 @@ struct OpenImageDenoise::Library {
 
     void* handle = nullptr;
     Device device = nullptr;
+    int version = 0;
     Device (*newDevice)(int type) = nullptr;
     void (*commitDevice)(Device) = nullptr;
     int (*getDeviceError)(Device, const char** message) = nullptr;
     void (*releaseDevice)(Device) = nullptr;
     void (*setDeviceInt)(Device, const char* name, int value) = nullptr;
+    int (*getDeviceInt)(Device, const char* name) = nullptr;
     Filter (*newFilter)(Device, const char* type) = nullptr;
     void (*setImage)(Filter, const char* name, void* data, int format, size_t width, size_t height, size_t offset,
                      size_t pixelStride, size_t rowStride) = nullptr;
     void (*setBool)(Filter, const char* name, bool value) = nullptr;
+    void (*setInt)(Filter, const char* name, int value) = nullptr;
     void (*commitFilter)(Filter) = nullptr;
     void (*executeFilter)(Filter) = nullptr;
     void (*releaseFilter)(Filter) = nullptr;
@@ -115,10 +150,16 @@ struct OpenImageDenoise::Library {
 OpenImageDenoise::OpenImageDenoise(const std::string& library) : library_(std::make_unique<Library>(library)) {}
 OpenImageDenoise::~OpenImageDenoise() = default;
 
-Image OpenImageDenoise::denoised(const Image& color, const Image& albedo, const Image& normal) const {
-    const Image cleanAlbedo = library_->run({{"albedo", &albedo}}, false, false);
-    const Image cleanNormal = library_->run({{"normal", &normal}}, false, false);
-    return library_->run({{"color", &color}, {"albedo", &cleanAlbedo}, {"normal", &cleanNormal}}, true, true);
+int OpenImageDenoise::version() const { return library_->version; }
+
+Image OpenImageDenoise::denoised(const Image& color, const Image& albedo, const Image& normal,
+                                 const OidnSettings& settings) const {
+    const QualityName& quality = knownQuality(settings.quality, version());
+    if (!settings.prefilter)
+        return library_->run({{"color", &color}, {"albedo", &albedo}, {"normal", &normal}}, quality, true, false);
+    const Image cleanAlbedo = library_->run({{"albedo", &albedo}}, quality, false, false);
+    const Image cleanNormal = library_->run({{"normal", &normal}}, quality, false, false);
+    return library_->run({{"color", &color}, {"albedo", &cleanAlbedo}, {"normal", &cleanNormal}}, quality, true, true);
 }
 
 }  // namespace drc

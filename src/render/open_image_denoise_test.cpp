@@ -1,0 +1,152 @@
+#include "render/open_image_denoise.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <optional>
+
+#include "base/folder_testing.h"
+#include "base/log.h"
+#include "math/rng.h"
+
+namespace drc {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// A library with the C interface of version 1 or 2 and a version of its own: a filter writes what it was told.
+class FakeLibrary : public FolderTest {
+  protected:
+    std::string library(int version, bool oldNames) const {
+        const std::string source =
+            folder_.write("fake.c", fmt::format(R"(
+#include <stddef.h>
+#include <string.h>
+static float told[3];   /* of the colour filter: quality, cleanAux, filters before it */
+static int quality, clean, filters;
+static const float* color; static float* output; static size_t count;
+void* oidnNewDevice(int type) {{ return &quality; }}
+void oidnCommitDevice(void* d) {{}}
+int oidnGetDeviceError(void* d, const char** m) {{ return 0; }}
+void oidnReleaseDevice(void* d) {{}}
+void {0}(void* d, const char* n, int v) {{}}
+int {1}(void* d, const char* n) {{ return {4}; }}
+void* oidnNewFilter(void* d, const char* t) {{ quality = clean = 0; color = 0; return &filters; }}
+void oidnSetSharedFilterImage(void* f, const char* n, void* p, int t, size_t w, size_t h, size_t o, size_t a, size_t b)
+{{ if (!strcmp(n, "color")) color = p; if (!strcmp(n, "output")) output = p; count = 3 * w * h; }}
+void {2}(void* f, const char* n, _Bool v) {{ if (!strcmp(n, "cleanAux")) clean = v; }}
+void {3}(void* f, const char* n, int v) {{ quality = v; }}
+void oidnCommitFilter(void* f) {{}}
+void oidnExecuteFilter(void* f) {{
+    output[0] = quality; output[1] = clean; output[2] = filters++;
+    for (size_t i = 3; i < count; ++i) output[i] = 0;
+}}
+void oidnReleaseFilter(void* f) {{}}
+)",
+                                                oldNames ? "oidnSetDevice1i" : "oidnSetDeviceInt",
+                                                oldNames ? "oidnGetDevice1i" : "oidnGetDeviceInt",
+                                                oldNames ? "oidnSetFilter1b" : "oidnSetFilterBool",
+                                                oldNames ? "oidnSetFilter1i" : "oidnSetFilterInt", version));
+        const std::string file = path(fmt::format("lib{}.so", version));
+        const std::string command = fmt::format("cc -shared -fPIC -o {} {}", file, source);
+        return std::system(command.c_str()) == 0 ? file : "";
+    }
+    struct Told {
+        float quality, clean, filtersBefore;
+    };
+    Told told(int version, const OidnSettings& settings, bool oldNames = false) const {
+        const OpenImageDenoise oidn(library(version, oldNames));
+        EXPECT_EQ(oidn.version(), version);
+        const Image image(4, 4);
+        const Rgb first = oidn.denoised(image, image, image, settings).rgb(0, 0);
+        return {first.x, first.y, first.z};
+    }
+};
+
+TEST_F(FakeLibrary, IsToldQualityAndWhetherAuxiliariesAreClean) {
+    if (library(20500, false).empty()) GTEST_SKIP() << "no C compiler is called cc";
+    Told t = told(20500, {});
+    EXPECT_EQ(t.quality, 0);  // its default is the best
+    EXPECT_EQ(t.clean, 1);
+    EXPECT_EQ(t.filtersBefore, 2);
+    t = told(20501, {OidnQuality::Balanced, false});
+    EXPECT_EQ(t.quality, 5);
+    EXPECT_EQ(t.clean, 0);
+    EXPECT_EQ(t.filtersBefore, 0);
+    EXPECT_EQ(told(20502, {OidnQuality::Fast, false}).quality, 4);
+}
+
+TEST_F(FakeLibrary, OlderOnesDoWhatTheyCanAndAWarningSaysSo) {
+    if (library(20500, false).empty()) GTEST_SKIP() << "no C compiler is called cc";
+    const auto warning = [&](int version, const OidnSettings& settings, bool oldNames, float quality) {
+        forgetWarnings();
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(told(version, settings, oldNames).quality, quality) << version;
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warning(20200, {OidnQuality::Fast, false}, false, 5),
+                AllOf(HasSubstr("Open Image Denoise 2.2 has no quality 'fast'"), HasSubstr("'balanced' instead")));
+    EXPECT_THAT(warning(10403, {OidnQuality::Fast, false}, true, 0), HasSubstr("'high' instead"));
+    EXPECT_THAT(warning(10404, {OidnQuality::Balanced, true}, true, 0), HasSubstr("1.4 has no quality 'balanced'"));
+    EXPECT_EQ(warning(10405, {}, true, 0), "");
+    EXPECT_EQ(warning(20000, {OidnQuality::Balanced, true}, false, 5), "");
+}
+
+// The real one: DRC_OIDN_LIBRARY, if the system does not find it by itself.
+class OpenImageDenoiseTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        const char* named = std::getenv("DRC_OIDN_LIBRARY");
+        try {
+            oidn_.emplace(named ? named : "");
+        } catch (const Error& error) {
+            GTEST_SKIP() << error.what();
+        }
+        // Two grey walls under noise, with an edge that albedo and normal show.
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                const float noise = uniformFloat(hash32(x, y)) - 0.5f;
+                color_.setRgb(x, y, Rgb(truth(x) * (1 + noise)));
+                albedo_.setRgb(x, y, Rgb(truth(x)));
+                normal_.setRgb(x, y, x < kSide / 2 ? Rgb(0, 0, 1) : Rgb(1, 0, 0));
+            }
+    }
+    static float truth(int x) { return x < kSide / 2 ? 0.3f : 0.6f; }
+    static double deviation(const Image& image) {
+        double sum = 0;
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                const double d = image.at(x, y, 1) - truth(x);
+                sum += d * d;
+            }
+        return std::sqrt(sum) / kSide;
+    }
+
+    static constexpr int kSide = 64;
+    std::optional<OpenImageDenoise> oidn_;
+    Image color_{kSide, kSide}, albedo_{kSide, kSide}, normal_{kSide, kSide};
+};
+
+TEST_F(OpenImageDenoiseTest, EveryModeRemovesNoiseInItsOwnWay) {
+    const Image before = color_;
+    std::vector<Image> pictures;
+    for (const bool prefilter : {true, false})
+        for (const OidnQuality quality : {OidnQuality::High, OidnQuality::Balanced, OidnQuality::Fast})
+            pictures.push_back(oidn_->denoised(color_, albedo_, normal_, {quality, prefilter}));
+    EXPECT_EQ(color_.data(), before.data());
+    for (size_t i = 0; i < pictures.size(); ++i) {
+        EXPECT_LT(deviation(pictures[i]), 0.35 * deviation(color_)) << i << " of " << deviation(color_);
+        if (oidn_->version() < 20300) continue;
+        for (size_t j = 0; j < i; ++j) {
+            if (i == 4 && j == 3) continue;  // without prefilter, high and balanced are the same filter on a CPU
+            EXPECT_NE(pictures[i].data(), pictures[j].data()) << i << " " << j;
+        }
+    }
+    EXPECT_EQ(oidn_->denoised(color_, albedo_, normal_).data(), pictures[0].data());
+}
+
+}  // namespace
+}  // namespace drc
