@@ -3,7 +3,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -17,11 +16,6 @@ struct ProcessInfo {
     std::string commandLine;
 };
 ProcessInfo& processInfo();
-
-// Thrown where the program was interrupted before there was anything worth writing.
-struct Interrupted : std::exception {
-    const char* what() const noexcept override { return "interrupted"; }
-};
 
 // "1280x720". Throws Error, naming --resolution, on anything else.
 FilmGeometry parseResolution(const std::string& text);

@@ -1,5 +1,5 @@
-// drc: the command line. Exit codes: 0 done, 1 an error that the user can mend, 130 interrupted before there was a
-// picture; CLI11's own for a wrong command line.
+// drc: the command line. Exit codes: 0 done, 1 an error that the user can mend, 128 + the signal (130 for Ctrl-C)
+// interrupted before there was a picture; CLI11's own for a wrong command line.
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -25,8 +25,6 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         return app.exit(e);
-    } catch (const drc::Interrupted&) {
-        return 130;
     } catch (const std::bad_alloc&) {
         drc::logError("out of memory");
         return 1;

@@ -48,7 +48,8 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
         }
         std::vector<ExrLayer> layers{{"", &picture.beauty}};
         const bool parts = !picture.layers.empty() && !picture.layers[0].part.empty();
-        const Image direct = parts ? picture.part("direct") : Image(), indirect = parts ? picture.part("indirect") : Image();
+        const Image direct = parts ? picture.part("direct") : Image(),
+                    indirect = parts ? picture.part("indirect") : Image();
         if (parts) layers.insert(layers.end(), {{"direct", &direct}, {"indirect", &indirect}});
         Image variance;
         if (aovs_) {  // by the names of Blender's Cycles

@@ -56,10 +56,15 @@ std::vector<PictureFilters> filtersFor(const RenderParams& params, const std::op
     const auto correction = std::make_shared<SurfacePictureFilter>(false, params.correct);
     std::vector<PictureFilters> candidates;
     if (oidn) {
-        PictureFilters filters;
-        if (maps) filters.push_back(correction);
-        filters.push_back(std::make_shared<OidnPictureFilter>(*oidn, params.denoise == Denoise::OidnDirect));
-        candidates.push_back(std::move(filters));
+        std::vector<OidnSettings> modes{params.oidn};
+        for (const OidnQuality quality : {OidnQuality::Balanced, OidnQuality::Fast})
+            if (params.oidn.prefilter || quality > params.oidn.quality) modes.push_back({quality, false});
+        for (const OidnSettings& mode : modes) {
+            PictureFilters filters;
+            if (maps) filters.push_back(correction);
+            filters.push_back(std::make_shared<OidnPictureFilter>(*oidn, mode, params.denoise == Denoise::OidnDirect));
+            candidates.push_back(std::move(filters));
+        }
     }
     if (params.denoise == Denoise::Surface)
         candidates.push_back({std::make_shared<SurfacePictureFilter>(true, params.correct)});
@@ -86,10 +91,10 @@ std::unique_ptr<Scene> loadScene(RenderOptions& o) {
 
 void writeTiming(const std::string& path, Stats& stats) {
     const auto seconds = [&](const char* timer) { return stats.timer(timer).seconds(); };
-    writeFileAtomically(path, fmt::format("{{\"load_seconds\": {:.4f}, \"render_seconds\": {:.4f}, \"denoise_seconds\": "
-                                          "{:.4f}, \"write_seconds\": {:.4f}}}\n",
-                                          seconds("load") + seconds("build"), seconds("render"), seconds("denoise"),
-                                          seconds("write")));
+    writeFileAtomically(
+        path, fmt::format("{{\"load_seconds\": {:.4f}, \"render_seconds\": {:.4f}, \"denoise_seconds\": "
+                          "{:.4f}, \"write_seconds\": {:.4f}}}\n",
+                          seconds("load") + seconds("build"), seconds("render"), seconds("denoise"), seconds("write")));
 }
 
 // Passes until there is nothing left to do.
@@ -97,6 +102,7 @@ void run(Session& session, PictureFinisher& finisher, const RenderOptions& o) {
     Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
                       o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
     while (session.step(&interruptToken())) {
+        if (session.hasPicture()) setSomethingToSave(true);
         progress.set(int64_t(session.progress() * 1000));
         progress.setNote(session.status());
         if (session.schedule().wantsReserve(session.film().passes(), session.mapPassesDone()))
@@ -110,6 +116,7 @@ void render(RenderOptions o) {
     setLogLevel(o.quiet ? LogLevel::Quiet : o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
     installInterruptHandler();
+    setSomethingToSave(false);
     for (const std::string& path : o.outputs) {
         outputKind(path);
         checkOutput("-o", path);
@@ -139,7 +146,6 @@ void render(RenderOptions o) {
     stats.timer("render").add(Clock::now() - rendering);
 
     const bool interrupted = interruptToken().cancelled();
-    if (!session.hasPicture()) throw Interrupted();
     ExrMetadata metadata{{"drc:version", DRC_VERSION},
                          {"drc:command", processInfo().commandLine},
                          {"drc:seed", std::to_string(params.seed)},

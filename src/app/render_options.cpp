@@ -39,8 +39,7 @@ void addAmounts(CLI::App& command, RenderOptions& o) {
         ->check(wholeNumberFrom(1));
     command.add_option("--passes", o.params.mapPasses, "Passes of radiance maps")->check(wholeNumberFrom(0));
     command
-        .add_option("--indirect-tasks", o.params.mapTasks,
-                    "The same in the paper's unit: squares of ten by ten cells")
+        .add_option("--indirect-tasks", o.params.mapTasks, "The same in the paper's unit: squares of ten by ten cells")
         ->check(wholeNumberFrom(0));
     command.add_option("--max-depth", o.params.maxDepth, "Longest path, in non-specular bounces")
         ->check(wholeNumberFrom(1));
@@ -56,9 +55,10 @@ void addFilm(CLI::App& command, RenderOptions& o) {
     command.add_option("--resolution", o.resolution, "WIDTHxHEIGHT in pixels, instead of the file's");
     command.add_option("--crop,--cropwindow", o.crop, "x0 x1 y0 y1 in [0,1]: the part of the film to render")
         ->expected(4);
-    command.add_option("-D", o.overrides,
-                       "NAME=VALUE: a parameter of the file's film, sampler or integrator, as film.xresolution=640; may "
-                       "be repeated")
+    command
+        .add_option("-D", o.overrides,
+                    "NAME=VALUE: a parameter of the file's film, sampler or integrator, as film.xresolution=640; may "
+                    "be repeated")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_flag("--aovs", o.aovs,
@@ -84,8 +84,7 @@ void addMaps(CLI::App& command, RenderOptions& o) {
                     "Of the maps: equal-area, latlong, or auto: what the network was trained on")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "equal-area", "latlong"}));
-    command
-        .add_option("--spacing", o.spacing, "Pixels between the maps of the first pass; 1: a map at each pixel")
+    command.add_option("--spacing", o.spacing, "Pixels between the maps of the first pass; 1: a map at each pixel")
         ->check(CLI::Range(1.f, 10000.f));
     addChoice<Interpolation>(command, "--interpolation", o.params.indirect.interpolation,
                              {{"geometry", Interpolation::Geometry}, {"distance", Interpolation::Distance}},
@@ -105,7 +104,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     command.add_option("SCENE", o.scene, "Scene file, pbrt-v3 or pbrt-v4")->required();
     std::vector<std::string> integrators = integratorNames();
     integrators.push_back("scene");
-    command.add_option("--integrator", o.params.integrator, "drc, path, bdpt, direct, or scene: what the file asks for")
+    command
+        .add_option("--integrator", o.params.integrator, "drc, path, bdpt, direct, or scene: what the file asks for")
         ->capture_default_str()
         ->check(CLI::IsMember(integrators));
     addFilm(command, o);
@@ -119,6 +119,12 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
                        "surface: average drc's layers along surfaces as far as their noise asks for it; oidn: Intel's "
                        "Open Image Denoise; oidn-direct: the same on direct light alone; or off. Default: surface with "
                        "drc, else off");
+    addChoice<OidnQuality>(
+        command, "--oidn-quality", o.params.oidn.quality,
+        {{"high", OidnQuality::High}, {"balanced", OidnQuality::Balanced}, {"fast", OidnQuality::Fast}},
+        "Of Open Image Denoise: high, balanced or fast. Default: high");
+    addChoice<bool>(command, "--oidn-prefilter", o.params.oidn.prefilter, {{"on", true}, {"off", false}},
+                    "Whether Open Image Denoise filters albedo and normal first. Default: on");
     command.add_option("--oidn-library", o.oidnLibrary,
                        "libOpenImageDenoise.so, where the system does not find it by itself");
     command.add_option("--nthreads", o.threads, "Threads; 0: one a core")

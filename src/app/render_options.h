@@ -19,7 +19,7 @@ struct RenderOptions {
     std::string resolution;
     std::vector<double> crop;
     std::vector<std::string> overrides;  // of parameters of the scene's file
-    std::optional<float> spacing;  // of the first map pass, pixels
+    std::optional<float> spacing;        // of the first map pass, pixels
     int oracleSamples = 64;
     int threads = 0;
     std::string oidnLibrary;

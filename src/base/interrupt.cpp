@@ -14,6 +14,7 @@ constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 // Not local statics: their initialisation guards must not run inside the handler.
 CancelToken token;
 std::atomic<int> firstSignal{0};
+std::atomic<bool> somethingToSave{true};
 static_assert(std::atomic<int>::is_always_lock_free, "the signal handler writes it");
 
 // Only calls that are safe in a signal handler.
@@ -21,6 +22,11 @@ void handle(int signal) {
     if (token.cancelled()) {
         if (signal == SIGINT) _exit(128 + SIGINT);
         return;
+    }
+    if (!somethingToSave) {
+        static constexpr std::string_view kMessage = "\ndrc: interrupted before there was a picture\n";
+        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+        _exit(128 + signal);
     }
     firstSignal = signal;  // before the token: whoever sees the token raised knows by what
     token.cancel();
@@ -35,6 +41,8 @@ void handle(int signal) {
 }  // namespace
 
 CancelToken& interruptToken() { return token; }
+
+void setSomethingToSave(bool something) { somethingToSave = something; }
 
 int interruptSignal() { return firstSignal; }
 

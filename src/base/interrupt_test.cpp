@@ -62,6 +62,17 @@ TEST_P(InterruptDeathTest, RequestsThatComeTwiceCountOnce) {
         testing::ExitedWithCode(0), GetParam().message);
 }
 
+TEST_P(InterruptDeathTest, WithNothingToSaveTheFirstSignalEndsTheProcess) {
+    EXPECT_EXIT(
+        {
+            installInterruptHandler();
+            setSomethingToSave(false);
+            std::raise(GetParam().signal);
+            std::_Exit(0);
+        },
+        testing::ExitedWithCode(128 + GetParam().signal), "before there was a picture");
+}
+
 INSTANTIATE_TEST_SUITE_P(, InterruptDeathTest,
                          testing::Values(SignalCase{SIGINT, "Int", "interrupted"},
                                          SignalCase{SIGTERM, "Term", "asked to end"},

@@ -217,7 +217,8 @@ void IndirectPass::gatherPixels(const PassMaps& maps, int band, const State& sta
                         add(x, y, sample, Rgb(0.f), weight);
                         continue;
                     }
-                    maps.findAround(band, pixelSite(hit, tracer_.broad(), position), kLeastShare * settings_.minCoverage, around);
+                    maps.findAround(band, pixelSite(hit, tracer_.broad(), position),
+                                    kLeastShare * settings_.minCoverage, around);
                     if (around.empty()) fallbacks.fetch_add(1, std::memory_order_relaxed);
                     const Rgb value = shade(hit, around, x, y, index);
                     add(x, y, sample, value * hit.throughput, weight);

@@ -209,7 +209,8 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
         const Vec3 from = first ? paths.lens : paths.camera.back().hit.p;
         float own = 0;  // density of the surface met, per area
         // Each emitter counts by the share of this way among all ways to make the path.
-        const auto add = [&](const Light& light, const Rgb& radiance, const EmitterHit& at, const Vec3& d, float density) {
+        const auto add = [&](const Light& light, const Rgb& radiance, const EmitterHit& at, const Vec3& d,
+                             float density) {
             const Rgb emitted = step.throughput * radiance;
             if (first || isBlack(emitted))
                 sum += emitted;

@@ -24,7 +24,8 @@ class DirectLighting {
     // Both must outlive this.
     DirectLighting(const Accel& accel, const LightSampler& lights) : accel_(accel), lights_(lights) {}
 
-    // From here on, samples of the guide's light are guided, and the guide learns which of them arrive. Null: no longer.
+    // From here on, samples of the guide's light are guided, and the guide learns which of them arrive. Null: no
+    // longer.
     void setGuide(EnvironmentGuide* guide) { guide_ = guide; }
     // The guide's group for a point on a surface; kNoGroup without a guide.
     int groupOf(const SurfaceInteraction& at, const Bsdf& bsdf) const {

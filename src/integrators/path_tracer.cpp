@@ -28,8 +28,7 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
     if (arrival == Arrival::Surface && broadLight) {
         const Rgb f = bsdf.hasWithin(glossy()) ? bsdf.f(at.wo, s->wi, broad()) : s->f;
         if (!isBlack(f))
-            *broadLight +=
-                scale * f * walker_.walk(next, sampler, PathWalker::FirstEmission::Skipped, {}, &hit);
+            *broadLight += scale * f * walker_.walk(next, sampler, PathWalker::FirstEmission::Skipped, {}, &hit);
     }
     return sum;
 }
@@ -42,8 +41,8 @@ SampleLayers PathTracer::directLayers(const Ray& cameraRay, Sampler& sampler, bo
         layers.emission += chain.throughput() * lighting_.emissionAtHit(hit, cameraRay.o, DirectLighting::kSpecular);
     };
     const auto atInfinity = [&](const Vec3& d) {
-        layers.emission += chain.throughput() * lighting_.emissionAtInfinity(
-                                                    d, cameraRay.o, DirectLighting::kSpecular, DirectLighting::kNoGroup);
+        layers.emission += chain.throughput() * lighting_.emissionAtInfinity(d, cameraRay.o, DirectLighting::kSpecular,
+                                                                             DirectLighting::kNoGroup);
     };
     while (chain.next(met, atInfinity)) {
         const SurfaceInteraction& hit = chain.surface();

@@ -69,7 +69,8 @@ class PathTracer {
     Rgb direct(const Ray& ray, Sampler& sampler, GBufferSample* gBuffer = nullptr) const {
         return directLayers(ray, sampler, false, false, gBuffer).direct();
     }
-    // The same in layers, with a sample of the glossy lobes' indirect light and, if traceBroad, one of the broad lobes'.
+    // The same in layers, with a sample of the glossy lobes' indirect light and, if traceBroad, one of the broad
+    // lobes'.
     SampleLayers layers(const Ray& ray, Sampler& sampler, bool traceBroad, GBufferSample* gBuffer = nullptr) const {
         return directLayers(ray, sampler, true, traceBroad, gBuffer);
     }

@@ -34,10 +34,10 @@ struct PathState {
     Vec3 from;  // the vertex that the ray leaves, before it was moved off the surface
     Rgb throughput{1.f};
     float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
-    float etaScale = 1;                     // undoes the scaling of radiance inside glass, which is no loss, for roulette
-    float distance;                         // that the path has come, world units
-    int depth = 0, chain = 0;               // non-specular vertices; specular ones and surfaces passed through
-    int group = DirectLighting::kNoGroup;   // of the guide, for the vertex that the ray leaves
+    float etaScale = 1;        // undoes the scaling of radiance inside glass, which is no loss, for roulette
+    float distance;            // that the path has come, world units
+    int depth = 0, chain = 0;  // non-specular vertices; specular ones and surfaces passed through
+    int group = DirectLighting::kNoGroup;  // of the guide, for the vertex that the ray leaves
 };
 
 // The random numbers of one vertex.

@@ -1,6 +1,5 @@
 // Bidirectional path tracing: one path from the camera and one from a light for each sample.
 #include "integrators/bdpt.h"
-
 #include "render/sampled_integrator.h"
 #include "render/splat_filter.h"
 

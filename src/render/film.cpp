@@ -101,9 +101,7 @@ std::shared_ptr<const Film> Film::snapshot(const PixelRegion& part) const {
 }
 
 void Film::add(const Film& other) {
-    const auto same = [](const FilmLayer& a, const FilmLayer& b) {
-        return a.spec() == b.spec();
-    };
+    const auto same = [](const FilmLayer& a, const FilmLayer& b) { return a.spec() == b.spec(); };
     if (other.region_ != region_ ||
         !std::equal(layers_.begin(), layers_.end(), other.layers_.begin(), other.layers_.end(), same))
         throw Error("the films to be added have different sizes or layers");

@@ -25,9 +25,7 @@ class Film {
     size_t bytesPerPixel() const;
 
     // Held by whoever adds to a row of pixels, or reads it while others may add. Not needed for splats.
-    std::unique_lock<std::mutex> lockRow(int y) const {
-        return std::unique_lock(rowMutexes_[size_t(y - region_.y0)]);
-    }
+    std::unique_lock<std::mutex> lockRow(int y) const { return std::unique_lock(rowMutexes_[size_t(y - region_.y0)]); }
 
     // How far sampling is (SamplePass): for each row the number of passes that it has had.
     int rowPasses(int y) const { return rowPasses_[size_t(y - region_.y0)]; }

@@ -44,7 +44,8 @@ void FilmLayer::add(int x, int y, int group, std::span<const float> values, floa
     if (exact()) {
         int64_t* r = &exact_[at];
         const double perQuantum = 1 / spec_.quantum;
-        for (size_t c = 0; c < n; ++c) r[c] = saturatingSum(r[c], quanta(double(values[c]) * double(weight), perQuantum));
+        for (size_t c = 0; c < n; ++c)
+            r[c] = saturatingSum(r[c], quanta(double(values[c]) * double(weight), perQuantum));
         if (!spec_.weighted) return;
         r[n] = saturatingSum(r[n], quanta(double(weight), perQuantum));
         r[n + 1] += 1;
@@ -135,7 +136,8 @@ void FilmLayer::add(const FilmLayer& other) {
 }
 
 std::span<std::byte> FilmLayer::row(int y) {
-    const size_t begin = record(region_.x0, y, 0), count = size_t(region_.width()) * size_t(spec_.groups) * recordSize();
+    const size_t begin = record(region_.x0, y, 0),
+                 count = size_t(region_.width()) * size_t(spec_.groups) * recordSize();
     if (exact()) return std::as_writable_bytes(std::span(exact_).subspan(begin, count));
     return std::as_writable_bytes(std::span(single_).subspan(begin, count));
 }

@@ -2,7 +2,8 @@
 // groups. By how much groups differ tells the noise of their mean.
 //
 // Exact layers keep sums as integers, in units of a quantum, so that any order of additions gives the same bits:
-// threads, shards and resumed renders agree. They saturate at 2^63 quanta. Layers in single precision are half as large.
+// threads, shards and resumed renders agree. They saturate at 2^63 quanta. Layers in single precision are half as
+// large.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -26,7 +27,8 @@ struct FilmLayerSpec {
     size_t bytesPerPixel() const;
 };
 
-// For radiance in a film that is multiplied by `scale` to be shown: displayed values up to 5e11 in all, in steps of 6e-8.
+// For radiance in a film that is multiplied by `scale` to be shown: displayed values up to 5e11 in all, in steps of
+// 6e-8.
 double radianceQuantum(float scale);
 
 // What a sum of values times filter weights is divided by, for a mean: the sum of the weights. A filter with negative

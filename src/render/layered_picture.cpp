@@ -20,7 +20,8 @@ void forEachRow(int height, const F& f) {
 }  // namespace
 
 PictureLayer& LayeredPicture::layer(const std::string& name) {
-    const auto found = std::find_if(layers.begin(), layers.end(), [&](const PictureLayer& l) { return l.name == name; });
+    const auto found =
+        std::find_if(layers.begin(), layers.end(), [&](const PictureLayer& l) { return l.name == name; });
     assert(found != layers.end());
     return *found;
 }

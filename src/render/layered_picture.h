@@ -14,8 +14,8 @@ namespace drc {
 
 struct PictureLayer {
     std::string name;
-    std::string part;              // "direct" or "indirect": what it belongs to in files; empty: the picture has no parts
-    Image mean;                    // may be below zero, by filters with negative lobes
+    std::string part;  // "direct" or "indirect": what it belongs to in files; empty: the picture has no parts
+    Image mean;        // may be below zero, by filters with negative lobes
     std::optional<Image> variance;  // of the mean, R, G and B, from half buffers or groups of samples
 };
 

@@ -8,12 +8,15 @@ namespace drc {
 class OidnPictureFilter final : public PictureFilter {
   public:
     // The library must outlive the filter.
-    OidnPictureFilter(const OpenImageDenoise& library, bool directAlone) : library_(library), directAlone_(directAlone) {}
+    OidnPictureFilter(const OpenImageDenoise& library, const OidnSettings& settings, bool directAlone)
+        : library_(library), settings_(settings), directAlone_(directAlone) {}
     void apply(LayeredPicture& picture) const override;
-    std::string name() const override { return directAlone_ ? "oidn-direct" : "oidn"; }
+    // "oidn high", "oidn balanced without prefilter".
+    std::string name() const override;
 
   private:
     const OpenImageDenoise& library_;
+    OidnSettings settings_;
     bool directAlone_;
 };
 

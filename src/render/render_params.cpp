@@ -16,9 +16,12 @@ struct Effort {
 };
 Effort effortOf(Quality quality) {
     switch (quality) {
-        case Quality::Draft: return {16, 7, 4, 16};
-        case Quality::Standard: return {64, 10, 4, 128};
-        case Quality::High: return {256, 16, 8, 1024};
+        case Quality::Draft:
+            return {16, 7, 4, 16};
+        case Quality::Standard:
+            return {64, 10, 4, 128};
+        case Quality::High:
+            return {256, 16, 8, 1024};
     }
     return {};
 }
@@ -29,8 +32,7 @@ std::string integratorOfFile(const std::string& name) {
     if (name == "directlighting") return "direct";
     if (name == "bdpt") return "bdpt";
     // Of "volpath" no more is left: media have warnings of their own.
-    if (name != "path" && name != "volpath")
-        logWarning("the scene's integrator '" + name + "' is rendered as 'path'");
+    if (name != "path" && name != "volpath") logWarning("the scene's integrator '" + name + "' is rendered as 'path'");
     return "path";
 }
 

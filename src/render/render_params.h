@@ -6,6 +6,7 @@
 
 #include "cache/indirect_pass.h"
 #include "integrators/path_walker.h"
+#include "render/open_image_denoise.h"
 
 namespace drc {
 
@@ -36,6 +37,7 @@ struct RenderParams {
     // Whether samples of the broad lobes' indirect light correct the maps' errors.
     bool correct = true;
     Denoise denoise = Denoise::Automatic;
+    OidnSettings oidn;
     bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
     bool variance = false;  // keep half buffers: PictureLayer::variance
     bool guide = true;      // whether samples of an environment learn where its light comes in

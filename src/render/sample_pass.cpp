@@ -4,9 +4,7 @@ namespace drc {
 
 void fillUnsampled(Image& image, const FilmLayer& sampled) {
     const PixelRegion& region = sampled.region();
-    const auto has = [&](int column, int row) {
-        return sampled.expected(region.x0 + column, region.y0 + row) > 0;
-    };
+    const auto has = [&](int column, int row) { return sampled.expected(region.x0 + column, region.y0 + row) > 0; };
     for (int row = 0; row < image.height(); ++row)
         for (int column = 0; column < image.width(); ++column) {
             if (has(column, row)) continue;

@@ -1,6 +1,6 @@
 // Passes of camera samples over the film. The first sample of the pixels is taken in three passes, over every fourth
-// row and column, then every second, then the rest, so that there is soon a whole picture, if a coarse one; each further
-// pass takes one sample of every pixel.
+// row and column, then every second, then the rest, so that there is soon a whole picture, if a coarse one; each
+// further pass takes one sample of every pixel.
 #pragma once
 #include <algorithm>
 #include <cstdint>

@@ -28,8 +28,8 @@ TEST(SamplePass, PixelsBetweenLatticesAreFilled) {
     const auto colour = [](int column, int row) { return Rgb(float(column), float(row), 1); };
     for (int p = 0; p < SamplePass::kLattices; ++p) {
         for (int row = 0; row < kHeight; ++row)
-            SamplePass{p}.forEachColumn(
-                row, kWidth, [&](int column) { layer.add(5 + column, 7 + row, 0, colour(column, row), 1); });
+            SamplePass{p}.forEachColumn(row, kWidth,
+                                        [&](int column) { layer.add(5 + column, 7 + row, 0, colour(column, row), 1); });
         Image image = layer.image();
         fillUnsampled(image, layer);
         const int lattice = 4 >> p;

@@ -20,8 +20,8 @@ class SampledIntegrator : public Integrator {
     const RenderContext context_;
 };
 
-// Which of two groups a pixel's sample belongs to, at random for each pair of samples: the even ones of a sequence alone
-// are not well distributed.
+// Which of two groups a pixel's sample belongs to, at random for each pair of samples: the even ones of a sequence
+// alone are not well distributed.
 int halfOf(uint64_t seed, uint32_t index);
 
 }  // namespace drc

@@ -65,7 +65,8 @@ std::optional<Schedule::Work> Schedule::next(int samplePasses, int mapPasses) co
     if (!maps_ || samplePasses == 0) return samples;
     if (mapPasses == 0) {
         const double gather = pixels_ * kGatherInSamples * secondsPerSample_;
-        while (maps.stride < 4 && gather / sqr(double(maps.stride)) > kFirstMapShare * params_.seconds) maps.stride *= 2;
+        while (maps.stride < 4 && gather / sqr(double(maps.stride)) > kFirstMapShare * params_.seconds)
+            maps.stride *= 2;
         return maps;
     }
     if (SamplePass::wholeSamples(samplePasses) == 0) return samples;

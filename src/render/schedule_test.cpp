@@ -34,10 +34,8 @@ std::pair<int, int> runOut(const Schedule& schedule) {
 }
 
 TEST(Schedule, WithoutABudgetTakesWhatWasAskedFor) {
-    EXPECT_EQ(runOut(Schedule(params("path", 5, 0), Clock::now(), 100, 10000)),
-              std::pair(SamplePass::passesFor(5), 0));
-    EXPECT_EQ(runOut(Schedule(params("drc", 5, 3), Clock::now(), 100, 10000)),
-              std::pair(SamplePass::passesFor(5), 3));
+    EXPECT_EQ(runOut(Schedule(params("path", 5, 0), Clock::now(), 100, 10000)), std::pair(SamplePass::passesFor(5), 0));
+    EXPECT_EQ(runOut(Schedule(params("drc", 5, 3), Clock::now(), 100, 10000)), std::pair(SamplePass::passesFor(5), 3));
 }
 
 TEST(Schedule, PassesAndSamplesGrowInProportion) {

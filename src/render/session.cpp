@@ -40,8 +40,8 @@ Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const
 Session::~Session() = default;
 
 void Session::begin() {
-    integrator_ = makeIntegrator(params_.integrator,
-                                 {scene_, accel_, lights_, tracer_, params_, enhancer_.get(), stats_});
+    integrator_ =
+        makeIntegrator(params_.integrator, {scene_, accel_, lights_, tracer_, params_, enhancer_.get(), stats_});
     film_ = std::make_unique<Film>(scene_.settings, integrator_->layers());
     guide_.reset();
     tracer_.setGuide(nullptr);
@@ -120,7 +120,8 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
             if (film_->rowPasses(y) > index) return;
             pass.forEachColumn(y - region.y0, region.width(), [&](int column) {
                 const int x = region.x0 + column;
-                CameraSample sample = cameraSample(scene_, x, y, pixelStream(params_.seed, kSampleStream, x, y), number);
+                CameraSample sample =
+                    cameraSample(scene_, x, y, pixelStream(params_.seed, kSampleStream, x, y), number);
                 integrator_->sample(x, y, number, sample, *film_);
             });
             film_->setRowPasses(y, index + 1);

@@ -1,0 +1,92 @@
+// Renders that are interrupted, as a user sees them: exit status, and what is in the files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "base/folder_testing.h"
+#include "image/image_io.h"
+
+namespace drc {
+namespace {
+
+constexpr const char* kRoom = R"(
+LookAt 0 0 -3  0 0 0  0 1 0
+Camera "perspective" "float fov" 60
+WorldBegin
+AttributeBegin
+AreaLightSource "diffuse" "rgb L" [8 8 8]
+Translate 0 1.6 0 Shape "sphere" "float radius" .4
+AttributeEnd
+Shape "sphere" "float radius" 1
+ReverseOrientation
+Shape "sphere" "float radius" 4
+WorldEnd
+)";
+
+class InterruptedRender : public FolderTest {
+  protected:
+    InterruptedRender() { folder_.write("room.pbrt", kRoom); }
+
+    // Starts a render of the room, sends a signal when `due` says so, and returns the exit status.
+    template <class Due>
+    int interrupted(int signal, const std::string& size, const Due& due) const {
+        const std::string scene = path("room.pbrt"), exr = path("out.exr"), png = path("out.png");
+        const pid_t child = fork();
+        if (child == 0) {
+            execl(DRC_PROGRAM, DRC_PROGRAM, "render", scene.c_str(), "--integrator", "path", "--spp", "1000000",
+                  "--resolution", size.c_str(), "--nthreads", "1", "--quiet", "-o", exr.c_str(), "-o", png.c_str(),
+                  static_cast<char*>(nullptr));
+            _exit(99);
+        }
+        due();
+        kill(child, signal);
+        int status = 0;
+        waitpid(child, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    }
+    static void sleepFor(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+};
+
+// The first of sixteen million pixels take seconds.
+TEST_F(InterruptedRender, BeforeThereIsAPictureNothingIsWritten) {
+    folder_.write("out.png", "an older picture");
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        EXPECT_EQ(interrupted(signal, "16000x16000", [] { sleepFor(0.5); }), 128 + signal);
+        EXPECT_EQ(readFile(path("out.png")), "an older picture");
+        EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
+    }
+}
+
+TEST_F(InterruptedRender, APictureIsSavedAndSaysThatItIsPartial) {
+    for (const int signal : {SIGINT, SIGHUP}) {
+        std::filesystem::remove(path("out.exr"));
+        std::filesystem::remove(path("out.png"));
+        EXPECT_EQ(interrupted(signal, "32x32", [] { sleepFor(2); }), 0);
+        const ExrMetadata metadata = readExrMetadata(path("out.exr"));
+        EXPECT_EQ(metadata.at("drc:interrupted"), "true");
+        EXPECT_GT(std::stoi(metadata.at("drc:spp")), 1);
+        const Image picture = readLinearRgb(path("out.exr"));
+        double sum = 0;
+        for (const float v : picture.data()) sum += v;
+        EXPECT_GT(sum, 0);
+        EXPECT_TRUE(std::filesystem::exists(path("out.png")));
+    }
+}
+
+// Of a render with fewer samples than the picture that is there.
+TEST_F(InterruptedRender, ABetterPictureIsKept) {
+    writeExr(path("out.exr"), Image(4, 4), {{"drc:spp", "1000000000"}});
+    const std::string before = readFile(path("out.exr"));
+    EXPECT_EQ(interrupted(SIGINT, "32x32", [] { sleepFor(1.5); }), 0);
+    EXPECT_EQ(readFile(path("out.exr")), before);
+    EXPECT_EQ(readExrMetadata(path("out.interrupted.exr")).at("drc:interrupted"), "true");
+}
+
+}  // namespace
+}  // namespace drc
