@@ -79,12 +79,14 @@ inline constexpr size_t kLensSurfaces = 256;
 
 // --- Pictures ------------------------------------------------------------------------------------------------------
 
-// Along one side: what OpenImageIO takes for sound in most formats.
+// Along one side: more than any camera or scan has.
 inline constexpr int kImageSide = 1 << 16;
 // In all: 32768 x 32768, the largest maps that are on offer.
 inline constexpr int64_t kImagePixels = int64_t(1) << 30;
 // Layers of a production's EXR file have some two hundred.
 inline constexpr int kImageChannels = 1024;
+// Scans of a JPEG, each of which goes through the whole picture: progressive ones have some ten.
+inline constexpr int kJpegScans = 500;
 // Of the film. One of all the pixels that this allows needs more memory than machines have (see MemoryClaim), a crop
 // window of it does not.
 inline constexpr int kFilmSide = 1 << 16;
