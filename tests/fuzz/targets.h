@@ -11,6 +11,9 @@ void parser(std::string_view bytes);  // a pbrt scene, confined; it reads no oth
 void ply(std::string_view bytes);
 void safetensors(std::string_view bytes);
 void examples(std::string_view bytes);  // a shard of them
+void tga(std::string_view bytes);
+void hdr(std::string_view bytes);      // a Radiance picture
+void picture(std::string_view bytes);  // of any format that its first bytes name, but for the two above
 
 // The scene without slashes: what it names is looked for in a folder that does not exist, and nowhere else. Else a
 // fuzzer that hits upon "/dev/..." or a file of the machine would open it.
