@@ -52,12 +52,16 @@ uint16_t ByteReader::littleEndian16() {
     return uint16_t(b[0] | b[1] << 8);
 }
 
-std::string_view ByteReader::line() {
-    const size_t end = encoded_.bytes.find('\n', at_);
-    if (end == std::string_view::npos) require(left() + 1);
-    std::string_view text = encoded_.bytes.substr(at_, end - at_);
-    at_ = end + 1;
-    if (text.ends_with('\r')) text.remove_suffix(1);
+uint32_t ByteReader::littleEndian32() {
+    const uint32_t low = littleEndian16();
+    return low | uint32_t(littleEndian16()) << 16;
+}
+
+std::string_view ByteReader::until(char end) {
+    const size_t stop = encoded_.bytes.find(end, at_);
+    if (stop == std::string_view::npos) require(left() + 1);
+    const std::string_view text = encoded_.bytes.substr(at_, stop - at_);
+    at_ = stop + 1;
     return text;
 }
 

@@ -38,12 +38,13 @@ class ByteReader {
     void require(size_t count) const;
     uint8_t byte() { return take(1)[0]; }
     uint16_t littleEndian16();
+    uint32_t littleEndian32();
     // The next count bytes.
     std::span<const uint8_t> take(size_t count);
     // Those, without going past them. Fewer at the end of the file.
     std::span<const uint8_t> peek(size_t count) const;
-    // Up to the next '\n', which is taken but not returned, nor is a '\r' before it.
-    std::string_view line();
+    // Up to the next such byte, which is taken but not returned.
+    std::string_view until(char end);
 
   private:
     const EncodedImage& encoded_;

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "image/exr_header.h"
 
 namespace drc {
 namespace {
@@ -120,6 +121,7 @@ void setThreads() {
 }  // namespace
 
 ImageFile decodeExr(const EncodedImage& encoded) {
+    requireSoundExrHeaders(encoded);
     setThreads();
     MemoryStream stream(encoded);
     Imf::MultiPartInputFile parts(stream);
@@ -145,6 +147,7 @@ ImageFile decodeExr(const EncodedImage& encoded) {
 }
 
 ExrMetadata decodeExrMetadata(const EncodedImage& encoded) {
+    requireSoundExrHeaders(encoded);
     MemoryStream stream(encoded);
     const Imf::MultiPartInputFile parts(stream);
     const Imf::Header& header = parts.header(0);

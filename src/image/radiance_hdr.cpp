@@ -57,16 +57,22 @@ Layout readLayout(const EncodedImage& encoded, std::string_view line) {
     return layout;
 }
 
+std::string_view nextLine(ByteReader& in) {
+    std::string_view line = in.until('\n');
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+}
+
 Layout readHeader(const EncodedImage& encoded, ByteReader& in) {
     constexpr std::string_view kFormat = "FORMAT=";
-    in.line();  // "#?RADIANCE", or another program's name
-    for (std::string_view line = in.line(); !line.empty(); line = in.line()) {
+    nextLine(in);  // "#?RADIANCE", or another program's name
+    for (std::string_view line = nextLine(in); !line.empty(); line = nextLine(in)) {
         if (!line.starts_with(kFormat)) continue;
         line.remove_prefix(kFormat.size());
         if (const std::string_view format = nextWord(line); format != "32-bit_rle_rgbe")
             failDecoding(encoded, fmt::format("its FORMAT is {}, and 32-bit_rle_rgbe is read", format.substr(0, 80)));
     }
-    return readLayout(encoded, in.line());
+    return readLayout(encoded, nextLine(in));
 }
 
 class RowReader {
