@@ -35,9 +35,7 @@ std::span<const uint8_t> ByteReader::peek(size_t count) const {
 }
 
 void ByteReader::require(size_t count) const {
-    if (count > left())
-        failDecoding(encoded_, fmt::format("it is cut short: at least {} bytes are missing after its {}",
-                                           count - left(), encoded_.bytes.size()));
+    if (count > left()) failDecoding(encoded_, fmt::format("it is cut short after {} bytes", encoded_.bytes.size()));
 }
 
 std::span<const uint8_t> ByteReader::take(size_t count) {

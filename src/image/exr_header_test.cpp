@@ -42,7 +42,7 @@ TEST(ExrHeader, SoundAttributesPass) {
 TEST(ExrHeader, AttributesBeyondTheFileAreRefused) {
     for (const bool isMultiPart : {false, true}) {
         EXPECT_THAT(fault(attribute("string", "abc", 0x60000000), isMultiPart),
-                    HasSubstr("cannot read a.exr: it is cut short: at least 1610612"));
+                    HasSubstr("cannot read a.exr: it is cut short after"));
         EXPECT_THAT(fault(attribute("of another program", "abc", 0xffffffff), isMultiPart),
                     HasSubstr("it is cut short"));
     }
