@@ -13,8 +13,9 @@
 namespace drc {
 namespace {
 
-// When the system started this process: finding and joining two hundred libraries has taken up to a second by the time
-// that main begins, and --time promises the whole of it. Now, where /proc does not tell.
+// When the system started this process: finding and joining its twenty libraries takes some ten milliseconds by the
+// time that main begins, and longer where they first come from a disk, and --time promises the whole of it. Now, where
+// /proc does not tell.
 std::chrono::steady_clock::time_point processStart() {
     const auto now = std::chrono::steady_clock::now();
     std::ifstream file("/proc/self/stat");

@@ -86,12 +86,14 @@ inline constexpr size_t kLensSurfaces = 256;
 
 // --- Pictures ------------------------------------------------------------------------------------------------------
 
-// Width or height of an image: the limit of OpenImageIO for most formats.
+// Width or height of an image: more than any camera or scan has.
 inline constexpr int kImageSide = 1 << 16;
 // Pixels of an image: 32768 x 32768, the largest environment maps on offer.
 inline constexpr int64_t kImagePixels = int64_t(1) << 30;
 // Channels of an EXR file. The layers of production files come to about two hundred.
 inline constexpr int kImageChannels = 1024;
+// Scans of a JPEG, each of which goes through the whole picture; progressive files have about ten.
+inline constexpr int kJpegScans = 500;
 // Width or height of the film. A film of kFilmSide squared needs more memory than machines have (see MemoryClaim), but
 // a crop window of one does not.
 inline constexpr int kFilmSide = 1 << 16;

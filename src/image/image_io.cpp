@@ -1,37 +1,32 @@
 #include "image/image_io.h"
 
-// fmt first: OpenImageIO brings a copy of its own, whose functions would otherwise stand in this file's object, and
-// every program that formats a string would link OpenImageIO for them.
-// clang-format off
-#include <fmt/format.h>
-#include <fmt/ostream.h>
-#include <fmt/printf.h>
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-// clang-format on
+#include <fmt/core.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <memory>
 #include <new>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "base/limits.h"
-#include "base/memory.h"
+#include "base/mapped_file.h"
 #include "image/color.h"
+#include "image/exr_reader.h"
+#include "image/image_format.h"
+#include "image/jpeg.h"
 #include "image/pfm.h"
+#include "image/radiance_hdr.h"
+#include "image/tga.h"
 
 namespace drc {
 namespace {
 
-[[noreturn]] void failReading(const std::string& path, std::string reason) {
-    while (!reason.empty() && (reason.back() == '\n' || reason.back() == '.')) reason.pop_back();
-    throw Error(fmt::format("cannot read {}: {}", path, reason.empty() ? "the file is damaged" : reason));
+[[noreturn]] void failReading(const std::string& path, std::string_view reason) {
+    throw Error(fmt::format("cannot read {}: {}", path, reason));
 }
 
-// OpenImageIO's own words for a missing file depend on the format that it guesses from the name. Pipes and devices keep
-// whoever opens them waiting, or have no end.
+// Pipes and devices keep whoever opens them waiting, or have no end.
 void requireFile(const std::string& path) {
     std::error_code ec;
     const auto status = std::filesystem::status(path, ec);
@@ -39,105 +34,74 @@ void requireFile(const std::string& path) {
     if (std::filesystem::is_directory(status)) failReading(path, "Is a directory");
     if (!std::filesystem::is_regular_file(status)) failReading(path, "Not a file but a device");
     if (std::filesystem::file_size(path, ec) > limits::kPictureBytes) failReading(path, "File too large");
+    if (::access(path.c_str(), R_OK) != 0) failReading(path, std::strerror(errno));
 }
 
-// For all that the picture will take until it is what is rendered with: the floats, then the colours, a copy of them
-// and their coarser levels. It holds that back while the picture is read, no longer: pictures are read one after the
-// other, before the meshes, and nothing else is made until the colours have been.
-MemoryClaim claimFor(const std::string& path, double width, double height, double channels) {
-    constexpr double kBytesPerChannel = sizeof(float), kBytesPerPixel = 3 * sizeof(Rgb);
-    return MemoryClaim(width * height * (channels * kBytesPerChannel + kBytesPerPixel),
-                       fmt::format("the picture {}, of {}x{} pixels,", path, width, height));
+// One line of what OpenEXR says, without the path that it puts before the reason.
+std::string reasonOf(const std::exception& error, const std::string& path) {
+    std::string_view text = error.what();
+    const std::string named = fmt::format("\"{}\". ", path);
+    if (const size_t at = text.find(named); at != std::string_view::npos) text.remove_prefix(at + named.size());
+    text = text.substr(0, text.find('\n'));
+    while (text.ends_with('.')) text.remove_suffix(1);
+    return text.empty() ? "the file is damaged" : std::string(text);
 }
 
-bool beginsAsPfm(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    char magic[4] = {};
-    in.read(magic, sizeof(magic));
-    return in.gcount() == sizeof(magic) && isPfm(std::string_view(magic, sizeof(magic)));
-}
-
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);  // the stored colours, not those multiplied by alpha
-    auto input = OIIO::ImageInput::open(path, &config);
-    if (!input) failReading(path, OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    const std::string size =
-        fmt::format("its size is {}x{}x{} with {} channels", spec.width, spec.height, spec.depth, spec.nchannels);
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1) failReading(path, size);
-    if (spec.width > limits::kImageSide || spec.height > limits::kImageSide ||
-        int64_t(spec.width) * spec.height > limits::kImagePixels || spec.nchannels > limits::kImageChannels)
-        failReading(path, fmt::format("{}; at most {} a side, {} in all and {} channels are read", size,
-                                      limits::kImageSide, limits::kImagePixels, limits::kImageChannels));
-    return input;
-}
-
-Encoding encodingOf(const OIIO::ImageSpec& spec) {
-    if (spec.format.is_floating_point()) return Encoding::Float;
-    return spec.format.size() == 1 ? Encoding::UInt8 : Encoding::UInt16;
-}
-
-std::string encodePngBytes(const std::vector<uint8_t>& bytes, int width, int height, const std::string& path) {
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("png:compressionLevel", 6);
-    std::vector<unsigned char> encoded;
-    OIIO::Filesystem::IOVecOutput memory(encoded);
-    auto output = OIIO::ImageOutput::create("png");
-    if (!output || !output->set_ioproxy(&memory) || !output->open("image.png", spec) ||
-        !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close())
-        throw Error(fmt::format("cannot write {}: {}", path, output ? output->geterror() : OIIO::geterror()));
-    return std::string(encoded.begin(), encoded.end());
-}
-
-std::string encodePngFor(const Image& linear, const std::string& path) {
-    if (linear.empty()) throw Error(fmt::format("cannot write {}: the image is empty", path));
-    std::vector<uint8_t> bytes;
-    bytes.reserve(linear.pixelCount() * 3);
-    for (int y = 0; y < linear.height(); ++y) {
-        for (int x = 0; x < linear.width(); ++x) {
-            const Rgb c = linear.rgb(x, y);
-            for (int i = 0; i < 3; ++i) bytes.push_back(toByte(srgbEncode(c[i])));
-        }
-    }
-    return encodePngBytes(bytes, linear.width(), linear.height(), path);
-}
-
-}  // namespace
-
-namespace {
-
-ImageFile readAnyFormat(const std::string& path) {
-    if (beginsAsPfm(path)) {
-        std::error_code ignored;
-        const double pixels = double(std::filesystem::file_size(path, ignored)) / (3 * sizeof(float));
-        const MemoryClaim memory = claimFor(path, pixels, 1, 3);
-        return {decodePfm(readFile(path), path), Encoding::Float};
-    }
-    const auto input = open(path);
-    const OIIO::ImageSpec spec = input->spec();
-    const MemoryClaim memory = claimFor(path, spec.width, spec.height, spec.nchannels);
-    ImageFile file{Image(spec.width, spec.height, spec.channelnames), encodingOf(spec)};
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, file.image.data().data()))
-        failReading(path, input->geterror());
-    return file;
-}
-
-}  // namespace
-
-ImageFile readImageFile(const std::string& path) {
-    requireFile(path);
+// Calls decode, and makes an Error of whatever it throws.
+template <typename F>
+auto decoded(const std::string& path, const F& decode) {
     try {
-        return readAnyFormat(path);
-    } catch (const std::bad_alloc&) {
-        failReading(path, "there is not enough memory for it");
+        return decode();
     } catch (const Error& error) {
         if (std::string_view(error.what()).find(path) != std::string_view::npos) throw;
         failReading(path, error.what());
-    } catch (const std::exception& error) {  // of a format's own library
-        failReading(path, error.what());
+    } catch (const std::bad_alloc&) {
+        failReading(path, "there is not enough memory for it");
+    } catch (const std::exception& error) {
+        failReading(path, reasonOf(error, path));
     }
+}
+
+ImageFile decodePfmFile(const EncodedImage& encoded) {
+    const double pixels = double(encoded.bytes.size()) / (3 * sizeof(float));
+    const MemoryClaim memory(pixels * (3 * sizeof(float) + 3 * sizeof(Rgb)),
+                             fmt::format("the picture {}", encoded.path));
+    return {decodePfm(encoded.bytes, encoded.path), Encoding::Float};
+}
+
+ImageFile decodeByFormat(const EncodedImage& encoded) {
+    if (encoded.bytes.empty()) failDecoding(encoded, "the file is empty");
+    switch (imageFormatOf(encoded.bytes, encoded.path)) {
+        case ImageFormat::Exr:
+            return decodeExr(encoded);
+        case ImageFormat::Png:
+            return decodePng(encoded);
+        case ImageFormat::Jpeg:
+            return decodeJpeg(encoded);
+        case ImageFormat::RadianceHdr:
+            return decodeRadianceHdr(encoded);
+        case ImageFormat::Tga:
+            return decodeTga(encoded);
+        case ImageFormat::Pfm:
+            return decodePfmFile(encoded);
+        case ImageFormat::Unknown:
+            break;
+    }
+    const std::string_view foreign = foreignFormatOf(encoded.bytes);
+    failDecoding(encoded, foreign.empty() ? fmt::format("its format is unknown; {}", kFormatsRead)
+                                          : fmt::format("it is a {} file; {}", foreign, kFormatsRead));
+}
+
+}  // namespace
+
+ImageFile decodeImage(const EncodedImage& encoded) {
+    return decoded(encoded.path, [&] { return decodeByFormat(encoded); });
+}
+
+ImageFile readImageFile(const std::string& path) {
+    requireFile(path);
+    const MappedFile file(path);
+    return decodeImage({file.bytes(), path});
 }
 
 Image readImage(const std::string& path, Encoding* encoding) {
@@ -161,8 +125,14 @@ Image readLinearRgb(const std::string& path) {
     return rgb;
 }
 
-std::string encodePng(const Image& linear) { return encodePngFor(linear, "a PNG"); }
+ExrMetadata readExrMetadata(const std::string& path) {
+    requireFile(path);
+    const MappedFile file(path);
+    const EncodedImage encoded{file.bytes(), path};
+    if (imageFormatOf(encoded.bytes, path) != ImageFormat::Exr) failDecoding(encoded, "it is no EXR file");
+    return decoded(path, [&] { return decodeExrMetadata(encoded); });
+}
 
-void writePng(const std::string& path, const Image& linear) { writeFileAtomically(path, encodePngFor(linear, path)); }
+void writePng(const std::string& path, const Image& linear) { writeFileAtomically(path, encodePng(linear, path)); }
 
 }  // namespace drc

@@ -6,7 +6,7 @@
 
 #include "image/block_means.h"
 #include "image/flip.h"
-#include "image/image_io.h"
+#include "image/png.h"
 #include "image/relmse.h"
 #include "image/ssim.h"
 

@@ -10,6 +10,11 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "cache/example_shard.h"
+#include "image/exr_reader.h"
+#include "image/image_format.h"
+#include "image/image_io.h"
+#include "image/radiance_hdr.h"
+#include "image/tga.h"
 #include "neural/safetensors.h"
 #include "pbrt/ply_reader.h"
 #include "pbrt/scene_file.h"
@@ -33,6 +38,10 @@ class MemoryFile {
   private:
     int descriptor_;
 };
+
+// A few bytes of runs may stand for a large picture, which is no finding of the fuzzer's: what is in proportion to the
+// size that a header names is bounded by this one.
+EncodedImage smallPicture(std::string_view bytes) { return {bytes, "fuzz", 1 << 20}; }
 
 }  // namespace
 
@@ -92,6 +101,29 @@ void examples(std::string_view bytes) {
         const ExampleShard shard(file.path());
         TrainingExample example;
         for (int i = 0; i < shard.count(); ++i) shard.load(i, 0, shard.inputs(), example);
+    } catch (const Error&) {
+    }
+}
+
+void tga(std::string_view bytes) {
+    try {
+        (void)hasTgaHeader(bytes);
+        (void)decodeTga(smallPicture(bytes));
+    } catch (const Error&) {
+    }
+}
+
+void hdr(std::string_view bytes) {
+    try {
+        (void)decodeRadianceHdr(smallPicture(bytes));
+    } catch (const Error&) {
+    }
+}
+
+void picture(std::string_view bytes) {
+    try {
+        (void)foreignFormatOf(bytes);
+        (void)decodeImage(smallPicture(bytes));
     } catch (const Error&) {
     }
 }

@@ -11,6 +11,9 @@ void parser(std::string_view bytes);  // a pbrt scene, confined; reads no other 
 void ply(std::string_view bytes);
 void safetensors(std::string_view bytes);
 void examples(std::string_view bytes);  // a shard of training examples
+void tga(std::string_view bytes);
+void hdr(std::string_view bytes);      // a Radiance picture
+void picture(std::string_view bytes);  // of any format that its first bytes name, but for the two above
 
 // Removes all slashes from the scene, so that files it names are only searched for in a folder that does not exist.
 // Otherwise a fuzzer that finds "/dev/..." or a file of the machine would open it.

@@ -1,9 +1,9 @@
-// writeExr and readExrMetadata. On OpenEXR itself: OpenImageIO renames and drops attributes on the way.
+#include "image/exr_writer.h"
+
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
-#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/core.h>
@@ -14,7 +14,6 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "image/image_io.h"
 
 namespace drc {
 namespace {
@@ -121,20 +120,6 @@ void writeExr(const std::string& path, const std::vector<ExrLayer>& layers, cons
 
 void writeExr(const std::string& path, const Image& image, const ExrMetadata& metadata) {
     writeExr(path, {{"", &image}}, metadata);
-}
-
-ExrMetadata readExrMetadata(const std::string& path) {
-    ExrMetadata metadata;
-    try {
-        const Imf::InputFile file(path.c_str());
-        for (auto it = file.header().begin(); it != file.header().end(); ++it) {
-            if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
-                metadata[it.name()] = text->value();
-        }
-    } catch (const std::exception& e) {
-        throw Error(fmt::format("cannot read {}: {}", path, e.what()));
-    }
-    return metadata;
 }
 
 }  // namespace drc

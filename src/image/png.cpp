@@ -1,0 +1,230 @@
+#include "image/png.h"
+
+#include <fmt/core.h>
+#include <png.h>
+#include <zlib.h>
+
+#include <bit>
+#include <csetjmp>
+#include <cstring>
+#include <vector>
+
+#include "base/error.h"
+#include "image/color.h"
+
+// libpng reports an error by longjmp. Each of the functions below that call setjmp calls nothing but libpng after it,
+// and has nothing that needs a destructor: what the reader and the writer own lives in their objects, which no jump
+// passes.
+
+namespace drc {
+namespace {
+
+struct Message {
+    char text[160] = {};
+};
+
+[[noreturn]] void keepMessage(png_structp png, png_const_charp text) {
+    auto* message = static_cast<Message*>(png_get_error_ptr(png));
+    std::strncpy(message->text, text, sizeof(message->text) - 1);
+    png_longjmp(png, 1);
+}
+
+void ignoreWarning(png_structp, png_const_charp) {}
+
+class PngReader {
+  public:
+    explicit PngReader(const EncodedImage& encoded) : encoded_(encoded) {
+        png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, keepMessage, ignoreWarning);
+        if (png_) info_ = png_create_info_struct(png_);
+        if (!info_) failDecoding(encoded, "libpng cannot start");
+    }
+    ~PngReader() { png_destroy_read_struct(&png_, info_ ? &info_ : nullptr, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+
+    void readHeader() {
+        if (!readHeaderOrJump()) fail();
+    }
+    void readRow(png_bytep row) {
+        if (!readRowOrJump(row)) fail();
+    }
+    void readEnd() {
+        if (!readEndOrJump()) fail();
+    }
+
+    int64_t width() const { return png_get_image_width(png_, info_); }
+    int64_t height() const { return png_get_image_height(png_, info_); }
+    int channels() const { return png_get_channels(png_, info_); }
+    int bits() const { return png_get_bit_depth(png_, info_); }
+    size_t rowBytes() const { return png_get_rowbytes(png_, info_); }
+    int passes() const { return passes_; }
+
+  private:
+    bool readHeaderOrJump() {
+        if (setjmp(png_jmpbuf(png_))) return false;
+        png_set_read_fn(png_, this, &PngReader::readBytes);
+        png_set_user_limits(png_, limits::kImageSide, limits::kImageSide);
+        // All that does not change the pixels, text and colour profiles above all, is passed over.
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+        png_read_info(png_, info_);
+        png_set_expand(png_);
+        if constexpr (std::endian::native == std::endian::little) png_set_swap(png_);
+        passes_ = png_set_interlace_handling(png_);
+        png_read_update_info(png_, info_);
+        return true;
+    }
+    bool readRowOrJump(png_bytep row) {
+        if (setjmp(png_jmpbuf(png_))) return false;
+        png_read_row(png_, row, nullptr);
+        return true;
+    }
+    bool readEndOrJump() {
+        if (setjmp(png_jmpbuf(png_))) return false;
+        png_read_end(png_, nullptr);
+        return true;
+    }
+    static void readBytes(png_structp png, png_bytep to, size_t count) {
+        auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
+        const size_t left = reader->encoded_.bytes.size() - reader->at_;
+        if (count > left) png_error(png, "it is cut short");
+        std::memcpy(to, reader->encoded_.bytes.data() + reader->at_, count);
+        reader->at_ += count;
+    }
+    [[noreturn]] void fail() const { failDecoding(encoded_, message_.text); }
+
+    const EncodedImage& encoded_;
+    size_t at_ = 0;
+    Message message_;
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+    int passes_ = 1;
+};
+
+class PngWriter {
+  public:
+    explicit PngWriter(const std::string& path) : path_(path) {
+        png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message_, keepMessage, ignoreWarning);
+        if (png_) info_ = png_create_info_struct(png_);
+        if (!info_) fail();
+    }
+    ~PngWriter() { png_destroy_write_struct(&png_, info_ ? &info_ : nullptr); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+
+    void writeHeader(int width, int height) {
+        if (!writeHeaderOrJump(png_uint_32(width), png_uint_32(height))) fail();
+    }
+    void writeRow(png_const_bytep row) {
+        if (!writeRowOrJump(row)) fail();
+    }
+    std::string finish() {
+        if (!writeEndOrJump()) fail();
+        return std::move(bytes_);
+    }
+
+  private:
+    bool writeHeaderOrJump(png_uint_32 width, png_uint_32 height) {
+        constexpr int kBits = 8, kCompression = 6;
+        if (setjmp(png_jmpbuf(png_))) return false;
+        png_set_write_fn(png_, this, &PngWriter::writeBytes, nullptr);
+        png_set_IHDR(png_, info_, width, height, kBits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_compression_level(png_, kCompression);
+        // Of what libpng would choose, sizes differ by a few percent, and reports compare the sizes of pictures.
+        png_set_compression_strategy(png_, Z_DEFAULT_STRATEGY);
+        png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
+        png_write_info(png_, info_);
+        return true;
+    }
+    bool writeRowOrJump(png_const_bytep row) {
+        if (setjmp(png_jmpbuf(png_))) return false;
+        png_write_row(png_, row);
+        return true;
+    }
+    bool writeEndOrJump() {
+        if (setjmp(png_jmpbuf(png_))) return false;
+        png_write_end(png_, info_);
+        return true;
+    }
+    // No exception may pass libpng either.
+    static void writeBytes(png_structp png, png_bytep from, size_t count) {
+        bool isWritten = true;
+        try {
+            static_cast<PngWriter*>(png_get_io_ptr(png))->bytes_.append(reinterpret_cast<const char*>(from), count);
+        } catch (const std::exception&) {
+            isWritten = false;
+        }
+        if (!isWritten) png_error(png, "there is not enough memory for it");
+    }
+    [[noreturn]] void fail() const { throw Error(fmt::format("cannot write {}: {}", path_, message_.text)); }
+
+    const std::string& path_;
+    std::string bytes_;
+    Message message_;
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+};
+
+std::vector<std::string> channelNames(int channels) {
+    std::vector<std::string> names =
+        channels < 3 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
+    if (channels % 2 == 0) names.push_back("A");
+    return names;
+}
+
+void toFloats(const uint8_t* row, int bits, std::span<float> values) {
+    for (size_t i = 0; i < values.size(); ++i) {
+        if (bits == 16) {
+            uint16_t word;
+            std::memcpy(&word, row + i * sizeof(word), sizeof(word));
+            values[i] = fromWord(word);
+        } else {
+            values[i] = fromByte(row[i]);
+        }
+    }
+}
+
+}  // namespace
+
+ImageFile decodePng(const EncodedImage& encoded) {
+    PngReader reader(encoded);
+    reader.readHeader();
+    // The passes of an interlaced picture each fill in some of its pixels: all rows are kept until the last.
+    const bool isInterlaced = reader.passes() > 1;
+    const double bytes = isInterlaced ? double(reader.rowBytes()) * double(reader.height()) : 0;
+    const MemoryClaim memory = claimMemory(encoded, reader.width(), reader.height(), reader.channels(), bytes);
+    const int width = int(reader.width()), height = int(reader.height());
+
+    ImageFile file{Image(width, height, channelNames(reader.channels())),
+                   reader.bits() == 16 ? Encoding::UInt16 : Encoding::UInt8};
+    std::vector<uint8_t> rows(reader.rowBytes() * size_t(isInterlaced ? height : 1));
+    for (int pass = 0; pass < reader.passes(); ++pass) {
+        for (int y = 0; y < height; ++y) {
+            uint8_t* row = rows.data() + (isInterlaced ? reader.rowBytes() * size_t(y) : 0);
+            reader.readRow(row);
+            if (pass + 1 == reader.passes())
+                toFloats(row, reader.bits(), {file.image.pixel(0, y), size_t(width) * size_t(reader.channels())});
+        }
+    }
+    reader.readEnd();
+    return file;
+}
+
+std::string encodePng(const Image& linear, const std::string& path) {
+    if (linear.empty()) throw Error(fmt::format("cannot write {}: the image is empty", path));
+    PngWriter writer(path);
+    writer.writeHeader(linear.width(), linear.height());
+    std::vector<uint8_t> row;
+    row.reserve(size_t(linear.width()) * 3);
+    for (int y = 0; y < linear.height(); ++y) {
+        row.clear();
+        for (int x = 0; x < linear.width(); ++x) {
+            const Rgb c = linear.rgb(x, y);
+            for (int i = 0; i < 3; ++i) row.push_back(toByte(srgbEncode(c[i])));
+        }
+        writer.writeRow(row.data());
+    }
+    return writer.finish();
+}
+
+}  // namespace drc
