@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "cache/network_enhancer.h"
+#include "cache/network_map_denoiser.h"
 #include "pipeline.h"
 #include "render/session.h"
 #include "render/surface_picture_filter.h"
@@ -25,7 +25,7 @@ struct FurnaceCase {
     const char* name;
     Projection projection;
     float spacing;
-    const char* enhancer;
+    const char* mapDenoiser;
 };
 class Furnace : public testing::TestWithParam<FurnaceCase> {};
 INSTANTIATE_TEST_SUITE_P(Invariant1, Furnace,
@@ -44,9 +44,10 @@ TEST_P(Furnace, RadianceIsOneInEveryPixel) {
     settings.capture.layout = MapLayout(c.projection, 16);
     settings.gatherSamples = 16;
     settings.primarySamples = 1;
-    const auto enhancer = std::string(c.enhancer) == "gaussian" ? makeGaussianEnhancer(1) : makeIdentityEnhancer();
+    const auto mapDenoiser =
+        std::string(c.mapDenoiser) == "gaussian" ? makeGaussianMapDenoiser(1) : makeIdentityMapDenoiser();
     const Estimate direct = pipeline.estimate(&Pipeline::direct, 1024, 16);
-    const auto passes = pipeline.cachedPasses(*enhancer, settings, c.spacing, c.spacing > 1 ? 128 : 48);
+    const auto passes = pipeline.cachedPasses(*mapDenoiser, settings, c.spacing, c.spacing > 1 ? 128 : 48);
     const Estimate sum = direct + test::estimateOf(passes);
     expectSame(sum, constantEstimate(sum.mean.size(), 1), c.name, c.spacing > 1);
     double mean = 0;
@@ -82,7 +83,7 @@ TEST(Invariants2And3, LightsOfEveryShape) {
     IndirectSettings settings;
     settings.gatherSamples = 64;
     settings.primarySamples = 1;
-    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, 16);
+    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityMapDenoiser(), settings, 1, 16);
     expectSame(oracle, indirect, "oracle maps");
 }
 
@@ -119,7 +120,7 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
     // and from a small solid angle, which 32x32 texels blur by more than this test tolerates.
     const bool roughGlass = name == "rough_glass";
     if (roughGlass) settings.capture.layout = MapLayout(Projection::EqualArea, 64);
-    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityEnhancer(), settings, 1, roughGlass ? 24 : 16);
+    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityMapDenoiser(), settings, 1, roughGlass ? 24 : 16);
     const Estimate traced = pipeline.estimate(&Pipeline::tracedIndirect, 8192, 64);
     const Estimate glossy = pipeline.estimate(&Pipeline::glossyIndirect, 4096, 64);
     expectSame(oracle + glossy, traced, name);
@@ -127,7 +128,7 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
 
 // Invariant 4.
 std::vector<float> renderWith(int threads, const std::string& integrator,
-                              const std::shared_ptr<const Enhancer>& enhancer) {
+                              const std::shared_ptr<const MapDenoiser>& mapDenoiser) {
     setThreadCount(threads);
     const auto scene = pbrt::loadPbrtString(test::room(test::allMaterials()[12].second, 40, 30));
     RenderParams params;
@@ -136,7 +137,7 @@ std::vector<float> renderWith(int threads, const std::string& integrator,
     params.spp = 4;
     params.mapPasses = 3;
     params.firstSpacing = 10.f / 30;
-    Session session(*scene, params, enhancer, nullptr);
+    Session session(*scene, params, mapDenoiser, nullptr);
     while (session.step()) {
     }
     LayeredPicture picture = session.picture();
@@ -147,16 +148,16 @@ std::vector<float> renderWith(int threads, const std::string& integrator,
 }
 
 TEST(Invariant4, TheImageDoesNotDependOnTheNumberOfThreads) {
-    const std::shared_ptr<const Enhancer> gaussian = makeGaussianEnhancer(1);
+    const std::shared_ptr<const MapDenoiser> gaussian = makeGaussianMapDenoiser(1);
     const auto network = [](int planes) {
-        return std::shared_ptr<const Enhancer>(
-            makeNetworkEnhancer(UNetWeights::random(UNetShape{.width = 4, .inputs = planes}, 1),
-                                MapLayout(Projection::EqualArea, 32), Precision::Fp32));
+        return std::shared_ptr<const MapDenoiser>(
+            makeNetworkMapDenoiser(UNetWeights::random(UNetShape{.width = 4, .inputs = planes}, 1),
+                                   MapLayout(Projection::EqualArea, 32), Precision::Fp32));
     };
-    for (const auto& enhancer : {gaussian, network(kPlainPlanes), network(kGuidedPlanes)}) {
-        const std::vector<float> one = renderWith(1, "drc", enhancer);
-        EXPECT_EQ(one, renderWith(2, "drc", enhancer));
-        EXPECT_EQ(one, renderWith(5, "drc", enhancer));
+    for (const auto& mapDenoiser : {gaussian, network(kPlainPlanes), network(kGuidedPlanes)}) {
+        const std::vector<float> one = renderWith(1, "drc", mapDenoiser);
+        EXPECT_EQ(one, renderWith(2, "drc", mapDenoiser));
+        EXPECT_EQ(one, renderWith(5, "drc", mapDenoiser));
     }
     for (const std::string integrator : {"path", "bdpt"})
         EXPECT_EQ(renderWith(1, integrator, gaussian), renderWith(3, integrator, gaussian));
@@ -174,7 +175,7 @@ PassOfSmallMaps passOfSmallMaps(float spacing) {
     IndirectSettings settings;
     settings.capture.layout = MapLayout(Projection::EqualArea, 8);
     settings.primarySamples = settings.gatherSamples = 1;
-    const auto identity = makeIdentityEnhancer();
+    const auto identity = makeIdentityMapDenoiser();
     const PixelRegion region = pipeline.scene->settings.region();
     PassOfSmallMaps result;
     result.values.resize(region.count());
@@ -207,7 +208,7 @@ TEST(Invariant4, AnotherSeedIsAnotherImage) {
     const Pipeline pipeline(test::room(test::allMaterials()[0].second, 12, 8));
     IndirectSettings a, b;
     b.seed = 1;
-    const auto identity = makeIdentityEnhancer();
+    const auto identity = makeIdentityMapDenoiser();
     EXPECT_NE(pipeline.cachedIndirect(*identity, a, 6, 2).mean, pipeline.cachedIndirect(*identity, b, 6, 2).mean);
 }
 
@@ -218,7 +219,7 @@ TEST(Invariant5, MemoryDoesNotGrowWithPasses) {
     params.spp = 30;
     params.mapPasses = 30;
     params.firstSpacing = 0.3f;
-    Session session(*scene, params, makeGaussianEnhancer(1), nullptr);
+    Session session(*scene, params, makeGaussianMapDenoiser(1), nullptr);
     while (session.mapPassesDone() < 4) session.step();
     const size_t before = mallinfo2().uordblks;
     while (session.mapPassesDone() < 16) session.step();

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cache/enhancer.h"
+#include "cache/map_denoiser.h"
 #include "pbrt/scene_file.h"
 #include "render/session.h"
 #include "render/surface_picture_filter.h"
@@ -38,7 +38,7 @@ inline std::vector<std::vector<Rgb>> pictures(const std::string& text, const std
         params.indirect.capture.layout = MapLayout(Projection::EqualArea, 8);
         params.indirect.primarySamples = 1;
         params.maxDepth = scene->settings.maxDepth;
-        Session session(*scene, params, makeGaussianEnhancer(1), nullptr);
+        Session session(*scene, params, makeGaussianMapDenoiser(1), nullptr);
         while (session.step()) {
         }
         EXPECT_EQ(session.samplesDone(), spp);

@@ -62,17 +62,17 @@ struct Pipeline {
     }
     // The indirect layer of the broad lobes from radiance maps: mean and variance over independent passes with the same
     // spacing.
-    Estimate cachedIndirect(const Enhancer& enhancer, const IndirectSettings& settings, float spacing,
+    Estimate cachedIndirect(const MapDenoiser& mapDenoiser, const IndirectSettings& settings, float spacing,
                             int passes) const {
-        return estimateOf(cachedPasses(enhancer, settings, spacing, passes));
+        return estimateOf(cachedPasses(mapDenoiser, settings, spacing, passes));
     }
     // The pictures of single passes: [pass][pixel].
-    std::vector<std::vector<Rgb>> cachedPasses(const Enhancer& enhancer, const IndirectSettings& settings,
+    std::vector<std::vector<Rgb>> cachedPasses(const MapDenoiser& mapDenoiser, const IndirectSettings& settings,
                                                float spacing, int passes) const {
         const PixelRegion region = scene->settings.region();
         std::vector<std::vector<Rgb>> values(size_t(passes), std::vector<Rgb>(region.count()));
         for (int pass = 0; pass < passes; ++pass) {
-            IndirectPass indirect(tracer, enhancer, settings, nullptr);
+            IndirectPass indirect(tracer, mapDenoiser, settings, nullptr);
             indirect.run(pass, spacing, [&](int x, int y, int, const Rgb& value, float weight) {
                 values[size_t(pass)][region.index(x, y)] = value * weight;
             });

@@ -155,7 +155,7 @@ void addBenchCommand(CLI::App& app) {
     command
         ->add_option(
             "--methods", o->methods,
-            "With commas between: path, bdpt, direct, drc, drc:ENHANCER (none, gaussian, oracle), drc:NETWORK, or "
+            "With commas between: path, bdpt, direct, drc, drc:MAP-DENOISER (none, gaussian, oracle), drc:NETWORK, or "
             "the name of an adapter (cycles, mitsuba3, pbrt-v3, pbrt-v4); each with +DENOISER, as path+oidn: Open "
             "Image "
             "Denoise in its best mode for the budget, or in one that is named: path+oidn:high, :balanced, :high-raw, "

@@ -38,7 +38,7 @@ void run(EvaluateOptions& options) {
 }  // namespace
 
 void addEvaluateCommand(CLI::App& app) {
-    auto* command = app.add_subcommand("evaluate", "Measure how close enhanced maps come to converged ones");
+    auto* command = app.add_subcommand("evaluate", "Measure how close denoised maps come to converged ones");
     auto o = std::make_shared<EvaluateOptions>();
     command
         ->add_option("EXAMPLES", o->settings.paths,

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/progress.h"
-#include "cache/network_enhancer.h"
+#include "cache/network_map_denoiser.h"
 #include "math/rng.h"
 
 namespace drc {
@@ -77,8 +77,8 @@ void openFiles(const EvaluationSettings& settings, const std::vector<std::string
 
 void makeMethods(bool networksNamed, Evaluation& result) {
     for (EvaluatedGroup& group : result.groups) {
-        group.methods.push_back({"none", makeIdentityEnhancer(), {}});
-        group.methods.push_back({"gaussian", makeGaussianEnhancer(1), {}});
+        group.methods.push_back({"none", makeIdentityMapDenoiser(), {}});
+        group.methods.push_back({"gaussian", makeGaussianMapDenoiser(1), {}});
     }
     std::vector<EvaluatedNetwork> used;
     for (EvaluatedNetwork& network : result.networks) {
@@ -88,7 +88,7 @@ void makeMethods(bool networksNamed, Evaluation& result) {
             try {
                 if (!group.guides && network.weights->shape().inputs == kGuidedPlanes)
                     throw Error("the network sees albedos and direct light, and these examples have none");
-                group.methods.push_back({network.name, makeNetworkEnhancer(network.weights, group.layout), {}});
+                group.methods.push_back({network.name, makeNetworkMapDenoiser(network.weights, group.layout), {}});
                 fits = true;
             } catch (const Error& error) {
                 why = error.what();
@@ -107,11 +107,11 @@ void makeMethods(bool networksNamed, Evaluation& result) {
 void runMethods(const EvaluationSettings& settings, Evaluation& result) {
     Progress progress("files", result.files, settings.showProgress ? ProgressMode::Auto : ProgressMode::Quiet);
     for (EvaluatedGroup& group : result.groups) {
-        std::vector<const Enhancer*> enhancers;
-        for (const EvaluatedMethod& method : group.methods) enhancers.push_back(method.enhancer.get());
+        std::vector<const MapDenoiser*> mapDenoisers;
+        for (const EvaluatedMethod& method : group.methods) mapDenoisers.push_back(method.mapDenoiser.get());
         for (size_t f = 0; f < group.files.size(); ++f) {
             const EvaluatedFile& file = group.files[f];
-            const auto evaluated = evaluateEnhancers(*file.source, enhancers, file.inputs);
+            const auto evaluated = evaluateMapDenoisers(*file.source, mapDenoisers, file.inputs);
             for (size_t i = 0; i < evaluated.size(); ++i) {
                 group.examples.push_back({f, int(i), evaluated[i].viewpoint, evaluated[i].film});
                 for (size_t m = 0; m < group.methods.size(); ++m)

@@ -1,5 +1,6 @@
-// Runs enhancers over examples, as `drc evaluate` does: which networks fit which maps, and what each scores. Examples
-// of one kind of map form a group; of several groups, those that hold the same viewpoints can be compared in pairs.
+// Runs map denoisers over examples, as `drc evaluate` does: which networks fit which maps, and what each scores.
+// Examples of one kind of map form a group; of several groups, those that hold the same viewpoints can be compared in
+// pairs.
 #pragma once
 #include <memory>
 #include <string>
@@ -25,7 +26,7 @@ struct EvaluatedNetwork {
 
 struct EvaluatedMethod {
     std::string name;  // "none", "gaussian", or the network's
-    std::unique_ptr<Enhancer> enhancer;
+    std::unique_ptr<MapDenoiser> mapDenoiser;
     std::vector<ExampleScores> scores;  // in the order of EvaluatedGroup::examples
 };
 

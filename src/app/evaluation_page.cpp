@@ -119,7 +119,7 @@ std::string fileTable(const Evaluation& evaluation) {
 }
 
 std::string header(const Evaluation& evaluation) {
-    std::string html = heading(1, "Enhanced radiance maps against converged ones");
+    std::string html = heading(1, "Denoised radiance maps against converged ones");
     html += fmt::format("<p class=\"lead\">{} examples of {} {}{}, by drc {}.</p>\n", evaluation.examples,
                         evaluation.files, evaluation.files == 1 ? "file" : "files",
                         evaluation.skipped > 0 ? fmt::format(" ({} skipped)", evaluation.skipped) : "", DRC_VERSION);

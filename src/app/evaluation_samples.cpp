@@ -17,14 +17,14 @@ std::string image(const Image& linear, const std::string& what, const char* styl
     return fmt::format("<img {}src=\"{}\" alt=\"{}\"/>\n", style, pngDataUri(linear), escapeHtml(what));
 }
 
-struct EnhancedMap {
+struct DenoisedMap {
     std::vector<float> radiance, errors;
     MapScores scores;
 };
 
 // Where the false colours end: what one texel in twenty exceeds, over the methods that do something. The captured
 // map's own errors are so much larger that they would leave nothing of the others to see.
-float errorWhite(const std::vector<EnhancedMap>& maps) {
+float errorWhite(const std::vector<DenoisedMap>& maps) {
     std::vector<float> pooled;
     for (size_t m = 1; m < maps.size(); ++m) pooled.insert(pooled.end(), maps[m].errors.begin(), maps[m].errors.end());
     std::sort(pooled.begin(), pooled.end());
@@ -32,12 +32,12 @@ float errorWhite(const std::vector<EnhancedMap>& maps) {
     return white > 0 ? white : 1;
 }
 
-std::vector<EnhancedMap> enhanceAll(const EvaluatedGroup& group, const TrainingExample& example) {
+std::vector<DenoisedMap> denoiseAll(const EvaluatedGroup& group, const TrainingExample& example) {
     const auto unit = float(hemisphereMean(example.target, group.layout));
-    std::vector<EnhancedMap> maps;
+    std::vector<DenoisedMap> maps;
     for (const EvaluatedMethod& method : group.methods) {
         std::vector<CapturedMap> one{example.inputs.front()};
-        method.enhancer->enhance(one, group.layout);
+        method.mapDenoiser->denoise(one, group.layout);
         const std::vector<float>& radiance = one.front().radiance;
         maps.push_back(
             {radiance, texelErrors(radiance, example.target, unit), scoreMap(radiance, example.target, group.layout)});
@@ -45,7 +45,7 @@ std::vector<EnhancedMap> enhanceAll(const EvaluatedGroup& group, const TrainingE
     return maps;
 }
 
-std::string methodColumn(const std::string& name, const EnhancedMap& map, const MapLayout& layout, float exposure,
+std::string methodColumn(const std::string& name, const DenoisedMap& map, const MapLayout& layout, float exposure,
                          float white) {
     const std::string escaped = escapeHtml(name);
     const auto score = [](const char* title, double value) {
@@ -61,7 +61,7 @@ std::string exampleBlock(const EvaluatedGroup& group, const ExampleKey& key, con
     TrainingExample example;
     group.files[key.file].source->load(key.index, 0, 1, example);
     const MapLayout& layout = group.layout;
-    const std::vector<EnhancedMap> maps = enhanceAll(group, example);
+    const std::vector<DenoisedMap> maps = denoiseAll(group, example);
     const float exposure = exposureOf(example.target, layout), white = errorWhite(maps);
     std::string block = fmt::format(
         "<div class=\"example\">\n<h4>{} <span>viewpoint {}, pixel {:.0f}, {:.0f}</span></h4>\n"

@@ -4,7 +4,7 @@
 
 #include "app/evaluation_testing.h"
 #include "cache/iispt_folder.h"
-#include "cache/network_enhancer.h"
+#include "cache/network_map_denoiser.h"
 
 namespace drc {
 namespace {
@@ -33,12 +33,12 @@ TEST_F(EvaluationTest, RunsEachNetworkOnItsOwnProjection) {
         for (const EvaluatedMethod& method : group.methods) EXPECT_EQ(method.scores.size(), 5u);
 }
 
-// Of the method's enhancer on the example that the key names.
+// Of the method's map denoiser on the example that the key names.
 TEST_F(EvaluationTest, ScoresBelongToTheirExamplesAndMethods) {
     const Evaluation evaluation = run({network("a.safetensors", "equal-area", 1)});
     const EvaluatedGroup& group = evaluation.groups[0];
     const auto weights = UNetWeights::load(path("a.safetensors"));
-    const auto enhancer = makeNetworkEnhancer(weights, kEqualArea);
+    const auto mapDenoiser = makeNetworkMapDenoiser(weights, kEqualArea);
     for (size_t i = 0; i < group.examples.size(); ++i) {
         const ExampleKey& key = group.examples[i];
         TrainingExample example;
@@ -48,7 +48,7 @@ TEST_F(EvaluationTest, ScoresBelongToTheirExamplesAndMethods) {
         EXPECT_EQ(group.scene(key), i < 3 ? "one" : kHostileScene);
         EXPECT_EQ(group.methods[0].scores[i].asRendered.l1,
                   scoreMap(example.inputs[0].radiance, example.target, kEqualArea).l1);
-        enhancer->enhance(example.inputs, kEqualArea);
+        mapDenoiser->denoise(example.inputs, kEqualArea);
         EXPECT_NEAR(group.methods[2].scores[i].asRendered.l1,
                     scoreMap(example.inputs[0].radiance, example.target, kEqualArea).l1, 1e-6);
     }

@@ -48,7 +48,7 @@ std::string findWeights(const std::string& weights) {
         const std::string found = findShipped(kDefaultNetwork, tried);
         if (!found.empty()) return found;
         throw Error(
-            "the network's weights were not found; name them with --weights, or render with --enhancer gaussian. "
+            "the network's weights were not found; name them with --weights, or render with --map-denoiser gaussian. "
             "Tried:" +
             tried);
     }

@@ -11,7 +11,7 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/progress.h"
-#include "cache/network_enhancer.h"
+#include "cache/network_map_denoiser.h"
 #include "pbrt/scene_file.h"
 #include "render/oidn_picture_filter.h"
 #include "render/surface_picture_filter.h"
@@ -23,13 +23,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct MapDenoiser {
-    std::shared_ptr<const Enhancer> enhancer;
+struct ChosenMapDenoiser {
+    std::shared_ptr<const MapDenoiser> mapDenoiser;
     std::string weightsHash;
 };
 
 // Sets the maps' layout to what the denoiser wants.
-MapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& indirect) {
+ChosenMapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& indirect) {
     const auto setProjection = [&](const std::string& ownOfNetwork) {
         const std::string& name = o.projection != "auto" ? o.projection
                                   : ownOfNetwork.empty() ? projectionName(Projection::EqualArea)
@@ -37,17 +37,17 @@ MapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& indirect
         indirect.capture.layout = MapLayout(projectionFromName(name), indirect.capture.layout.size());
     };
     setProjection("");
-    if (o.mapDenoiser == "gaussian") return {makeGaussianEnhancer(1), ""};
-    if (o.mapDenoiser == "none") return {makeIdentityEnhancer(), ""};
+    if (o.mapDenoiser == "gaussian") return {makeGaussianMapDenoiser(1), ""};
+    if (o.mapDenoiser == "none") return {makeIdentityMapDenoiser(), ""};
     if (o.mapDenoiser == "oracle") {
         indirect.capture.samplesPerTexel = o.oracleSamples;
-        return {makeIdentityEnhancer(), ""};
+        return {makeIdentityMapDenoiser(), ""};
     }
     const auto weights = UNetWeights::load(findWeights(o.weights));
     setProjection(weights->projection());
     std::optional<Precision> precision;
     if (o.precision != "auto") precision = o.precision == "fp32" ? Precision::Fp32 : Precision::Bf16;
-    return {makeNetworkEnhancer(weights, indirect.capture.layout, precision), weights->hash()};
+    return {makeNetworkMapDenoiser(weights, indirect.capture.layout, precision), weights->hash()};
 }
 
 // The filters that are wanted, then cheaper ones.
@@ -133,11 +133,11 @@ void render(RenderOptions o) {
     RenderParams params = resolved(o.params, *scene);
     std::optional<OpenImageDenoise> oidn;
     if (o.usesOidn()) oidn.emplace(o.oidnLibrary);
-    MapDenoiser mapDenoiser;
-    if (usesMaps(params.integrator)) mapDenoiser = chooseMapDenoiser(o, params.indirect);
+    ChosenMapDenoiser chosen;
+    if (usesMaps(params.integrator)) chosen = chooseMapDenoiser(o, params.indirect);
 
     const auto build = Clock::now();
-    Session session(*scene, params, mapDenoiser.enhancer, &stats, start);
+    Session session(*scene, params, chosen.mapDenoiser, &stats, start);
     PictureWriter writer(scene->settings, o.outputs, o.aovs);
     PictureFinisher finisher(filtersFor(params, oidn), writer, stats);
     const auto rendering = Clock::now();
@@ -150,8 +150,8 @@ void render(RenderOptions o) {
                          {"drc:command", processInfo().commandLine},
                          {"drc:seed", std::to_string(params.seed)},
                          {"drc:integrator", params.integrator},
-                         {"drc:enhancer", usesMaps(params.integrator) ? o.mapDenoiser : ""},
-                         {"drc:weights", mapDenoiser.weightsHash},
+                         {"drc:map_denoiser", usesMaps(params.integrator) ? o.mapDenoiser : ""},
+                         {"drc:weights", chosen.weightsHash},
                          {"drc:spp", std::to_string(session.samplesDone())},
                          {"drc:passes", std::to_string(session.mapPassesDone())}};
     if (interrupted) {

@@ -30,7 +30,7 @@ class RenderCommandTest : public FolderTest {
         CLI::App app;
         addRenderCommand(app);
         arguments.insert(arguments.begin(), {"render", path("scene.pbrt"), "--quiet", "-o", path("out.exr"),
-                                             "--enhancer", "none", "--spp", "8", "--passes", "1", "--seed", "3"});
+                                             "--map-denoiser", "none", "--spp", "8", "--passes", "1", "--seed", "3"});
         std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
         app.parse(std::move(arguments));
     }

@@ -67,7 +67,9 @@ void addFilm(CLI::App& command, RenderOptions& o) {
 }
 
 void addMaps(CLI::App& command, RenderOptions& o) {
-    command.add_option("--enhancer", o.mapDenoiser, "network, gaussian, none, or oracle: many samples a texel")
+    command
+        .add_option("--map-denoiser,--enhancer", o.mapDenoiser,
+                    "network, gaussian, none, or oracle: many samples a texel")
         ->capture_default_str()
         ->check(CLI::IsMember({"network", "gaussian", "none", "oracle"}));
     command.add_option("--oracle-spp", o.oracleSamples, "Samples a texel of the oracle")

@@ -13,7 +13,7 @@ namespace drc {
 namespace {
 
 constexpr std::array kIntegrators{"path", "bdpt", "direct", "drc"};
-constexpr std::array kEnhancers{"none", "gaussian", "oracle"};
+constexpr std::array kMapDenoisers{"none", "gaussian", "oracle"};
 constexpr std::array kDenoisers{"off", "surface", "oidn", "oidn-direct"};
 
 template <typename List>
@@ -61,7 +61,7 @@ BenchMethod::BenchMethod(const std::string& text,
         if (colon == std::string::npos) adapter_ = findAdapter(way);
         if (!adapter_)
             throw Error(
-                fmt::format("method '{}': there are path, bdpt, direct, drc, drc:ENHANCER, drc:NETWORK, "
+                fmt::format("method '{}': there are path, bdpt, direct, drc, drc:MAP-DENOISER, drc:NETWORK, "
                             "NAME=OPTIONS, and what --adapter names",
                             text));
         if (plus != std::string::npos && !adapter_->denoises(denoiser_))
@@ -71,10 +71,11 @@ BenchMethod::BenchMethod(const std::string& text,
     hasMaps_ = integrator == "drc";
     options_ = {"--integrator", integrator};
     if (colon != std::string::npos) {
-        const std::string enhancer = way.substr(colon + 1);
-        if (!hasMaps_ || enhancer.empty())
-            throw Error(fmt::format("method '{}': only drc takes an enhancer or a network, as drc:gaussian", text));
-        options_.insert(options_.end(), {isOneOf(enhancer, kEnhancers) ? "--enhancer" : "--weights", enhancer});
+        const std::string mapDenoiser = way.substr(colon + 1);
+        if (!hasMaps_ || mapDenoiser.empty())
+            throw Error(fmt::format("method '{}': only drc takes an mapDenoiser or a network, as drc:gaussian", text));
+        options_.insert(options_.end(),
+                        {isOneOf(mapDenoiser, kMapDenoisers) ? "--map-denoiser" : "--weights", mapDenoiser});
     }
     if (plus == std::string::npos) return;
     if (const size_t mode = denoiser_.find(':'); mode != std::string::npos) {

@@ -26,7 +26,7 @@ struct OwnProgram {
 
 class BenchMethod {
   public:
-    // By its name: INTEGRATOR (path, bdpt, direct, drc), drc:ENHANCER (none, gaussian, oracle), drc:WEIGHTS (a
+    // By its name: INTEGRATOR (path, bdpt, direct, drc), drc:MAP-DENOISER (none, gaussian, oracle), drc:WEIGHTS (a
     // network's name, or a file), the name of an adapter; each with +DENOISER (off, surface, oidn, oidn-direct; an
     // adapter's own). Ours take oidn and oidn-direct with a mode of oidn_mode.h, as path+oidn:balanced-raw; without one
     // they take the best for the budget. Or NAME=OPTIONS, the options being those of `drc render`, divided at blanks.

@@ -40,9 +40,9 @@ TEST(BenchMethod, OurIntegratorsGetTheirBudget) {
     EXPECT_THAT(line("drc", {BudgetUnit::Tasks, 256}, {"drc", 8, ""}), HasSubstr("--indirect-tasks 256 --spp 8 "));
 }
 
-TEST(BenchMethod, EnhancersNetworksAndDenoisers) {
+TEST(BenchMethod, MapDenoisersNetworksAndDenoisers) {
     const Budget budget{BudgetUnit::Seconds, 1};
-    EXPECT_THAT(line("drc:gaussian", budget), HasSubstr("--enhancer gaussian "));
+    EXPECT_THAT(line("drc:gaussian", budget), HasSubstr("--map-denoiser gaussian "));
     EXPECT_THAT(line("drc:paper-k64+off", budget),
                 AllOf(HasSubstr("--weights paper-k64 "), HasSubstr("--denoise off ")));
     EXPECT_THAT(line("path+oidn", budget, {"drc", 16, "lib.so"}),

@@ -29,9 +29,9 @@ PixelSite pixelSite(const PrimaryHit& hit, const LobeMask& broad, const Vec2& fi
 
 }  // namespace
 
-IndirectPass::IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings,
+IndirectPass::IndirectPass(const PathTracer& tracer, const MapDenoiser& mapDenoiser, const IndirectSettings& settings,
                            Stats* stats)
-    : tracer_(tracer), enhancer_(enhancer), settings_(settings), stats_(stats) {}
+    : tracer_(tracer), mapDenoiser_(mapDenoiser), settings_(settings), stats_(stats) {}
 
 uint64_t IndirectPass::stream(int x, int y, uint64_t purpose) const {
     return pixelStream(settings_.seed, purpose, x, y);
@@ -85,7 +85,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
 
     const MapLayout& layout = settings_.capture.layout;
     const Vec3 up = scene.camera->up();
-    const int batch = enhancer_.batchSize();
+    const int batch = mapDenoiser_.batchSize();
     parallelFor(
         0, int(requests.size()), batch,
         [&](int begin, int end) {
@@ -99,8 +99,8 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
                 captureMap(tracer_, settings_.capture, r.from, frame, r.stream, maps[size_t(i - begin)], r.time);
             }
             const auto captured = Clock::now();
-            enhancer_.enhance(maps, layout);
-            const auto enhanced = Clock::now();
+            mapDenoiser_.denoise(maps, layout);
+            const auto denoised = Clock::now();
             for (int i = begin; i < end; ++i) {
                 const Request& r = requests[size_t(i)];
                 (r.back ? r.site->back : r.site->front) = RadianceMap(maps[size_t(i - begin)], layout);
@@ -109,7 +109,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
             if (stats_) {
                 stats_->add("maps captured", end - begin);
                 stats_->timer("map capture").add(captured - start);
-                stats_->timer("map enhancement").add(enhanced - captured);
+                stats_->timer("map denoising").add(denoised - captured);
             }
         },
         state.cancel);
@@ -268,7 +268,7 @@ bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* canc
                             // Of the sample's own moment: no other pixel looks at this map.
                             captureMap(tracer_, settings_.capture, hit.surface.spawnPoint(), mapFrame(n, up),
                                        hashCombine(capturing, side), captured[0], hit.surface.time);
-                            enhancer_.enhance(captured, layout);
+                            mapDenoiser_.denoise(captured, layout);
                             maps.fetch_add(1, std::memory_order_relaxed);
                             return RadianceMap(captured[0], layout);
                         };

@@ -1,4 +1,4 @@
-// One sweep of indirect light over the film: maps are placed on a grid, captured and enhanced; where the grid's maps do
+// One sweep of indirect light over the film: maps are placed on a grid, captured and denoised; where the grid's maps do
 // not serve (edges, small objects, corners), further ones fill in; then every pixel gathers from the maps around it.
 // Maps are shared by all pixels around them across the whole image. They come and go in bands from the top of the film
 // to its bottom, so that the memory of a pass does not grow with the number of its maps.
@@ -8,8 +8,8 @@
 
 #include "base/parallel.h"
 #include "base/stats.h"
-#include "cache/enhancer.h"
 #include "cache/gather.h"
+#include "cache/map_denoiser.h"
 #include "cache/pass_maps.h"
 #include "integrators/camera_sample.h"
 
@@ -28,7 +28,8 @@ struct IndirectSettings {
 class IndirectPass {
   public:
     // All arguments must outlive the pass. stats may be null.
-    IndirectPass(const PathTracer& tracer, const Enhancer& enhancer, const IndirectSettings& settings, Stats* stats);
+    IndirectPass(const PathTracer& tracer, const MapDenoiser& mapDenoiser, const IndirectSettings& settings,
+                 Stats* stats);
 
     // Receives the value of a pixel's camera sample (0 to primarySamples - 1), with the pixel filter's weight.
     using Add = std::function<void(int x, int y, int sample, const Rgb& value, float weight)>;
@@ -58,7 +59,7 @@ class IndirectPass {
     // Captures the maps that fill in where the grid does not serve the band's pixels.
     void fillIn(PassMaps& maps, int band, float spacing, State& state);
     void gatherPixels(const PassMaps& maps, int band, const State& state, const Add& add) const;
-    // Captures and enhances the maps of sites whose film position is set, in batches. first: how many of the level the
+    // Captures and denoises the maps of sites whose film position is set, in batches. first: how many of the level the
     // pass had before these.
     void captureSites(std::span<MapSite> sites, size_t first, size_t level, const State& state);
     bool runPerPixel(int pass, const Add& add, const CancelToken* cancel);
@@ -70,7 +71,7 @@ class IndirectPass {
     uint64_t stream(int x, int y, uint64_t purpose) const;
 
     const PathTracer& tracer_;
-    const Enhancer& enhancer_;
+    const MapDenoiser& mapDenoiser_;
     IndirectSettings settings_;
     Stats* stats_;
     std::atomic<int> mapCount_{0};

@@ -109,11 +109,11 @@ MapScores scoreMap(std::span<const float> radiance, std::span<const float> targe
     return scores;
 }
 
-std::vector<EvaluatedExample> evaluateEnhancers(const ExampleSource& examples,
-                                                std::span<const Enhancer* const> enhancers, int inputs) {
+std::vector<EvaluatedExample> evaluateMapDenoisers(const ExampleSource& examples,
+                                                   std::span<const MapDenoiser* const> mapDenoisers, int inputs) {
     inputs = std::min(inputs, examples.inputs());
     const MapLayout& layout = examples.layout();
-    const size_t methods = enhancers.size();
+    const size_t methods = mapDenoisers.size();
     std::vector<EvaluatedExample> result(size_t(examples.count()));
     // [example][input][method]
     std::vector<ExampleScores> all(result.size() * size_t(inputs) * methods);
@@ -129,7 +129,7 @@ std::vector<EvaluatedExample> evaluateEnhancers(const ExampleSource& examples,
         }
         for (size_t m = 0; m < methods; ++m) {
             std::vector<CapturedMap> maps = captured;
-            enhancers[m]->enhance(maps, layout);
+            mapDenoisers[m]->denoise(maps, layout);
             for (int i = begin; i < end; ++i) {
                 const std::vector<float>& radiance = maps[size_t(i - begin)].radiance;
                 const std::vector<float>& target = targets[size_t(i - begin)];

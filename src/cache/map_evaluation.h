@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cache/enhancer.h"
 #include "cache/example_source.h"
+#include "cache/map_denoiser.h"
 
 namespace drc {
 
@@ -51,7 +51,7 @@ struct EvaluatedExample {
 
 // Runs the map denoisers on the first `inputs` realisations of each example (or on all, if there are fewer), in batches
 // of eight maps, on all threads. Returns one entry per example, in the order of `examples`.
-std::vector<EvaluatedExample> evaluateEnhancers(const ExampleSource& examples,
-                                                std::span<const Enhancer* const> enhancers, int inputs);
+std::vector<EvaluatedExample> evaluateMapDenoisers(const ExampleSource& examples,
+                                                   std::span<const MapDenoiser* const> mapDenoisers, int inputs);
 
 }  // namespace drc

@@ -100,7 +100,7 @@ TEST(MapEvaluation, BlurredNoiseIsMoreSimilarThanNoise) {
     std::vector<CapturedMap> maps(1);
     maps[0].radiance = noise(kFull, 1);
     const double noisy = scoreMap(maps[0].radiance, target, kFull).ssim;
-    makeGaussianEnhancer(1)->enhance(maps, kFull);
+    makeGaussianMapDenoiser(1)->denoise(maps, kFull);
     EXPECT_GT(scoreMap(maps[0].radiance, target, kFull).ssim, noisy + 0.01);
     EXPECT_LT(noisy, 0.5);
 }
@@ -127,9 +127,9 @@ TEST(MapEvaluation, EachInputMeetsItsOwnTarget) {
     writeShard(path, "test", kFull, examples);
 
     const ExampleShard file(path);
-    const auto none = makeIdentityEnhancer();
-    const Enhancer* const enhancers[] = {none.get()};
-    const auto first = evaluateEnhancers(file, enhancers, 1), all = evaluateEnhancers(file, enhancers, 100);
+    const auto none = makeIdentityMapDenoiser();
+    const MapDenoiser* const mapDenoisers[] = {none.get()};
+    const auto first = evaluateMapDenoisers(file, mapDenoisers, 1), all = evaluateMapDenoisers(file, mapDenoisers, 100);
     ASSERT_EQ(first.size(), 2u);
     ASSERT_EQ(all.size(), 2u);
     EXPECT_GT(first[0].scores[0].asRendered.l1, 0.5);
@@ -144,16 +144,16 @@ TEST(MapEvaluation, EachInputMeetsItsOwnTarget) {
 }
 
 // Each map denoiser must get the captured map, not the output of the one before it.
-TEST(MapEvaluation, EnhancersDoNotSeeEachOther) {
+TEST(MapEvaluation, MapDenoisersDoNotSeeEachOther) {
     const TemporaryFolder folder;
     const std::string path = folder.path("test.examples");
     std::vector<TrainingExample> examples;
     for (unsigned i = 0; i < 11; ++i) examples.push_back(randomExample(kFull, 2, i));
     writeShard(path, "test", kFull, examples);
     const ExampleShard file(path);
-    const auto none = makeIdentityEnhancer(), gaussian = makeGaussianEnhancer(1);
-    const Enhancer* const together[] = {none.get(), gaussian.get(), none.get(), gaussian.get()};
-    const auto scores = evaluateEnhancers(file, together, 2);
+    const auto none = makeIdentityMapDenoiser(), gaussian = makeGaussianMapDenoiser(1);
+    const MapDenoiser* const together[] = {none.get(), gaussian.get(), none.get(), gaussian.get()};
+    const auto scores = evaluateMapDenoisers(file, together, 2);
     ASSERT_EQ(scores.size(), examples.size());
     for (size_t i = 0; i < scores.size(); ++i) {
         ASSERT_EQ(scores[i].scores.size(), 4u);

@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/stats.h"
-#include "cache/enhancer.h"
+#include "cache/map_denoiser.h"
 #include "integrators/camera_sample.h"
 #include "integrators/path_tracer.h"
 #include "render/film.h"
@@ -22,9 +22,9 @@ struct RenderContext {
     const Accel& accel;
     const LightSampler& lights;
     const PathTracer& tracer;
-    const RenderParams& params;  // resolved
-    const Enhancer* enhancer;    // null where the integrator has no radiance maps
-    Stats* stats;                // may be null
+    const RenderParams& params;      // resolved
+    const MapDenoiser* mapDenoiser;  // null where the integrator has no radiance maps
+    Stats* stats;                    // may be null
 };
 
 class Integrator {

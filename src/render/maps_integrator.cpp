@@ -54,7 +54,7 @@ class MapsIntegrator final : public Integrator {
     bool hasMapPasses() const override { return true; }
 
     bool mapPass(int index, float spacing, int stride, Film& film, const CancelToken* cancel) const override {
-        IndirectPass pass(context_.tracer, *context_.enhancer, settings_, context_.stats);
+        IndirectPass pass(context_.tracer, *context_.mapDenoiser, settings_, context_.stats);
         const float height = float(context_.scene.settings.film.height);
         // By the square of its maps: noise falls with their number, and what interpolation smears with their spacing.
         // Each pass has 1.58 times the say of the one before, and the first ones fade.

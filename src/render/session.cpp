@@ -24,14 +24,14 @@ PathSettings pathSettings(const RenderParams& params) {
 
 }  // namespace
 
-Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer, Stats* stats,
+Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const MapDenoiser> mapDenoiser, Stats* stats,
                  Schedule::Clock::time_point start)
     : scene_(scene),
       params_(resolved(params, scene)),
       accel_(scene),
       lights_(scene),
       tracer_(scene, accel_, lights_, pathSettings(params_)),
-      enhancer_(std::move(enhancer)),
+      mapDenoiser_(std::move(mapDenoiser)),
       stats_(stats),
       schedule_(params_, start, scene.settings.film.height, scene.settings.region().count()) {
     begin();
@@ -41,7 +41,7 @@ Session::~Session() = default;
 
 void Session::begin() {
     integrator_ =
-        makeIntegrator(params_.integrator, {scene_, accel_, lights_, tracer_, params_, enhancer_.get(), stats_});
+        makeIntegrator(params_.integrator, {scene_, accel_, lights_, tracer_, params_, mapDenoiser_.get(), stats_});
     film_ = std::make_unique<Film>(scene_.settings, integrator_->layers());
     guide_.reset();
     tracer_.setGuide(nullptr);

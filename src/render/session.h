@@ -11,10 +11,10 @@ namespace drc {
 
 class Session {
   public:
-    // The scene must outlive the session. params: resolved here. enhancer: for integrators with radiance maps alone.
+    // The scene must outlive the session. params: resolved here. mapDenoiser: for integrators with radiance maps alone.
     // stats may be null. start: from when on the budget of time counts. Throws Error on parameters that contradict each
     // other, and if there is not enough memory for the film.
-    Session(Scene& scene, const RenderParams& params, std::shared_ptr<const Enhancer> enhancer, Stats* stats,
+    Session(Scene& scene, const RenderParams& params, std::shared_ptr<const MapDenoiser> mapDenoiser, Stats* stats,
             Schedule::Clock::time_point start = Schedule::Clock::now());
     ~Session();
 
@@ -60,7 +60,7 @@ class Session {
     LightSampler lights_;
     PathTracer tracer_;
     std::optional<EnvironmentGuide> guide_;  // none: there is no environment to learn about
-    std::shared_ptr<const Enhancer> enhancer_;
+    std::shared_ptr<const MapDenoiser> mapDenoiser_;
     Stats* stats_;
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<Film> film_;

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "base/folder_testing.h"
-#include "cache/enhancer.h"
+#include "cache/map_denoiser.h"
 #include "pbrt/scene_file.h"
 #include "render/sample_pass.h"
 #include "render/surface_picture_filter.h"
@@ -48,7 +48,7 @@ RenderParams paramsOf(const std::string& integrator, int spp, int mapPasses = 1)
 
 struct Rendered {
     explicit Rendered(const RenderParams& params, std::unique_ptr<Scene> s = litRoom())
-        : scene(std::move(s)), session(*scene, params, makeIdentityEnhancer(), nullptr) {}
+        : scene(std::move(s)), session(*scene, params, makeIdentityMapDenoiser(), nullptr) {}
     Rendered& finish() {
         while (session.step()) {
         }

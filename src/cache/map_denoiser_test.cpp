@@ -1,4 +1,4 @@
-#include "cache/enhancer.h"
+#include "cache/map_denoiser.h"
 
 #include <gtest/gtest.h>
 
@@ -27,24 +27,24 @@ CapturedMap noisyMap(const MapLayout& layout, int seed) {
     return map;
 }
 
-TEST(Enhancer, GaussianKeepsTheEnergyOfEachChannel) {
+TEST(MapDenoiser, GaussianKeepsTheEnergyOfEachChannel) {
     for (const Projection p : {Projection::EqualArea, Projection::LatLong}) {
         const MapLayout layout(p, 32);
         std::vector<CapturedMap> maps{noisyMap(layout, 1), noisyMap(layout, 2)};
         const std::vector<CapturedMap> before = maps;
-        makeGaussianEnhancer(1)->enhance(maps, layout);
+        makeGaussianMapDenoiser(1)->denoise(maps, layout);
         for (size_t m = 0; m < 2; ++m)
             for (size_t c = 0; c < 3; ++c)
                 EXPECT_NEAR(energy(maps[m].radiance, layout, c) / energy(before[m].radiance, layout, c), 1, 1e-5);
     }
 }
 
-TEST(Enhancer, GaussianSpreadsASingleTexelAsANormalDistribution) {
+TEST(MapDenoiser, GaussianSpreadsASingleTexelAsANormalDistribution) {
     const MapLayout layout(Projection::EqualArea, 32);
     CapturedMap map = noisyMap(layout, 1);
     std::fill(map.radiance.begin(), map.radiance.end(), 0.f);
     map.radiance[16 * 32 + 16] = 1;
-    makeGaussianEnhancer(1)->enhance({&map, 1}, layout);
+    makeGaussianMapDenoiser(1)->denoise({&map, 1}, layout);
     // Weights of a normal distribution at whole sigmas, normalised over +-3.
     EXPECT_NEAR(map.radiance[16 * 32 + 16], 0.15924f, 1e-4f);
     EXPECT_NEAR(map.radiance[16 * 32 + 17], 0.09659f, 1e-4f);
@@ -52,16 +52,16 @@ TEST(Enhancer, GaussianSpreadsASingleTexelAsANormalDistribution) {
     EXPECT_NEAR(map.radiance[16 * 32 + 18], 0.02155f, 1e-4f);
 }
 
-TEST(Enhancer, NoneChangesNothing) {
+TEST(MapDenoiser, NoneChangesNothing) {
     const MapLayout layout(Projection::EqualArea, 32);
     CapturedMap map = noisyMap(layout, 1);
     const std::vector<float> before = map.radiance;
-    makeIdentityEnhancer()->enhance({&map, 1}, layout);
+    makeIdentityMapDenoiser()->denoise({&map, 1}, layout);
     EXPECT_EQ(map.radiance, before);
 }
 
 // One texel of a channel is all that a network left, from everything down to less than any float can hold.
-TEST(Enhancer, EnergyIsKeptAndNoTexelGetsAllOfItHoweverLittleIsLeft) {
+TEST(MapDenoiser, EnergyIsKeptAndNoTexelGetsAllOfItHoweverLittleIsLeft) {
     for (const float unit : {1e-12f, 1.f, 1e12f})  // scenes may have any unit of light
         for (const Projection p : {Projection::EqualArea, Projection::LatLong}) {
             const MapLayout layout(p, 8);
@@ -79,7 +79,7 @@ TEST(Enhancer, EnergyIsKeptAndNoTexelGetsAllOfItHoweverLittleIsLeft) {
         }
 }
 
-TEST(Enhancer, TheGainsBoundIsNoStep) {
+TEST(MapDenoiser, TheGainsBoundIsNoStep) {
     const MapLayout layout(Projection::EqualArea, 8);
     const std::vector<float> captured(3 * 64, 1.f);
     std::vector<float> below(3 * 64, 0.f), above(3 * 64, 0.f);
@@ -92,7 +92,7 @@ TEST(Enhancer, TheGainsBoundIsNoStep) {
     for (size_t i = 0; i < above.size(); ++i) EXPECT_NEAR(above[i], below[i], 0.02f);
 }
 
-TEST(Enhancer, ChannelsAreMatchedByThemselves) {
+TEST(MapDenoiser, ChannelsAreMatchedByThemselves) {
     const MapLayout layout(Projection::EqualArea, 8);
     CapturedMap map = noisyMap(layout, 3);
     std::vector<float> captured = map.radiance;
@@ -101,7 +101,7 @@ TEST(Enhancer, ChannelsAreMatchedByThemselves) {
     for (size_t i = 0; i < captured.size(); ++i) EXPECT_NEAR(map.radiance[i], captured[i], 1e-5f * captured[i]);
 }
 
-TEST(Enhancer, WhatIsNoNumberBecomesTheMean) {
+TEST(MapDenoiser, WhatIsNoNumberBecomesTheMean) {
     const MapLayout layout(Projection::EqualArea, 8);
     const std::vector<float> captured(3 * 64, 2.f);
     std::vector<float> radiance(3 * 64, 1.f);
@@ -111,7 +111,7 @@ TEST(Enhancer, WhatIsNoNumberBecomesTheMean) {
     for (const float r : radiance) EXPECT_NEAR(r, 2, 1e-5f);
 }
 
-TEST(Enhancer, EnergyThatANetworkBlackenedIsSpreadEvenly) {
+TEST(MapDenoiser, EnergyThatANetworkBlackenedIsSpreadEvenly) {
     const MapLayout layout(Projection::EqualArea, 8);
     std::vector<float> captured(3 * 64, 0.f), black(3 * 64, 0.f);
     captured[5] = 64;

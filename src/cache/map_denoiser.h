@@ -1,4 +1,4 @@
-// What turns captured one-sample maps into clean ones. Enhancers are interchangeable; each keeps the energy of the
+// What turns captured one-sample maps into clean ones. Map denoisers are interchangeable; each keeps the energy of the
 // captured map, channel by channel, so that it moves light around but creates none.
 #pragma once
 #include <memory>
@@ -9,23 +9,23 @@
 
 namespace drc {
 
-class Enhancer {
+class MapDenoiser {
   public:
-    virtual ~Enhancer() = default;
+    virtual ~MapDenoiser() = default;
     // Replaces the radiance of each map. Thread-safe; the result of a map does not depend on its neighbours in `maps`.
-    virtual void enhance(std::span<CapturedMap> maps, const MapLayout& layout) const = 0;
+    virtual void denoise(std::span<CapturedMap> maps, const MapLayout& layout) const = 0;
     virtual std::string name() const = 0;
     // How many maps make an efficient batch.
     virtual int batchSize() const { return 8; }
 };
 
 // "none": the maps as captured. The oracle is this with many samples a texel.
-std::unique_ptr<Enhancer> makeIdentityEnhancer();
+std::unique_ptr<MapDenoiser> makeIdentityMapDenoiser();
 // "gaussian": a blur of the radiance by sigma texels, as in the paper (sigma 1).
-std::unique_ptr<Enhancer> makeGaussianEnhancer(float sigma);
+std::unique_ptr<MapDenoiser> makeGaussianMapDenoiser(float sigma);
 
 // How much brighter matchEnergy makes a channel at most. Beyond what the networks that come with the program ask for
-// but where one bright texel is all of a map (docs/decisions.md, "Energy").
+// but where one bright texel is all of a map (docs/decisions/network-and-training.md, "Energy").
 constexpr float kMostGain = 32;
 
 // Gives each channel of `radiance` the solid-angle-weighted mean of `captured` (planar [3][N*N] both, none negative),

@@ -3,14 +3,14 @@
 #include <memory>
 #include <optional>
 
-#include "cache/enhancer.h"
+#include "cache/map_denoiser.h"
 #include "neural/unet.h"
 
 namespace drc {
 
 // Without a precision, bestPrecision(weights). Throws Error if the network was trained for another projection or size
 // of map than `layout`.
-std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
-                                              std::optional<Precision> precision = {});
+std::unique_ptr<MapDenoiser> makeNetworkMapDenoiser(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
+                                                    std::optional<Precision> precision = {});
 
 }  // namespace drc

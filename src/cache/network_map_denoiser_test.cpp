@@ -1,4 +1,4 @@
-#include "cache/network_enhancer.h"
+#include "cache/network_map_denoiser.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,11 +29,11 @@ double mean(const std::vector<float>& radiance, size_t channel) {
 }
 
 // What such a network gives is even light on the surfaces seen: radiance in proportion to their albedos.
-TEST(NetworkEnhancer, GivesTheLightThatFallsOntoSurfacesIfItSeesGuides) {
-    const auto enhancer = makeNetworkEnhancer(constantNetwork(kGuidedPlanes), kLayout, Precision::Fp32);
+TEST(NetworkMapDenoiser, GivesTheLightThatFallsOntoSurfacesIfItSeesGuides) {
+    const auto mapDenoiser = makeNetworkMapDenoiser(constantNetwork(kGuidedPlanes), kLayout, Precision::Fp32);
     CapturedMap map = randomExample(kLayout, 1, 3).inputs.front();
     const CapturedMap before = map;
-    enhancer->enhance({&map, 1}, kLayout);
+    mapDenoiser->denoise({&map, 1}, kLayout);
     for (size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(mean(map.radiance, c) / mean(before.radiance, c), 1, 1e-4);
         const float unit = map.radiance[c * 256] / (map.albedo[c * 256] + 0.05f);
@@ -43,22 +43,22 @@ TEST(NetworkEnhancer, GivesTheLightThatFallsOntoSurfacesIfItSeesGuides) {
     EXPECT_EQ(map.albedo, before.albedo);
 }
 
-TEST(NetworkEnhancer, DoesNotAskForWhatTheNetworkDoesNotSee) {
-    const auto enhancer = makeNetworkEnhancer(constantNetwork(kPlainPlanes), kLayout, Precision::Fp32);
+TEST(NetworkMapDenoiser, DoesNotAskForWhatTheNetworkDoesNotSee) {
+    const auto mapDenoiser = makeNetworkMapDenoiser(constantNetwork(kPlainPlanes), kLayout, Precision::Fp32);
     CapturedMap map = randomExample(kLayout, 1, 3).inputs.front();
     const double energy = mean(map.radiance, 1);
     map.albedo.clear();
     map.direct.clear();
-    enhancer->enhance({&map, 1}, kLayout);
+    mapDenoiser->denoise({&map, 1}, kLayout);
     for (size_t i = 256; i < 512; ++i) EXPECT_NEAR(map.radiance[i], energy, 1e-4 * energy);
 }
 
-TEST(NetworkEnhancer, RefusesMapsWithoutWhatItNeeds) {
-    const auto enhancer = makeNetworkEnhancer(constantNetwork(kGuidedPlanes), kLayout, Precision::Fp32);
+TEST(NetworkMapDenoiser, RefusesMapsWithoutWhatItNeeds) {
+    const auto mapDenoiser = makeNetworkMapDenoiser(constantNetwork(kGuidedPlanes), kLayout, Precision::Fp32);
     CapturedMap map = randomExample(kLayout, 1, 3).inputs.front();
     map.direct.clear();
     try {
-        enhancer->enhance({&map, 1}, kLayout);
+        mapDenoiser->denoise({&map, 1}, kLayout);
         FAIL();
     } catch (const Error& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("have none"));

@@ -1,4 +1,4 @@
-#include "cache/network_enhancer.h"
+#include "cache/network_map_denoiser.h"
 
 #include <fmt/core.h>
 
@@ -11,18 +11,18 @@ namespace {
 
 constexpr int kBatch = 8;  // enough for all the speed there is (measured: 1 is 15 % slower, 32 no faster)
 
-class NetworkEnhancer final : public Enhancer {
+class NetworkMapDenoiser final : public MapDenoiser {
   public:
-    NetworkEnhancer(std::shared_ptr<const UNetWeights> weights, size_t texels, Precision precision)
+    NetworkMapDenoiser(std::shared_ptr<const UNetWeights> weights, size_t texels, Precision precision)
         : texels_(texels),
           planes_(size_t(weights->shape().inputs)),
           ablation_(weights->ablation()),
           workers_([weights, texels, precision] { return Worker(weights, texels, precision); }) {}
 
-    void enhance(std::span<CapturedMap> maps, const MapLayout& layout) const override {
+    void denoise(std::span<CapturedMap> maps, const MapLayout& layout) const override {
         workers_.use([&](Worker& worker) {
             for (size_t begin = 0; begin < maps.size(); begin += kBatch)
-                enhanceBatch(maps.subspan(begin, std::min<size_t>(kBatch, maps.size() - begin)), layout, worker);
+                denoiseBatch(maps.subspan(begin, std::min<size_t>(kBatch, maps.size() - begin)), layout, worker);
         });
     }
     std::string name() const override { return "network"; }
@@ -49,7 +49,7 @@ class NetworkEnhancer final : public Enhancer {
                 map.albedo.data(),   map.direct.data()};
     }
 
-    void enhanceBatch(std::span<CapturedMap> maps, const MapLayout& layout, Worker& worker) const {
+    void denoiseBatch(std::span<CapturedMap> maps, const MapLayout& layout, Worker& worker) const {
         for (size_t i = 0; i < maps.size(); ++i) {
             float* planes = worker.input.data() + i * planes_ * texels_;
             worker.mean[i] = encodeInput(view(maps[i]), planes);
@@ -74,8 +74,8 @@ class NetworkEnhancer final : public Enhancer {
 
 }  // namespace
 
-std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
-                                              std::optional<Precision> precision) {
+std::unique_ptr<MapDenoiser> makeNetworkMapDenoiser(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
+                                                    std::optional<Precision> precision) {
     if (const std::string trained = weights->projection();
         !trained.empty() && trained != projectionName(layout.projection()))
         throw Error(fmt::format("the network was trained on {} maps, but the maps are {}", trained,
@@ -84,7 +84,7 @@ std::unique_ptr<Enhancer> makeNetworkEnhancer(std::shared_ptr<const UNetWeights>
         throw Error(fmt::format("the network was trained on maps of {0}x{0} texels, but the maps have {1}x{1}",
                                 weights->shape().size, layout.size()));
     const Precision chosen = precision ? *precision : bestPrecision(*weights);
-    return std::make_unique<NetworkEnhancer>(std::move(weights), size_t(layout.texels()), chosen);
+    return std::make_unique<NetworkMapDenoiser>(std::move(weights), size_t(layout.texels()), chosen);
 }
 
 }  // namespace drc

@@ -1,26 +1,26 @@
-#include "cache/enhancer.h"
+#include "cache/map_denoiser.h"
 
 #include <cmath>
 
 namespace drc {
 namespace {
 
-class IdentityEnhancer final : public Enhancer {
+class IdentityMapDenoiser final : public MapDenoiser {
   public:
-    void enhance(std::span<CapturedMap>, const MapLayout&) const override {}
+    void denoise(std::span<CapturedMap>, const MapLayout&) const override {}
     std::string name() const override { return "none"; }
 };
 
-class GaussianEnhancer final : public Enhancer {
+class GaussianMapDenoiser final : public MapDenoiser {
   public:
-    explicit GaussianEnhancer(float sigma) : radius_(int(std::ceil(3 * sigma))) {
+    explicit GaussianMapDenoiser(float sigma) : radius_(int(std::ceil(3 * sigma))) {
         for (int i = -radius_; i <= radius_; ++i) kernel_.push_back(std::exp(-0.5f * sqr(float(i) / sigma)));
         float sum = 0;
         for (const float k : kernel_) sum += k;
         for (float& k : kernel_) k /= sum;
     }
 
-    void enhance(std::span<CapturedMap> maps, const MapLayout& layout) const override {
+    void denoise(std::span<CapturedMap> maps, const MapLayout& layout) const override {
         const int n = layout.size();
         const auto texels = size_t(layout.texels());
         std::vector<float> captured, rows(texels);
@@ -54,8 +54,10 @@ class GaussianEnhancer final : public Enhancer {
 
 }  // namespace
 
-std::unique_ptr<Enhancer> makeIdentityEnhancer() { return std::make_unique<IdentityEnhancer>(); }
-std::unique_ptr<Enhancer> makeGaussianEnhancer(float sigma) { return std::make_unique<GaussianEnhancer>(sigma); }
+std::unique_ptr<MapDenoiser> makeIdentityMapDenoiser() { return std::make_unique<IdentityMapDenoiser>(); }
+std::unique_ptr<MapDenoiser> makeGaussianMapDenoiser(float sigma) {
+    return std::make_unique<GaussianMapDenoiser>(sigma);
+}
 
 void matchEnergy(std::span<const float> captured, const MapLayout& layout, std::span<float> radiance) {
     const int n = layout.size();
