@@ -71,7 +71,9 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
         EXPECT_GT(run["error_se"], 0);
         EXPECT_LT(run["block_error"], run["error"]);
         EXPECT_GT(run["spp"], 0);
-        EXPECT_EQ(run["denoise_seconds"], 0);
+        // Of the layers of radiance maps; the others have no denoiser here.
+        const bool maps = run["method"] != "path" && run["method"] != "bdpt";
+        EXPECT_EQ(run["denoise_seconds"].get<double>() > 0.0005, maps) << run;
         for (const double ratio : run["mean_ratio"]) EXPECT_NEAR(ratio, 1, 0.2) << run;
         EXPECT_GT(run["seconds"], run["render_seconds"]);
         EXPECT_GT(run["peak_mb"], 1);
