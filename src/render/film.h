@@ -1,6 +1,7 @@
 // The state of a render: for each pixel sums over samples, in named layers, and for each row of pixels the number of
 // sample passes that it has had. Sums commute: films of different samples of one picture add up, in any order, to the
-// film of all of them, and a film that was saved and loaded continues where it was.
+// film of all of them (exact layers to the bit, others to rounding), and a film that was saved and loaded continues
+// where it was.
 #pragma once
 #include <memory>
 #include <mutex>

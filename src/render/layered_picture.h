@@ -14,9 +14,9 @@ namespace drc {
 
 struct PictureLayer {
     std::string name;
-    std::string
-        part;    // the layer of the EXR that it is added to: "direct" or "indirect"; empty: the picture has no parts
-    Image mean;  // may be negative, where the pixel filter has negative lobes
+    // The EXR's layer that this one is added to: "direct" or "indirect". Empty: the picture has no such parts.
+    std::string part;
+    Image mean;                     // may be negative, where the pixel filter has negative lobes
     std::optional<Image> variance;  // of the mean, for R, G and B, from the differences between groups of samples
 };
 
