@@ -1,6 +1,6 @@
-// How near the path tracer comes to the speed of its rays, on one thread: sweeps over the film, one path a pixel, take
-// turns with replays of the rays of such a sweep through bare Embree, so that whatever else the machine does slows both
-// alike. The film has the scene's own shape at a size that keeps a sweep short.
+// How near the path tracer comes to the speed of its rays, on one thread: sample passes over the film, one path a
+// pixel, alternate with replays of the rays of such a pass through bare Embree, so that any other load of the machine
+// slows both alike. The film has the scene's own shape at a size that keeps a pass short.
 #include "base/parallel.h"
 #include "ray_recorder.h"
 #include "render/session.h"
@@ -10,8 +10,8 @@ namespace drc::benchmarks {
 namespace {
 
 constexpr double kPixels = 64 * 1024;
-// The guide learns at first, and what a sweep costs changes.
-constexpr int kWarmUpSweeps = 4;
+// The first sample takes several passes, and the cost of a pass changes while the guide learns.
+constexpr int kWarmUpPasses = 4;
 
 void tracePaths(benchmark::State& state, Scene& scene) {
     setThreadCount(1);
@@ -19,7 +19,7 @@ void tracePaths(benchmark::State& state, Scene& scene) {
     params.integrator = "path";
     params.spp = 1 << 30;
     Session session(scene, params, nullptr, nullptr);
-    for (int i = 0; i < kWarmUpSweeps; ++i) session.step();
+    for (int i = 0; i < kWarmUpPasses; ++i) session.step();
     std::vector<RecordedRay> rays;
     recordRays(&rays);
     session.step();
@@ -38,14 +38,14 @@ void tracePaths(benchmark::State& state, Scene& scene) {
         replaying += t2 - t1;
         state.SetIterationTime(t2 - t0);
     }
-    const double sweeps = double(state.iterations()), pixels = double(scene.settings.region().count());
+    const double passes = double(state.iterations()), pixels = double(scene.settings.region().count());
     auto& c = state.counters;
     c["rays/path"] = double(rays.size()) / pixels;
     c["shadow_share"] = shadows / double(rays.size());
-    c["paths/s"] = sweeps * pixels / tracing;
+    c["paths/s"] = passes * pixels / tracing;
     c["Mrays/s"] = 1e-6 * traced / tracing;
-    c["bare_Mrays/s"] = 1e-6 * double(rays.size()) * sweeps / replaying;
-    c["share_of_bare"] = (traced / tracing) / (double(rays.size()) * sweeps / replaying);
+    c["bare_Mrays/s"] = 1e-6 * double(rays.size()) * passes / replaying;
+    c["share_of_bare"] = (traced / tracing) / (double(rays.size()) * passes / replaying);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ double parseAmount(const std::string& text, const std::string& option) {
     return value;
 }
 
-// "a..b" doubles from a as far as b.
+// "a..b" stands for a, 2a, 4a and so on, up to b.
 void addBudgets(std::vector<Budget>& budgets, const std::vector<std::string>& texts, BudgetUnit unit,
                 const std::string& option) {
     const auto add = [&](double amount, const std::string& text) {
@@ -163,9 +163,10 @@ void addBenchCommand(CLI::App& app) {
         ->delimiter(',')
         ->capture_default_str();
     command->add_option("--method", o->namedMethods,
-                        "NAME=OPTIONS: ours with other options of drc render; may be repeated");
-    command->add_option("--adapter", o->adapters,
-                        "Adapter file of another program, or the folder of one; may be repeated. Its name is a method");
+                        "NAME=OPTIONS: our own renderer with these options of drc render; may be repeated");
+    command->add_option(
+        "--adapter", o->adapters,
+        "Adapter file of another program, or its folder; may be repeated. The adapter's name is then a method");
     command->add_option("--seconds", o->seconds, "Wall-clock budgets of the whole process, as 10,30")->delimiter(',');
     command->add_option("--spp", o->spp, "Budgets in samples a pixel, as 1..256: path, bdpt, direct and adapters")
         ->delimiter(',');
@@ -173,13 +174,14 @@ void addBenchCommand(CLI::App& app) {
     command->add_option("--direct-spp", o->directSpp, "Samples a pixel of direct light where the budget is in tasks")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    command->add_option("--repeats", o->repeats, "Runs of each, with seeds of their own")
+    command->add_option("--repeats", o->repeats, "Number of runs of each method, each with its own seed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
-    command->add_option("--references", o->references,
-                        "Folder with NAME-1.exr and NAME-2.exr for each scene, of different seeds, or NAME.exr, whose "
-                        "noise then is in the errors; NAME being its file's, or its folder's if that is scene.pbrt. "
-                        "Default: pairs are rendered, and kept in the output's folder");
+    command->add_option(
+        "--references", o->references,
+        "Folder with NAME-1.exr and NAME-2.exr for each scene, of different seeds, or with NAME.exr, whose "
+        "noise is then part of the errors. NAME is that of the scene file, or of its folder if the file "
+        "is called scene.pbrt. Default: pairs are rendered, and kept in the output folder");
     command
         ->add_option("--reference-error", o->reference.error,
                      "Standard error that the noise of rendered references may leave in an error")
@@ -190,24 +192,24 @@ void addBenchCommand(CLI::App& app) {
         ->check(CLI::IsMember({"path", "bdpt"}));
     command
         ->add_option("--reference-spp", o->reference.maxSpp,
-                     "Samples a pixel of each reference after which that is given up")
+                     "Samples a pixel of each reference at which rendering it stops, whatever its noise")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     command->add_option("--resolution", o->resolution,
                         "WIDTHxHEIGHT in pixels. Default: the given references', else 1280x720");
-    command->add_option("--limit", o->limit, "Seconds after which a run that keeps no seconds is ended")
+    command->add_option("--limit", o->limit, "Seconds after which a run without a budget in seconds is ended")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    command->add_option("--nthreads", o->threads, "Threads; 0: one a core")
+    command->add_option("--nthreads", o->threads, "Number of threads; 0: one for each core")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
     command->add_option("--oidn-library", o->oidnLibrary,
-                        "libOpenImageDenoise.so, where the system does not find it by itself");
-    command->add_flag("--quiet", o->quiet, "Say nothing but the table, warnings and errors");
-    command->add_flag("-v,--verbose", o->verbose, "Say more, command lines among it");
+                        "Path of libOpenImageDenoise.so, if the system does not find it by itself");
+    command->add_flag("--quiet", o->quiet, "Print only the table, warnings and errors");
+    command->add_flag("-v,--verbose", o->verbose, "Print more messages, among them the command lines");
     command->footer(
         "Example: drc bench scene.pbrt --methods drc,path+oidn --seconds 10,30,60\n"
-        "Interrupted, it goes on where it was when called again.");
+        "After an interruption, the same command continues where it stopped.");
     command->callback([o] { bench(*o); });
 }
 

@@ -1,5 +1,5 @@
-// What the subcommands share. Each subcommand is a pair of files that registers itself with CLI11; its callback does
-// the work and throws drc::Error for whatever the user can mend.
+// What the subcommands share. Each subcommand is a source file that registers itself with CLI11; its callback does the
+// work and throws drc::Error for whatever the user can mend.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -10,14 +10,14 @@
 
 namespace drc {
 
-// When the process began to exist, to about 10 ms, and its command line, which main sets before anything else.
+// When the process started, to about 10 ms, and its command line, which main sets before anything else.
 struct ProcessInfo {
     std::chrono::steady_clock::time_point start;
     std::string commandLine;
 };
 ProcessInfo& processInfo();
 
-// "1280x720". Throws Error, naming --resolution, on anything else.
+// Parses a resolution such as "1280x720". Throws Error, naming --resolution, on anything else.
 FilmGeometry parseResolution(const std::string& text);
 
 void addRenderCommand(CLI::App& app);

@@ -110,7 +110,7 @@ std::string toTable(const ReferencePair& pair, const PairMetrics& m) {
     return table;
 }
 
-// Before the work, not after it.
+// Called before the work, not after it.
 void checkDifferencePath(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
     for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));

@@ -1,4 +1,4 @@
-// `drc compare`: metrics between two image files.
+// `drc compare`: metrics of an image against one or two references.
 #pragma once
 
 namespace CLI {

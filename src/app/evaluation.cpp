@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kUsualSize = 32;
 
-// The file's stem, unless that would name two methods alike.
+// The stem of the file, unless two methods would then have one name.
 void nameNetworks(std::vector<EvaluatedNetwork>& networks) {
     namespace fs = std::filesystem;
     std::map<std::string, int> uses{{"none", 1}, {"gaussian", 1}};
@@ -47,7 +47,7 @@ std::vector<EvaluatedNetwork> loadNetworks(const std::vector<std::string>& named
     return networks;
 }
 
-// Groups in the order in which their first files are met.
+// Groups are kept in the order in which their first files appear.
 EvaluatedGroup& groupOf(const ExampleSource& source, std::vector<EvaluatedGroup>& groups) {
     const MapLayout& layout = source.layout();
     for (EvaluatedGroup& group : groups)
@@ -98,7 +98,7 @@ void makeMethods(bool networksNamed, Evaluation& result) {
             used.push_back(std::move(network));
         else if (networksNamed)
             throw Error(SourceLocation{network.path}, why);
-        else  // the shipped weights are for one kind of map
+        else  // the shipped weights are made for one kind of map
             logInfo("the network is left out: " + why + "; name others with --weights");
     }
     result.networks = std::move(used);
@@ -152,7 +152,7 @@ std::vector<std::pair<size_t, size_t>> sharedViewpoints(const EvaluatedGroup& a,
     for (size_t i = 0; i < a.examples.size(); ++i)
         if (const auto found = inB.find(viewpoint(a, i)); found != inB.end()) {
             shared.emplace_back(i, found->second);
-            inB.erase(found);  // each once, also where a scene was given twice
+            inB.erase(found);  // each once, even if a scene was given twice
         }
     return shared;
 }

@@ -16,17 +16,17 @@ namespace drc {
 namespace {
 
 constexpr int kColours = 8;
-// What says most of a network comes first; the rest of its metadata is folded.
+// The most important metadata of a network come first; the rest is folded.
 constexpr const char* kMainKeys[] = {"projection", "ablation", "data", "examples_drawn", "validation", "commit"};
 
 std::string heading(int level, const std::string& text) {
     return fmt::format("<h{0}>{1}</h{0}>\n", level, escapeHtml(text));
 }
 
-// Irradiance errors range over decades.
+// Irradiance errors span decades, so their axis is logarithmic.
 bool isLogarithmic(const Measure& measure) { return measure.value == &MapScores::irradiance; }
 
-// One axis a measure for all groups, so that the eye may compare them.
+// All groups share one axis for each measure, so that they can be compared by eye.
 PerMeasure<PlotAxis> makeAxes(const EvaluationReport& report) {
     PerMeasure<PlotAxis> axes;
     for (size_t m = 0; m < kMeasureCount; ++m) {
@@ -43,7 +43,7 @@ std::string plots(const Evaluation& evaluation, const GroupReport& group, const 
     for (size_t m = 0; m < kMeasureCount; ++m) {
         std::vector<BoxPlotRow> rows;
         for (const MethodReport& method : group.methods) {
-            // A network has one colour in all groups.
+            // A network has the same colour in all groups.
             const auto found = std::find_if(evaluation.networks.begin(), evaluation.networks.end(),
                                             [&](const EvaluatedNetwork& n) { return n.name == method.name; });
             const auto network = found - evaluation.networks.begin();
@@ -63,7 +63,7 @@ std::string spaced(std::string key) {
     return key;
 }
 
-// One line a key that any of them has, one column a network; keys in the order given.
+// One row for each key that any network has, one column for each network; keys in the given order.
 std::string metadataRows(const std::vector<EvaluatedNetwork>& networks, const std::vector<std::string>& keys) {
     std::string html;
     for (const std::string& key : keys) {

@@ -7,11 +7,11 @@
 namespace drc {
 
 struct PageSamples {
-    size_t count = 12;  // examples of each projection that are shown (chooseExamples)
+    size_t count = 12;  // number of examples shown for each projection (chooseExamples)
     uint64_t seed = 0;
 };
 
-// Throws Error, as ExampleSource::load does, if a file of examples is no longer what it was.
+// Throws Error, as ExampleSource::load does, if a file of examples has changed since it was opened.
 std::string evaluationPage(const Evaluation& evaluation, const EvaluationReport& report, const PageSamples& samples);
 
 }  // namespace drc

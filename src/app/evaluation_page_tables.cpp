@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kTableEnd = "</table></div>\n";
 
-// A table with a column a measure begins.
+// The beginning of a table with one column for each measure.
 std::string tableHead() {
     std::string spans, titles;
     for (size_t m = 0; m < kMeasureCount; ++m) {
@@ -32,7 +32,7 @@ std::string tableHead() {
         spans, titles);
 }
 
-// cell(m): what is between the tags; best(m): whether it is bold.
+// cell(m): the content of the cell; best(m): whether it is bold.
 template <typename F, typename G>
 std::string row(const std::string& name, const F& cell, const G& best) {
     std::string html = fmt::format("<tr><th class=\"name\">{}</th>", escapeHtml(name));

@@ -1,5 +1,5 @@
-// The tables of an evaluation's page, as HTML for htmlPage: a column a measure, a block a statistic or a pair of
-// methods.
+// The tables of an evaluation's page, as HTML for htmlPage: one column for each measure, one block for each statistic
+// or pair of methods.
 #pragma once
 #include <string>
 

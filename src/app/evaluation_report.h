@@ -1,5 +1,5 @@
-// What an evaluation says in numbers: each method's measures over the examples, and tests of their differences. The
-// table, the JSON and the page of `drc evaluate` show this.
+// The numbers of an evaluation: each method's measures over the examples, and tests of their differences. The table,
+// the JSON and the page of `drc evaluate` show them.
 #pragma once
 #include <array>
 #include <string>
@@ -39,24 +39,24 @@ struct MethodReport {
     PerMeasure<Summary> summary;
 };
 
-// Of two methods over the same viewpoints, in one projection or across two.
+// Compares two methods over the same viewpoints, in one projection or across two.
 struct PairReport {
     std::string first, second;
     PerMeasure<double> firstMean, secondMean;
-    PerMeasure<PairedComparison> paired;      // better: share of examples in which the first is
-    PerMeasure<KruskalWallis> kruskalWallis;  // of the two as samples that are not paired, as in the paper
+    PerMeasure<PairedComparison> paired;      // better: share of examples in which the first method is better
+    PerMeasure<KruskalWallis> kruskalWallis;  // of the two as unpaired samples, as in the paper
 };
 
 struct GroupReport {
     std::vector<MethodReport> methods;
-    PerMeasure<KruskalWallis> all;  // methods together
-    std::vector<PairReport> pairs;  // each method with each simpler one, from the last on
+    PerMeasure<KruskalWallis> all;  // all methods together
+    std::vector<PairReport> pairs;  // each method with each simpler one, from the last method on
 };
 
 // Two groups that share viewpoints; groups are named by their index in Evaluation::groups.
 struct AcrossReport {
     size_t first = 0, second = 0, viewpoints = 0;
-    std::vector<PairReport> pairs;  // none, gaussian, and each network of the one with each of the other
+    std::vector<PairReport> pairs;  // none, gaussian, and each network of one group with each of the other
 };
 
 struct EvaluationReport {

@@ -22,8 +22,8 @@ struct DenoisedMap {
     MapScores scores;
 };
 
-// Where the false colours end: what one texel in twenty exceeds, over the methods that do something. The captured
-// map's own errors are so much larger that they would leave nothing of the others to see.
+// The upper end of the false colours: the error that one texel in twenty exceeds, over all methods but the first. The
+// captured map's own errors are so large that the differences between the others would not be visible.
 float errorWhite(const std::vector<DenoisedMap>& maps) {
     std::vector<float> pooled;
     for (size_t m = 1; m < maps.size(); ++m) pooled.insert(pooled.end(), maps[m].errors.begin(), maps[m].errors.end());

@@ -1,4 +1,4 @@
-// The part of an evaluation's page that shows maps: what was captured, what each method made of it, how that differs
+// The part of an evaluation's page that shows maps: the captured map, the result of each method, and its difference
 // from the target.
 #pragma once
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace drc {
 
-// One block an example, as HTML for htmlPage, of the first input of each. Throws Error as ExampleSource::load does.
+// One block for each example, with its first input, as HTML for htmlPage. Throws Error as ExampleSource::load does.
 std::string sampleMaps(const EvaluatedGroup& group, const std::vector<size_t>& chosen);
 
 }  // namespace drc

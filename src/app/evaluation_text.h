@@ -9,7 +9,7 @@ namespace drc {
 // Several tables, ready to print.
 std::string evaluationTable(const Evaluation& evaluation, const EvaluationReport& report);
 
-// One object on one line. What is not a number is null; a p of kSmallestP beside `"p_is_bound": true` is a bound.
+// One object on one line. NaN is written as null; a p of kSmallestP beside `"p_is_bound": true` is an upper bound.
 std::string evaluationJson(const Evaluation& evaluation, const EvaluationReport& report);
 
 // "equal-area maps of 32x32 texels, 494 examples of 25 files, one input each"

@@ -32,7 +32,8 @@ int main(int argc, char** argv) {
         drc::logError(e.what());
         return 1;
     }
-    // The system takes a large scene's memory back at once; destructors would take up to a second of --time.
+    // Exits without destructors: the system frees a large scene's memory at once, while they would take up to a second
+    // of --time.
     std::fflush(nullptr);
     std::_Exit(0);
 }

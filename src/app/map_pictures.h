@@ -1,4 +1,4 @@
-// Radiance maps as pictures of N x N pixels, a texel a pixel, in linear values in [0, 1] that writePng encodes.
+// Radiance maps as pictures of N x N pixels, one for each texel, in linear values in [0, 1] that writePng encodes.
 #pragma once
 #include <span>
 #include <vector>
@@ -17,13 +17,13 @@ Image distancePicture(const CapturedMap& map, const MapLayout& layout);
 // x, y and z in the map's frame as red, green and blue, -1 to 1 as 0 to 255; black where a ray escaped.
 Image normalPicture(const CapturedMap& map, const MapLayout& layout);
 
-// Of each texel: the mean absolute difference of the three channels, in units of `unit`. Its mean over the hemisphere,
-// with the target's mean as the unit, is MapScores::l1.
+// For each texel, the mean absolute difference of the three channels, divided by `unit`. With the target's mean as the
+// unit, the mean of this over the hemisphere is MapScores::l1.
 std::vector<float> texelErrors(std::span<const float> radiance, std::span<const float> target, float unit);
 
-// Errors in false colour: black at nought, through violet and orange to pale yellow at `white` and above.
+// Errors in false colour: black at zero, through violet and orange to pale yellow at `white` and above.
 Image errorPicture(std::span<const float> errors, const MapLayout& layout, float white);
-// The colours of errorPicture from nought to its white, 256 x 1.
+// The colours of errorPicture from zero to `white`, as 256 x 1 pixels.
 Image errorScale();
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// Checks of numbers on the command line: each says in a few words what would be right.
+// Checks of numbers on the command line, with messages that say what would be right.
 #pragma once
 #include <fmt/core.h>
 
@@ -8,25 +8,24 @@
 
 namespace drc {
 
-// A whole number from `least` on.
+// A whole number that is at least `least`.
 inline CLI::Validator wholeNumberFrom(long least) {
     return {[least](std::string& text) -> std::string {
                 long value = 0;
                 if (CLI::detail::lexical_cast(text, value) && value >= least && value <= 2147483647) return "";
-                return fmt::format("{} is no whole number from {} on", text, least);
+                return fmt::format("{} is not a whole number of at least {}", text, least);
             },
             fmt::format("INT >= {}", least)};
 }
 
-// A finite number above `bound`, or from it on.
+// A finite number above `bound`, or with `inclusive` at least `bound`.
 inline CLI::Validator numberAbove(double bound, bool inclusive = false) {
     return {[=](std::string& text) -> std::string {
                 double value = 0;
                 if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) &&
                     (value > bound || (inclusive && value == bound)))
                     return "";
-                return fmt::format("{} is no number {} {:g}", text, inclusive ? "from" : "above", bound) +
-                       (inclusive ? " on" : "");
+                return fmt::format("{} is not a number {} {:g}", text, inclusive ? "of at least" : "above", bound);
             },
             fmt::format("NUMBER {} {:g}", inclusive ? ">=" : ">", bound)};
 }

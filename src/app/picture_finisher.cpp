@@ -12,18 +12,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Filters that leave passes less than the rest of the budget give way to cheaper ones.
+// If finishing takes more than this share of the budget, cheaper filters are used.
 constexpr double kMostOfBudget = 0.7;
-// Of the budget, what a further, larger part may take to be measured.
+// A larger part is measured if that takes no more than this share of the budget.
 constexpr double kMostToMeasure = 0.02;
-// Of the smallest part, pixels a side: filters look as far as that.
+// The side of the smallest part in pixels: no filter reaches farther.
 constexpr int kLeastSide = 64;
-// On top of the estimate: machines do not always keep pace.
+// The estimate is multiplied by this, because the speed of a machine varies.
 constexpr double kMargin = 1.03;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// The part of a region about its middle whose sides have this share, or the least side.
+// The central part of a region: each side divided by `divisor`, but at least kLeastSide.
 PixelRegion middle(const PixelRegion& region, int divisor) {
     const auto side = [&](int length) { return std::min(length, std::max(kLeastSide, length / divisor)); };
     const int width = side(region.width()), height = side(region.height());
@@ -43,7 +43,7 @@ double PictureFinisher::secondsFor(const Session& session, const PixelRegion& pa
 
 double PictureFinisher::estimate(const Session& session, double budget) const {
     const PixelRegion& whole = session.film().region();
-    // The first time something is done it takes longer than ever after.
+    // A first, unmeasured run, because it takes longer than all that follow.
     secondsFor(session, middle(whole, 16));
     double fixed = 0, perPixel = 0, lastPixels = 0, lastSeconds = 0;
     for (const int divisor : {16, 8, 4, 2, 1}) {

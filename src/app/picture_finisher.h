@@ -1,4 +1,4 @@
-// From the film to the files: filters, encodes and writes the picture, and finds out while rendering how long that will
+// Turns the film into files: filters, encodes and writes the picture, and measures during the render how long that will
 // take.
 #pragma once
 #include <memory>
@@ -13,18 +13,18 @@ using PictureFilters = std::vector<std::shared_ptr<const PictureFilter>>;
 
 class PictureFinisher {
   public:
-    // candidates: the filters that are wanted, then cheaper ones for when there is no time for those; not empty.
+    // candidates: the wanted filters, then cheaper ones for when there is no time for these; not empty.
     PictureFinisher(std::vector<PictureFilters> candidates, PictureWriter& writer, Stats& stats)
         : candidates_(std::move(candidates)), writer_(writer), stats_(stats) {}
 
-    // Measures on parts of the picture so far how long all of it will take, and reserves that in the session's
-    // schedule. Passes on to cheaper filters, with a warning, where these would take most of the budget.
+    // Measures on parts of the unfinished picture how long finishing all of it will take, and reserves that time in the
+    // session's schedule. Changes to cheaper filters, with a warning, if these would take most of the budget.
     void measure(Session& session);
     // Filters, encodes and writes the picture.
     void finish(LayeredPicture picture, const ExrMetadata& metadata);
 
   private:
-    // Seconds for the whole picture, extrapolated.
+    // Seconds for the whole picture, extrapolated from parts.
     double estimate(const Session& session, double budget) const;
     double secondsFor(const Session& session, const PixelRegion& part) const;
     const PictureFilters& filters() const { return candidates_.front(); }

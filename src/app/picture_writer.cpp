@@ -9,7 +9,7 @@
 namespace drc {
 namespace {
 
-// Samples a pixel of a picture of ours; -1: unknown.
+// Samples a pixel of a picture that this program wrote; -1: unknown.
 int samplesOf(const std::string& path) {
     try {
         const ExrMetadata metadata = readExrMetadata(path);
@@ -52,7 +52,7 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
                     indirect = parts ? picture.part("indirect") : Image();
         if (parts) layers.insert(layers.end(), {{"direct", &direct}, {"indirect", &indirect}});
         Image variance;
-        if (aovs_) {  // by the names of Blender's Cycles
+        if (aovs_) {  // under the names that Blender's Cycles uses
             variance = picture.variance();
             layers.push_back({"Denoising Albedo", &picture.gBuffer->albedo});
             layers.push_back({"Denoising Normal", &picture.gBuffer->normal});
@@ -70,7 +70,7 @@ void PictureWriter::write(const std::vector<std::string>& files) const {
 }
 
 void PictureWriter::divertFromBetterPictures(int samples) {
-    // What an EXR says holds for the files written with it.
+    // The metadata of an EXR holds for the files that were written with it.
     bool worse = false;
     for (const std::string& path : outputs_)
         if (std::filesystem::is_regular_file(path) && outputKind(path) == OutputKind::Exr) {

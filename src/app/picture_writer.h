@@ -9,9 +9,9 @@
 namespace drc {
 
 enum class OutputKind { Exr, Png };
-// By the extension. Throws Error on any other.
+// The kind of file by its extension. Throws Error on any other extension.
 OutputKind outputKind(const std::string& path);
-// Before the work, not after it: a wrong extension, a folder that is missing. option: that named the path.
+// Throws Error if the folder is missing: called before the work, not after it. option: the one that named the path.
 void checkOutput(const std::string& option, const std::string& path);
 
 class PictureWriter {
@@ -19,14 +19,14 @@ class PictureWriter {
     PictureWriter(const RenderSettings& settings, std::vector<std::string> outputs, bool aovs)
         : settings_(settings), outputs_(std::move(outputs)), aovs_(aovs) {}
 
-    // Encodes the picture for every output: the bytes of each file.
+    // Encodes the picture for every output and returns the bytes of each file.
     std::vector<std::string> encode(const LayeredPicture& picture, const ExrMetadata& metadata) const;
-    // Writes what encode() gave, each file whole or not at all.
+    // Writes the files that encode() returned, each whole or not at all.
     void write(const std::vector<std::string>& files) const;
     const std::vector<std::string>& outputs() const { return outputs_; }
 
-    // For a render that was interrupted with so many samples a pixel: a file that may be the better picture is not
-    // replaced, NAME.interrupted.EXT is written beside it. It may be better unless its metadata has fewer samples.
+    // For a render that was interrupted after this many samples a pixel: keeps files that may be better pictures, and
+    // writes NAME.interrupted.EXT beside them instead. A file may be better unless its metadata has fewer samples.
     void divertFromBetterPictures(int samples);
 
   private:

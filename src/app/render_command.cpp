@@ -28,7 +28,7 @@ struct ChosenMapDenoiser {
     std::string weightsHash;
 };
 
-// Sets the maps' layout to what the denoiser wants.
+// Also sets the layout of the maps to the one that the denoiser was made for.
 ChosenMapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& indirect) {
     const auto setProjection = [&](const std::string& ownOfNetwork) {
         const std::string& name = o.projection != "auto" ? o.projection
@@ -50,7 +50,7 @@ ChosenMapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& in
     return {makeNetworkMapDenoiser(weights, indirect.capture.layout, precision), weights->hash()};
 }
 
-// The filters that are wanted, then cheaper ones.
+// The wanted filters, then cheaper ones that replace them when time is short.
 std::vector<PictureFilters> filtersFor(const RenderParams& params, const std::optional<OpenImageDenoise>& oidn) {
     const bool maps = usesMaps(params.integrator);
     const auto correction = std::make_shared<SurfacePictureFilter>(false, params.correct);
@@ -97,7 +97,7 @@ void writeTiming(const std::string& path, Stats& stats) {
                           seconds("load") + seconds("build"), seconds("render"), seconds("denoise"), seconds("write")));
 }
 
-// Passes until there is nothing left to do.
+// Runs passes until the render is done or interrupted.
 void run(Session& session, PictureFinisher& finisher, const RenderOptions& o) {
     Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
                       o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);

@@ -11,15 +11,15 @@ namespace drc {
 struct RenderOptions {
     std::string scene;
     std::vector<std::string> outputs;
-    RenderParams params;  // options that decide the picture are bound to these
+    RenderParams params;  // options that determine the picture write to these
     std::string mapDenoiser = "network";
     std::string weights;
     std::string precision = "auto";
     std::string projection = "auto";
     std::string resolution;
     std::vector<double> crop;
-    std::vector<std::string> overrides;  // of parameters of the scene's file
-    std::optional<float> spacing;        // of the first map pass, pixels
+    std::vector<std::string> overrides;  // NAME=VALUE for parameters of the scene's file
+    std::optional<float> spacing;        // of the first map pass, in pixels
     int oracleSamples = 64;
     int threads = 0;
     std::string oidnLibrary;

@@ -1,4 +1,4 @@
-// Where the files that come with the program are.
+// Finds the files that come with the program.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace drc {
 
-// Where a folder of this name may be, whether or not it is: beside the program, above a build's folder, in share/drc of
-// an installation, in the current folder. In this order.
+// The places where a folder of this name may be, whether or not it exists: beside the program, above a build folder, in
+// share/drc of an installation, in the current folder; in this order.
 std::vector<std::filesystem::path> shippedFolders(const std::string& name);
 
 }  // namespace drc

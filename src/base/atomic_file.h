@@ -1,5 +1,4 @@
-// Files that are either written whole or not at all: a crash, a full disk or Ctrl-C leaves the old file, if any, as it
-// was.
+// Files that are written whole or not at all: a crash, a full disk or Ctrl-C leaves the old file as it was.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,16 +8,16 @@ namespace drc {
 // Reserves a temporary file beside the target; commit() puts it in the target's place, with the old file's
 // permissions, and its owner and group as far as the system allows. Without a commit the destructor removes it.
 //
-// A symbolic link stays, and the file that it leads to, there or not yet there, is replaced. What is no regular file
-// (a pipe, a terminal, /dev/null) cannot be replaced, nor can a descriptor that the program was given (/dev/stdout,
-// /dev/fd/3): they are written directly, see stream_file.h. A named pipe's reader is waited for.
+// A symbolic link stays, and the file that it points to is replaced or created. What is not a regular file (a pipe, a
+// terminal, /dev/null) cannot be replaced, nor can a descriptor that the program was given (/dev/stdout, /dev/fd/3):
+// they are written directly, see stream_file.h. Opening a named pipe waits for its reader.
 //     AtomicFile file("out.exr");
 //     file.write(bytes);
 //     file.commit();
 class AtomicFile {
   public:
-    // Throws Error, naming the path and the system's reason, if nothing can be written there: better before a long
-    // render than after it.
+    // Throws Error, naming the path and the system's reason, if nothing can be written there: an error before a long
+    // render is better than one after it.
     explicit AtomicFile(const std::string& path);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -37,14 +36,14 @@ class AtomicFile {
     void closeAndRemove();
 
     std::string path_;    // as the user named it, for messages
-    std::string target_;  // the end of its links: what is replaced, or written directly
+    std::string target_;  // where its links end: the file that is replaced or written directly
     std::string temp_;    // empty where the target is written directly
     int fd_ = -1;
 };
 
 void writeFileAtomically(const std::string& path, std::string_view data);
 
-// Whole file as bytes. Throws Error naming the path and the reason.
+// The whole file as bytes. Throws Error naming the path and the reason.
 std::string readFile(const std::string& path);
 
 }  // namespace drc

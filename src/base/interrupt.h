@@ -1,5 +1,5 @@
-// Ctrl-C: the first asks the program to finish what it has and save it, the second ends it at once. So do the signals
-// that batch systems and a closed terminal send.
+// Interrupts: the first Ctrl-C asks the program to finish and save what it has, the second ends it at once. The signals
+// of batch systems and of a closed terminal count as the first.
 #pragma once
 #include "base/parallel.h"
 
@@ -14,13 +14,14 @@ CancelToken& interruptToken();
 int interruptSignal();
 
 // Whether there is anything to finish and save; true by default. While there is not, the first signal ends the process
-// at once, with 128 + its number: nothing has been written, and old files stay as they are.
+// at once, with the exit code 128 + its number: nothing has been written, and old files stay as they are.
 void setSomethingToSave(bool something);
 
-// From now on, the first of the signals above raises interruptToken() and says so on standard error, if there is
-// something to save. SIGINT after that ends the process with 130. Another SIGTERM or SIGHUP does nothing, because both may come twice for one request:
-// `timeout` signals its child and then the whole group, and a closed terminal is told by the shell and by the system. A
-// signal that was ignored when the program started (nohup, background jobs of scripts) stays ignored.
+// From now on, the first of these signals raises interruptToken() and says so on standard error, if there is something
+// to save. A further SIGINT ends the process with 130. A further SIGTERM or SIGHUP does nothing, because one request
+// may send both twice: `timeout` signals its child and then the whole group, and both the shell and the system report a
+// closed terminal. A signal that was ignored when the program started (nohup, background jobs of scripts) stays
+// ignored.
 void installInterruptHandler();
 
 }  // namespace drc

@@ -5,7 +5,7 @@
 
 namespace drc {
 
-// A flag that any thread or signal handler may raise and many threads read often: reading it is one plain load.
+// A flag that any thread or signal handler may raise. It is read often, so reading it is one plain load.
 class CancelToken {
   public:
     void cancel() { flag_.store(true, std::memory_order_relaxed); }
@@ -17,20 +17,20 @@ class CancelToken {
     static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may raise it");
 };
 
-// How many threads all later loops use, the caller's included; 0: one for each core that the process may run on. May
-// exceed the number of cores. Not to be called while a loop runs. Throws Error on a negative count.
+// The number of threads of all later loops, including the caller's; 0: one for each core that the process may run on.
+// It may exceed the number of cores. Must not be called while a loop runs. Throws Error on a negative count.
 void setThreadCount(int count);
 int threadCount();
 
 // Calls body(b, e) for the pieces [b, e) of [begin, end), in any order and on any thread. The pieces are begin + k *
-// grain to begin + (k + 1) * grain whatever the number of threads, so that results kept per piece do not depend on it.
-// The first exception that a body throws ends the loop and is thrown here. Loops may be nested. Once `cancel` is
+// grain to begin + (k + 1) * grain for any number of threads, so that results kept for each piece do not depend on it.
+// The first exception that a body throws ends the loop and is rethrown here. Loops may be nested. After `cancel` is
 // raised, no further piece is begun.
 void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body,
                  const CancelToken* cancel = nullptr);
 
-// Calls the body. A thread that waits in it, for a loop of the body's own or of a library on oneTBB, meanwhile works
-// for that loop alone and takes up no piece of a loop around it.
+// Calls the body so that a thread that waits in it, for a parallel loop of the body's own or of a library on oneTBB,
+// works for that loop only and takes no piece of an enclosing loop.
 void isolated(const std::function<void()>& body);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// Something that each thread needs one of and that is too big to make for every piece of a loop: a network's buffers.
+// An object for each thread that is too expensive to make for every piece of a loop, such as a network's buffers.
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
@@ -13,8 +13,8 @@ class PerThread {
     template <typename Make>
     explicit PerThread(Make make) : things_(std::move(make)) {}
 
-    // Calls body(T&) with the calling thread's T. The body may wait for parallel loops, its own or those of a library
-    // on oneTBB: it is isolated(), so that no other piece of work gets the same T in the meantime.
+    // Calls body(T&) with the calling thread's T. The body may run parallel loops, its own or those of a library on
+    // oneTBB: it is isolated(), so that no other piece of work uses the same T in the meantime.
     template <typename Body>
     void use(const Body& body) {
         isolated([&] { body(things_.local()); });

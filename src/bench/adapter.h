@@ -1,4 +1,4 @@
-// Renderers other than ours, as `drc bench` runs them: what an adapter file (integrations/README.md) says of one.
+// Other renderers, as `drc bench` runs them: the contents of an adapter file (integrations/README.md).
 #pragma once
 #include <map>
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace drc {
 
-// One run's values of the placeholders.
+// The values of the placeholders for one run.
 struct AdapterValues {
     std::string scene, output, timing, denoiser;
     int width = 0, height = 0, threads = 0, seed = 0;
-    double amount = 0;  // of the budget's unit
+    double amount = 0;  // in the budget's unit
 };
 
 struct Adapter {
@@ -24,12 +24,12 @@ struct Adapter {
     std::map<BudgetUnit, std::vector<std::string>> commands;
 
     bool denoises(const std::string& denoiser) const;
-    // The command line for a run; nothing if the program cannot keep such a budget.
+    // The command line for a run; none if the program cannot keep such a budget.
     std::optional<std::vector<std::string>> command(BudgetUnit unit, const AdapterValues& values) const;
 };
 
-// path: an adapter file, or a folder with adapter.json in it. Throws Error, naming the file and the key, on what is no
-// JSON, is missing, is of a wrong type or unknown: keys and placeholders.
+// path: an adapter file, or a folder that contains adapter.json. Throws Error, naming the file and the key, if it is
+// not JSON, or if a key or placeholder is missing, unknown or of a wrong type.
 Adapter readAdapter(const std::string& path);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// bench_result.h as JSON: one file a run while a comparison goes on, and all of it when it is done.
+// The data of bench_result.h as JSON: one file for each run while a comparison is going on, and all of it at the end.
 #pragma once
 #include <optional>
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace drc {
 
-// What is not measured is null.
+// Values that were not measured are null.
 std::string toJson(const BenchReport& report);
 
-// A run with what made it. `key` tells whether it is still what would be measured today: the command line and the
-// states of the program and of the scene's file.
+// A run, with the key of what made it: the command line and the states of the program and of the scene's file, so that
+// a later comparison knows whether the run is still valid.
 std::string toJson(const BenchRun& run, const std::string& key);
-// Nothing if the text is damaged or has another key.
+// None if the text is damaged or has another key.
 std::optional<BenchRun> runFromJson(const std::string& text, const std::string& key);
 
 }  // namespace drc

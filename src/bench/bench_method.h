@@ -1,4 +1,4 @@
-// A way to make a picture that `drc bench` compares: one of ours, or another program by its adapter.
+// A method that `drc bench` compares: one of our own, or another program with an adapter.
 #pragma once
 #include <functional>
 #include <optional>
@@ -10,41 +10,43 @@
 
 namespace drc {
 
-// What one run of a method is to do.
+// The task of one run of a method.
 struct BenchJob {
     std::string scene, output, timing;
     int width = 0, height = 0, threads = 0, seed = 0;
     Budget budget;
 };
 
-// What all of our own methods have in common.
+// Settings that all of our own methods share.
 struct OwnProgram {
     std::string path;         // of drc
-    int directSpp = 16;       // samples a pixel of direct light where the budget is tasks
-    std::string oidnLibrary;  // empty: where the system finds it
+    int directSpp = 16;       // samples a pixel of direct light if the budget is in tasks
+    std::string oidnLibrary;  // empty: the one that the system finds
 };
 
 class BenchMethod {
   public:
-    // By its name: INTEGRATOR (path, bdpt, direct, drc), drc:MAP-DENOISER (none, gaussian, oracle), drc:WEIGHTS (a
-    // network's name, or a file), the name of an adapter; each with +DENOISER (off, surface, oidn, oidn-direct; an
-    // adapter's own). Ours take oidn and oidn-direct with a mode of oidn_mode.h, as path+oidn:balanced-raw; without one
-    // they take the best for the budget. Or NAME=OPTIONS, the options being those of `drc render`, divided at blanks.
-    // findAdapter: what there is of a name. Throws Error that says what would be right.
+    // Makes the method that `text` names: INTEGRATOR (path, bdpt, direct, drc), drc:MAP-DENOISER (none, gaussian,
+    // oracle), drc:WEIGHTS (a network's name, or a file), or the name of an adapter; each with +DENOISER (off, surface,
+    // oidn, oidn-direct; an adapter's own). Ours take oidn and oidn-direct with a mode of oidn_mode.h, as
+    // path+oidn:balanced-raw; without one they take the best mode for the budget. Or NAME=OPTIONS, with options of `drc
+    // render` separated by blanks. findAdapter: returns the adapter of a name, if there is one. Throws Error that says
+    // what would be right.
     BenchMethod(const std::string& text, const std::function<std::optional<Adapter>(const std::string&)>& findAdapter);
 
     const std::string& name() const { return name_; }
     const std::optional<Adapter>& adapter() const { return adapter_; }
-    // Ours keep seconds, and tasks if they have maps, else spp.
+    // Whether the method can keep a budget in this unit. Ours keep seconds, and tasks if they have map passes, else
+    // spp.
     bool keeps(BudgetUnit unit) const;
-    // Of Open Image Denoise for a job of ours that asks for it by name; else null.
+    // The mode of Open Image Denoise for a job of ours that asks for it by name; else null.
     const OidnMode* oidnMode(const BenchJob& job) const;
-    // For a budget that it keeps.
+    // The command line of a job, for a budget that the method keeps.
     std::vector<std::string> command(const BenchJob& job, const OwnProgram& own) const;
 
   private:
     std::string name_, denoiser_;
-    const OidnMode* oidnMode_ = nullptr;  // the one that the name asks for
+    const OidnMode* oidnMode_ = nullptr;  // the mode that the name asks for
     std::vector<std::string> options_;    // of drc render
     bool hasMaps_ = false;
     std::optional<Adapter> adapter_;

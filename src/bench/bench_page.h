@@ -1,5 +1,5 @@
-// The page of `drc bench`: one file with tables, pictures to compare and curves; it opens from disk and fetches
-// nothing.
+// The page of `drc bench`: a single file with tables, pictures to compare and curves. It opens from disk and loads
+// nothing else.
 #pragma once
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace drc {
 
-// Pictures are read from `folder`, where their paths are relative. Throws Error, naming the file, on one that cannot be
-// shown. What there are no runs for has no section.
+// Pictures are read from `folder`, to which their paths are relative. Throws Error, naming the file, if one cannot be
+// shown. Sections without runs are left out.
 std::string benchPage(const BenchReport& report, const std::string& folder);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// The parts of a comparison's page that are drawn: error against time, memory against tasks.
+// The plots of a comparison's page: error against time, and memory against tasks.
 #pragma once
 #include <string>
 
@@ -6,11 +6,11 @@
 
 namespace drc {
 
-// Per scene a plot each of the error, 1 - SSIM and FLIP against the seconds of the process, both logarithmic: a line a
-// method and unit of its budgets. Empty if no method has two budgets.
+// For each scene, plots of the error, 1 - SSIM and FLIP against the seconds of the process, both axes logarithmic, with
+// a line for each method and unit of its budgets. Empty if no method has two budgets.
 std::string errorCurves(const BenchReport& report);
 
-// Per scene the peak memory of the methods that were given tasks, and by how much it grew. Empty if none was given two
+// For each scene, the peak memory of the methods with budgets in tasks, and its growth. Empty if no method has two
 // numbers of tasks.
 std::string memoryCurves(const BenchReport& report);
 

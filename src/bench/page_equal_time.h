@@ -1,4 +1,4 @@
-// The part of a comparison's page that gives every method the same seconds.
+// The part of a comparison's page that compares methods at equal time.
 #pragma once
 #include <string>
 
@@ -6,9 +6,9 @@
 
 namespace drc {
 
-// Per budget in seconds a table: a block a scene, a row a method, and the geometric means over the scenes of the
-// methods' errors, as multiples of the best path+oidn's, or of the first method's without one. Empty if nothing was run
-// so.
+// For each budget in seconds a table: a block for each scene, a row for each method, and the geometric means of the
+// methods' errors over the scenes, as multiples of the error of the best path+oidn, or of the first method if there is
+// none. Empty without such budgets.
 std::string equalTimeTables(const BenchReport& report);
 
 }  // namespace drc

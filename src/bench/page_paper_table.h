@@ -1,4 +1,4 @@
-// The part of a comparison's page that repeats the paper's own: quality, time and PNG size against tasks and samples.
+// The part of a comparison's page with the paper's own tables: quality, time and PNG size against tasks and samples.
 #pragma once
 #include <string>
 
@@ -6,12 +6,13 @@
 
 namespace drc {
 
-// Per scene with budgets in tasks or samples: a row an amount, three columns a method; and, beside the paper's, how far
-// a method of tasks and one of samples came in the same time. Empty if there are none.
+// For each scene with budgets in tasks or samples: a row for each amount, three columns for each method, and, beyond
+// the paper's tables, the quality of a method with tasks and one with samples after the same time. Empty if there are
+// none.
 std::string paperTables(const BenchReport& report);
 
-// The SSIM that a method with budgets of that unit has after so many seconds: between two of its runs, linear in the
-// logarithm of time. NaN before the first and after the last.
+// The SSIM of a method with budgets in that unit after so many seconds, interpolated between two of its runs, linearly
+// in the logarithm of time. NaN before the first and after the last run.
 double ssimAfter(const BenchReport& report, const std::string& scene, const std::string& method, BudgetUnit unit,
                  double seconds);
 

@@ -1,4 +1,4 @@
-// For tests of a comparison's page: runs with numbers and pictures of choice.
+// For tests of a comparison's page: reports with given numbers and pictures.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ inline Budget seconds(double amount) { return {BudgetUnit::Seconds, amount}; }
 inline Budget spp(double amount) { return {BudgetUnit::Spp, amount}; }
 inline Budget tasks(double amount) { return {BudgetUnit::Tasks, amount}; }
 
-// No two seeds give the same picture.
+// A picture that differs from that of any other seed.
 inline Image testPicture(int seed, int width = 16, int height = 12) {
     Image image(width, height);
     for (int y = 0; y < height; ++y)
@@ -23,7 +23,8 @@ inline Image testPicture(int seed, int width = 16, int height = 12) {
     return image;
 }
 
-// A report that grows by the runs that it is given: scenes, methods and budgets are in the order in which they come.
+// A report that grows with the runs that are added: scenes, methods and budgets have the order in which they first
+// appear.
 class ReportBuilder {
   public:
     ReportBuilder() {
@@ -32,8 +33,8 @@ class ReportBuilder {
         report.threads = 3;
     }
 
-    // A run that took as long as its budget says, or one second. Change what it returns; it stays where it is until the
-    // next run comes.
+    // Adds a run that took as long as its budget in seconds, or one second. The result may be changed, and is valid
+    // until the next run is added.
     BenchRun& add(const std::string& scene, const std::string& method, const Budget& budget, double error,
                   double ssim = 0.5) {
         if (std::none_of(report.scenes.begin(), report.scenes.end(), [&](const auto& s) { return s.name == scene; })) {
@@ -68,7 +69,7 @@ class ReportBuilder {
         run.picture.clear();
     }
 
-    // Writes a picture that no other has; its name.
+    // Writes a picture that no other run has, and returns its name.
     std::string picture() {
         const std::string name = "picture-" + std::to_string(++pictures_) + ".exr";
         writeExr(folder.path(name), testPicture(pictures_));
@@ -85,7 +86,7 @@ class ReportBuilder {
     int pictures_ = 0;
 };
 
-// From the first occurrence of `from` to the next of `to`; empty if there is none.
+// The text from the first occurrence of `from` to the next one of `to`; empty if there is none.
 inline std::string between(const std::string& text, const std::string& from, const std::string& to) {
     const size_t begin = text.find(from), end = text.find(to, begin == std::string::npos ? begin : begin + from.size());
     return begin == std::string::npos || end == std::string::npos ? "" : text.substr(begin, end - begin);

@@ -1,4 +1,4 @@
-// What the pictures of a scene are measured against: two independent references, or one.
+// The references that a scene's pictures are compared with: two independent ones, or one.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace drc {
 
-// The references that `folder` has of a scene: NAME-1.exr and NAME-2.exr, else NAME.exr. Throws Error if there are
-// none, or only one of a pair.
+// The references of a scene in `folder`: NAME-1.exr and NAME-2.exr, else NAME.exr. Throws Error if there are none, or
+// only one of a pair.
 std::vector<std::string> givenReferences(const std::string& folder, const std::string& name);
 
 class SceneReferences {
   public:
-    // One path or two. Throws Error, naming the files, on what cannot be read or compared.
+    // Takes one path or two. Throws Error, naming the files, if they cannot be read or compared.
     explicit SceneReferences(const std::vector<std::string>& paths);
 
-    // What is shown of them: the one, or the mean of both.
+    // The picture to show: the only reference, or the mean of both.
     const Image& shown() const { return pair_ ? pair_->mean() : single_; }
     bool isPair() const { return pair_.has_value(); }
-    // Fills in what the report says of them: sizes of the picture that is shown, noise.
+    // Fills in what the report says about them: the picture's size and file sizes, and the noise.
     void describe(BenchScene& scene) const;
-    // Reads the picture and fills in how far it is from them. Throws Error if it is of another size or no picture.
+    // Reads a picture and fills in its errors. Throws Error if it has another size or is not a picture.
     void measure(const std::string& picture, BenchRun& run) const;
 
   private:

@@ -6,15 +6,16 @@
 namespace drc {
 namespace {
 
-// Purposes of random numbers: streams that must not meet.
+// Purposes of random numbers, which keep their streams apart.
 constexpr uint64_t kPrimary = 0x1001, kGather = 0x1002, kCapture = 0x1003, kOffset = 0x1004, kFill = 0x1005,
                    kFallback = 0x1006;
 constexpr int kRowsPerTask = 1;
-// Maps that one level may fill in, as a share of the grid's in the bands so far: a pass must cost about what its
-// spacing says, also in a scene that is all edges. What remains is left to the fallback and to later, denser passes.
+// The maps that one level may add, as a share of the grid's maps in the bands so far: the cost of a pass must follow
+// from its spacing, even in a scene full of edges. Pixels that still lack maps are left to the fallback and to later,
+// denser passes.
 constexpr float kFillBudget = 0.5f;
 constexpr float kSmallestFill = 2.5f;  // pixels
-// Of the coverage that asks for more maps: what a pixel needs at least, not to be left to the fallback.
+// The share of minCoverage that a pixel needs at least; below it, its light is path-traced.
 constexpr float kLeastShare = 0.25f;
 
 PixelSite pixelSite(const PrimaryHit& hit, const LobeMask& broad, const Vec2& film) {
@@ -125,8 +126,8 @@ bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToke
     const Vec2 margin = film.filter->radius();
     PassMaps maps(MapGrid(region, spacing, offsets.get2D()), region, std::max(margin.x, margin.y),
                   settings_.interpolation);
-    // A band's grid is captured while the band above is filled in and, as that is whole then, the one above that is
-    // gathered.
+    // The grid of a band is captured while maps are added to the band above it, and then the pixels of the band above
+    // that, which has all of its maps, gather.
     State state{pass, stride, cancel, std::vector<size_t>(size_t(settings_.fillLevels) + 1)};
     const auto exists = [&](int band) { return band >= 0 && band < maps.bandCount(); };
     for (int band = 0; band < maps.bandCount() + 2 && !state.cancelled(); ++band) {
@@ -149,7 +150,7 @@ void IndirectPass::captureGrid(PassMaps& maps, int band, const State& state) {
 }
 
 void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state) {
-    // How well the grid serves each pixel.
+    // How well the maps serve each pixel.
     struct Pixel {
         PixelSite site;
         float coverage = -1;  // sum of weights; -1: no primary hit
@@ -174,7 +175,7 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
     for (size_t level = 1; level <= size_t(settings_.fillLevels) && !state.cancelled(); ++level) {
         const float radius = spacing / float(1 << level);
         if (radius < kSmallestFill) break;
-        // Pixels between those of the lattice lack what the latter do.
+        // Pixels off the lattice lack maps if their neighbour on the lattice does.
         const auto onLattice = [&](int x, int y) {
             x -= (x - film.x0) % state.stride;
             y -= (y - film.y0) % state.stride;
@@ -265,7 +266,7 @@ bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* canc
                         site.n = faceForward(hit.surface.ng, hit.surface.wo);
                         const uint64_t capturing = hashCombine(stream(x, y, kCapture), uint64_t(index));
                         const auto capture = [&](const Vec3& n, uint64_t side) {
-                            // Of the sample's own moment: no other pixel looks at this map.
+                            // At the sample's own time, because no other pixel uses this map.
                             captureMap(tracer_, settings_.capture, hit.surface.spawnPoint(), mapFrame(n, up),
                                        hashCombine(capturing, side), captured[0], hit.surface.time);
                             mapDenoiser_.denoise(captured, layout);

@@ -47,15 +47,15 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
 
     const float spread = std::sqrt(layout.solidAngle(n / 2));  // a texel's own cone
     const float weight = 1.f / float(settings.samplesPerTexel);
-    // Scenes in which nothing moves need no number for it.
+    // Without motion no random number is spent on time.
     const bool drawTime = !time && tracer.anythingMoves();
     const Shutter shutter = tracer.scene().camera->shutter();
     Sampler sampler(stream, 0);
     for (int row = 0; row < n; ++row) {
         for (int column = 0; column < n; ++column) {
             const auto texel = size_t(row * n + column);
-            // Neighbours on the square get neighbouring sample indices, so that every dimension of the paths is well
-            // distributed over each part of the map.
+            // Neighbouring texels get neighbouring sample indices, so that every dimension of the paths is stratified
+            // over each part of the map.
             const uint32_t index = mortonIndex({column, row}) * uint32_t(settings.samplesPerTexel);
             Rgb sum(0.f);
             Moments moments[3];

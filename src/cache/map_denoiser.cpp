@@ -37,7 +37,8 @@ class GaussianMapDenoiser final : public MapDenoiser {
     std::string name() const override { return "gaussian"; }
 
   private:
-    // One direction: `step` between neighbours along it, `stride` between lines. The edge texel is repeated.
+    // Blurs in one direction: `step` is the distance of neighbours along it, `stride` that of lines. The texel at the
+    // edge is repeated.
     void blur(const float* in, float* out, int n, int step, int stride) const {
         for (int line = 0; line < n; ++line)
             for (int i = 0; i < n; ++i) {
@@ -74,7 +75,7 @@ void matchEnergy(std::span<const float> captured, const MapLayout& layout, std::
     for (size_t c = 0; c < 3; ++c) {
         const std::span<float> channel = radiance.subspan(c * texels, texels);
         const double want = mean(captured.subspan(c * texels, texels)), have = mean(channel);
-        // Written so that what is not a number counts as nothing.
+        // Written so that NaN counts as no light.
         const bool usable = have > 0 && std::isfinite(have);
         if (usable && want <= kMostGain * have) {
             const auto scale = float(want / have);

@@ -1,5 +1,5 @@
-// What turns captured one-sample maps into clean ones. Map denoisers are interchangeable; each keeps the energy of the
-// captured map, channel by channel, so that it moves light around but creates none.
+// Map denoisers: they turn captured one-sample maps into clean ones. They are interchangeable, and each keeps the
+// energy of the captured map, channel by channel, so that it moves light around but creates none.
 #pragma once
 #include <memory>
 #include <span>
@@ -15,7 +15,7 @@ class MapDenoiser {
     // Replaces the radiance of each map. Thread-safe; the result of a map does not depend on its neighbours in `maps`.
     virtual void denoise(std::span<CapturedMap> maps, const MapLayout& layout) const = 0;
     virtual std::string name() const = 0;
-    // How many maps make an efficient batch.
+    // The number of maps in an efficient batch.
     virtual int batchSize() const { return 8; }
 };
 
@@ -24,14 +24,14 @@ std::unique_ptr<MapDenoiser> makeIdentityMapDenoiser();
 // "gaussian": a blur of the radiance by sigma texels, as in the paper (sigma 1).
 std::unique_ptr<MapDenoiser> makeGaussianMapDenoiser(float sigma);
 
-// How much brighter matchEnergy makes a channel at most. Beyond what the networks that come with the program ask for
-// but where one bright texel is all of a map (docs/decisions/network-and-training.md, "Energy").
+// The largest factor by which matchEnergy scales a channel. The networks that come with the program ask for less,
+// except where one bright texel is all of a map (docs/decisions/network-and-training.md, "Energy").
 constexpr float kMostGain = 32;
 
-// Gives each channel of `radiance` the solid-angle-weighted mean of `captured` (planar [3][N*N] both, none negative),
-// to within rounding, in every case. It is scaled to it; but a channel that has less than 1 / kMostGain of what was
-// captured tells little of where its light is, and no texel is brightened by more: what is missing then is spread
-// evenly over the map. A channel without light, or whose sum is not finite, becomes the captured mean everywhere.
+// Gives each channel of `radiance` the solid-angle-weighted mean of `captured` (both planar [3][N*N], not negative), to
+// within rounding. The channel is scaled; but if it has less than 1 / kMostGain of the captured energy, it says little
+// about where the light is: then it is scaled by kMostGain, and the missing energy is spread evenly over the map. A
+// channel without light, or whose sum is not finite, becomes the captured mean everywhere.
 void matchEnergy(std::span<const float> captured, const MapLayout& layout, std::span<float> radiance);
 
 }  // namespace drc

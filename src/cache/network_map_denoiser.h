@@ -8,8 +8,8 @@
 
 namespace drc {
 
-// Without a precision, bestPrecision(weights). Throws Error if the network was trained for another projection or size
-// of map than `layout`.
+// Without a precision, that of bestPrecision(weights). Throws Error if the network was trained for another projection
+// or size of map than `layout`.
 std::unique_ptr<MapDenoiser> makeNetworkMapDenoiser(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
                                                     std::optional<Precision> precision = {});
 

@@ -14,12 +14,12 @@ namespace drc {
 namespace {
 
 constexpr uint64_t kViewpoint = 0x3001, kInput = 0x3002, kTarget = 0x3003;
-// To be raised when the same settings come to give other examples.
+// To be increased when the same settings give other examples than before.
 constexpr int kDrawing = 1;
 
 Sampler viewpointSampler(const ExampleSettings& settings, int viewpoint) {
     const uint64_t stream = hashCombine(settings.seed, kViewpoint);
-    // A jitter of its own for each cell; else one sequence over the film, so that any number is spread evenly.
+    // Each cell has its own jitter; without cells, one sequence over the film spreads any number of viewpoints evenly.
     if (settings.tiles > 0) return {hashCombine(stream, uint64_t(viewpoint)), 0};
     return {stream, uint32_t(viewpoint)};
 }
@@ -64,7 +64,7 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     example.bounces = hit.bounces;
     example.time = captureTime(hit.surface);
     Vec3 n = faceForward(hit.surface.ng, hit.surface.wo);
-    // What is seen through the surface is as good an example as what is seen in front of it.
+    // A map behind a translucent surface is as good an example as one in front of it.
     if (hit.bsdf.has(LobeFlags::Transmission, tracer.broad()) && sampler.get1D() < 0.5f) n = -n;
     const Frame frame = mapFrame(n, scene.camera->up());
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
@@ -76,7 +76,7 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     capture(settings.targetSamples, kTarget, target);
     example.target = std::move(target.radiance);
     example.targetDeviation = std::move(target.deviation);
-    // A black one is not worth its realisations.
+    // A black target needs no inputs.
     if (!isSound(example)) return std::nullopt;
     example.inputs.resize(size_t(settings.inputs));
     for (int i = 0; i < settings.inputs; ++i) capture(1, kInput + (uint64_t(i) << 32), example.inputs[size_t(i)]);
@@ -89,7 +89,7 @@ void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, Ex
     const int end = settings.viewpoints();
     std::atomic<int> next{shard.next()};
     std::mutex mutex;
-    std::map<int, std::string> waiting;  // for an earlier one to be done
+    std::map<int, std::string> waiting;  // examples that wait for an earlier one
     const auto work = [&] {
         while (!(cancel && cancel->cancelled())) {
             const int viewpoint = next.fetch_add(1);
@@ -105,7 +105,8 @@ void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, Ex
             }
         }
     };
-    // One piece a thread, each of which takes the next viewpoint: so nothing waits long for an earlier one.
+    // One piece for each thread, which takes one viewpoint after the other, so that no example waits long for an
+    // earlier one.
     parallelFor(0, threadCount(), 1, [&](int, int) {
         try {
             work();

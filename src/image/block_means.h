@@ -1,10 +1,10 @@
-// Means of square blocks of pixels: what is left of a picture when its noise is averaged away, but not its errors.
+// Means of square blocks of pixels: averaging removes noise, but not errors that neighbours share.
 #pragma once
 #include "image/image.h"
 
 namespace drc {
 
-// The blocks by which `drc compare` compares.
+// The size of the blocks that `drc compare` uses.
 inline constexpr int kComparedBlock = 8;
 
 // The mean of each size x size block of pixels, R, G, B; blocks at the right and lower edge may be smaller. Pixels with

@@ -8,7 +8,7 @@
 
 namespace drc {
 
-// IEC 61966-2-1, exact and odd about zero, so that negative values (a difference, a filter's lobe) survive.
+// IEC 61966-2-1, exact, and odd about zero, so that negative values (differences, negative filter lobes) are kept.
 inline float srgbEncode(float linear) {
     const float a = std::abs(linear);
     const float e = a <= 0.0031308f ? 12.92f * a : 1.055f * std::pow(a, 1 / 2.4f) - 0.055f;
@@ -22,7 +22,7 @@ inline float srgbDecode(float encoded) {
 inline Rgb srgbEncode(const Rgb& c) { return Rgb(srgbEncode(c.x), srgbEncode(c.y), srgbEncode(c.z)); }
 inline Rgb srgbDecode(const Rgb& c) { return Rgb(srgbDecode(c.x), srgbDecode(c.y), srgbDecode(c.z)); }
 
-// [0, 1] to 0..255, rounded to nearest; what is outside is clamped and NaN is 0.
+// Maps [0, 1] to 0..255, rounded to nearest; values outside are clamped, and NaN becomes 0.
 inline uint8_t toByte(float x) {
     return x >= 1 ? uint8_t(255) : x > 0 ? static_cast<uint8_t>(x * 255 + 0.5f) : uint8_t(0);
 }
@@ -30,8 +30,9 @@ inline uint8_t toByte(float x) {
 inline float clamp01(float x) { return x >= 1 ? 1.f : x > 0 ? x : 0.f; }
 inline Rgb clamp01(const Rgb& c) { return Rgb(clamp01(c.x), clamp01(c.y), clamp01(c.z)); }
 
-// CIE 1931 XYZ of Rec. 709 primaries with the white point D65, Y = 1 for white. Rational coefficients of the sRGB
-// standard's chromaticities, not the standard's four rounded digits, so that white maps to kWhiteXyz exactly.
+// CIE 1931 XYZ for Rec. 709 primaries with the white point D65, Y = 1 for white. The coefficients are the rational ones
+// that follow from the sRGB standard's chromaticities, not its four rounded digits, so that white maps to kWhiteXyz
+// exactly.
 inline Vec3 rgbToXyz(const Rgb& c) {
     return Vec3(10135552.f / 24577794.f * c.x + 8788810.f / 24577794.f * c.y + 4435075.f / 24577794.f * c.z,
                 2613072.f / 12288897.f * c.x + 8788810.f / 12288897.f * c.y + 887015.f / 12288897.f * c.z,

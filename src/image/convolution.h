@@ -15,14 +15,14 @@ struct Plane {
     std::vector<float> values;  // row by row
 };
 
-// 2 r + 1 weights for the offsets -r to r.
+// 2 r + 1 weights, for the offsets -r to r.
 using Kernel = std::vector<float>;
 
 // exp(-x^2 / (2 sigma^2)) at -radius..radius, normalised to the sum 1. sigma in pixels.
 Kernel gaussianKernel(float sigma, int radius);
 
-// result(x, y) = sum_ij alongX[i] alongY[j] plane(x + i, y + j). Beyond the edge the edge's pixels repeat. Results do
-// not depend on the number of threads.
+// result(x, y) = sum_ij alongX[i] alongY[j] plane(x + i, y + j). Beyond an edge its pixels are repeated. Results do not
+// depend on the number of threads.
 Plane convolve(const Plane& plane, const Kernel& alongX, const Kernel& alongY);
 
 }  // namespace drc

@@ -9,24 +9,25 @@
 namespace drc {
 
 // T is the picture, R1 and R2 are references with independent noise n1 and n2 of mean zero, e is the error of T. Since
-// (T - R1)(T - R2) = (e - n1)(e - n2), its expectation is e^2, however noisy the references are. What remains: pixels
-// that are fireflies in both references by chance look like highlights of the scene. If fireflies have the share m of
-// the references' radiance, `error` is too small by up to m^2.
+// (T - R1)(T - R2) = (e - n1)(e - n2), its expectation is e^2, however noisy the references are. One bias remains:
+// pixels that are fireflies in both references by chance look like highlights of the scene. If fireflies have the share
+// m of the references' radiance, `error` is too small by up to m^2.
 struct CrossErrors {
-    // The mean over pixels and channels of (T - R1)(T - R2) / (D^2 + 0.01), D by relative_norm.h. An estimate: of a
-    // picture that is nearly perfect it may be below zero.
+    // The mean over pixels and channels of (T - R1)(T - R2) / (D^2 + 0.01), with D of relative_norm.h. It is an
+    // estimate: for a nearly perfect picture it may be negative.
     Estimate error;
-    // The same without the floor(0.1 %) of the pixels where T is farthest from D, by (T - D)^2 / (D^2 + 0.01): a few
-    // fireflies of T decide `error`. Choosing by the product itself would keep those that the noise of the references
-    // makes small, and be biased; D(p) does not know this noise.
+    // The same without the floor(0.1 %) of the pixels where T is farthest from D, by (T - D)^2 / (D^2 + 0.01), because
+    // a few fireflies of T can dominate `error`. Selecting by the product itself would keep those pixels that the
+    // references' noise makes small, and be biased; D(p) does not depend on this noise.
     Estimate trimmed;
-    // The same as `error` of the means of 8x8 pixels, D that of the means: errors that neighbours share.
+    // The same as `error` for the means of 8x8 pixels, with their own D: errors that neighbours share.
     Estimate block;
-    // Mean of (R1 - R2)^2 / 2 in the same norm, of pixels and of blocks: the noise of each reference. That of the mean
-    // of both is half of it.
+    // The mean of (R1 - R2)^2 / 2 in the same norm, for pixels and for blocks: the noise of each reference. The mean of
+    // both references has half of it.
     double noise = 0, blockNoise = 0;
     std::array<double, 3> meanRatio{1, 1, 1};  // mean(T) / mean of both references, R, G, B; 1 if both are 0
-    // Pixels with NaN or an infinity in R1, R2 and T: left out everywhere, and all is NaN if no pixel is left.
+    // The number of pixels with NaN or infinity in R1, R2 and T. They are left out everywhere; if no pixel is left, all
+    // values are NaN.
     std::array<int64_t, 3> nonFinite{};
 };
 
@@ -36,8 +37,8 @@ CrossErrors crossErrors(const Image& first, const Image& second, const Image& no
 // CrossErrors::noise alone.
 double referenceNoise(const Image& first, const Image& second, const Image& norm);
 
-// Mean over the channels of (a - b)(c - d) / (norm^2 + 0.01) at each pixel; NaN where one is not finite. All of one
-// size.
+// The mean over the channels of (a - b)(c - d) / (norm^2 + 0.01) at each pixel; NaN if a value is not finite. All
+// images have one size.
 Plane relativeProducts(const Image& a, const Image& b, const Image& c, const Image& d, const Image& norm);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// OpenEXR files: the first part, scan lines or tiles, of any compression.
+// Reads OpenEXR files: the first part, scan lines or tiles, any compression.
 #pragma once
 #include "image/encoded_image.h"
 #include "image/exr_writer.h"
@@ -6,10 +6,10 @@
 
 namespace drc {
 
-// All channels of the first part's data window, whatever its display window is; of several levels, the largest. Channel
-// names as stored, layer by layer and, within each, "R", "G", "B" ("X", "Y", "Z" of a position) before all others, for
-// the file itself sorts them by name. Integers are numbers as they are: identifiers, no colours. Deep pictures and
-// channels of fewer pixels than others are refused. Throws Error or an exception of OpenEXR's.
+// All channels of the first part's data window, whatever its display window is, and of several levels the largest.
+// Channel names are kept, layer by layer and, within each, with "R", "G", "B" ("X", "Y", "Z" of a position) before all
+// others, because the file sorts them by name. Integers keep their values: they are identifiers, not colours. Deep
+// pictures and channels with fewer pixels than others are refused. Throws Error or an exception of OpenEXR.
 ImageFile decodeExr(const EncodedImage& encoded);
 
 // The string attributes of the first part.

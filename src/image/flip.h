@@ -9,8 +9,8 @@ namespace drc {
 // The paper's viewing condition: a 0.7 m wide 4K monitor seen from 0.7 m.
 inline constexpr float kFlipPixelsPerDegree = 67;
 
-// The error at each pixel, 0 (none is seen) to 1, of two linear RGB images of one size, each clamped to [0, 1]. Throws
-// Error if the sizes differ.
+// The error at each pixel, from 0 (not visible) to 1, of two linear RGB images of one size, each clamped to [0, 1].
+// Throws Error if the sizes differ.
 Plane flipMap(const Image& reference, const Image& test, float pixelsPerDegree = kFlipPixelsPerDegree);
 // Mean of flipMap.
 double flip(const Image& reference, const Image& test, float pixelsPerDegree = kFlipPixelsPerDegree);

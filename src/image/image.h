@@ -1,4 +1,4 @@
-// An image in memory: float channels with names, interleaved, first row on top.
+// An image in memory: interleaved float channels with names, the first row at the top.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -11,8 +11,8 @@ namespace drc {
 class Image {
   public:
     Image() = default;
-    // Filled with zeros. Channel names as in OpenEXR: "R", "normal.X". Throws Error on a size that is not positive,
-    // on no channels and on names that repeat.
+    // Filled with zeros. Channel names as in OpenEXR: "R", "normal.X". Throws Error if the size is not positive, if
+    // there are no channels, or if a name repeats.
     Image(int width, int height, std::vector<std::string> channelNames);
     // R, G, B.
     Image(int width, int height) : Image(width, height, {"R", "G", "B"}) {}

@@ -1,10 +1,10 @@
-// What a picture's file is read as.
+// The result of reading a picture's file.
 #pragma once
 #include "image/image.h"
 
 namespace drc {
 
-// How a file stores its values. Integers are read as [0, 1]; pictures stored so are sRGB-encoded by custom.
+// How a file stores its values. Integers are read as [0, 1]; by convention, such pictures are sRGB-encoded.
 enum class Encoding { UInt8, UInt16, Float };
 
 struct ImageFile {

@@ -1,5 +1,5 @@
-// What kind of file a picture is, told by its first bytes and not by its name: files are often called what they once
-// were.
+// The format of a picture's file, determined by its first bytes and not by its name, because many files have the
+// extension of another format.
 #pragma once
 #include <string_view>
 
@@ -7,14 +7,14 @@ namespace drc {
 
 enum class ImageFormat { Unknown, Exr, Png, Jpeg, RadianceHdr, Tga, Pfm };
 
-// Those that are read, for messages.
+// The formats that can be read, for messages.
 inline constexpr std::string_view kFormatsRead = "EXR, PNG, JPEG, TGA, Radiance HDR and PFM files are read";
 
-// TGA has no mark at its start. A file is one by the mark at its end, which its second version has, or by its name,
-// unless its header makes no sense and the file is plainly of another kind.
+// TGA has no signature at its start. A file is a TGA by the signature at its end, which version 2 of the format has, or
+// by its name, unless its header is invalid and the file is plainly of another format.
 ImageFormat imageFormatOf(std::string_view bytes, std::string_view path);
 
-// "TIFF", "GIF", ...: kinds of pictures that are known and not read. Empty if it is none of them either.
+// The name of a format that is known but cannot be read, as "TIFF" or "GIF"; empty if it is none of these.
 std::string_view foreignFormatOf(std::string_view bytes);
 
 }  // namespace drc

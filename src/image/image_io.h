@@ -1,5 +1,5 @@
-// Image files: EXR, PNG, JPEG, TGA, Radiance HDR and PFM are read, told apart by their first bytes; EXR and PNG are
-// written.
+// Reads and writes image files: EXR, PNG, JPEG, TGA, Radiance HDR and PFM are read, recognised by their first bytes;
+// EXR and PNG are written.
 #pragma once
 #include <string>
 
@@ -11,19 +11,19 @@
 
 namespace drc {
 
-// Throws Error, naming the path, on a file that is missing, of another format or damaged. Of several parts or mip
-// levels, the first is read; of a picture larger or smaller than its display window, what is stored.
+// Throws Error, naming the path, if a file is missing, damaged, or of another format. Of several parts or mip levels,
+// the first is read; if a picture is larger or smaller than its display window, the pixels that are stored.
 ImageFile readImageFile(const std::string& path);
-// The same of a file in memory.
+// The same for a file in memory.
 ImageFile decodeImage(const EncodedImage& encoded);
-// The values as stored. `encoding`, if not null, says how.
+// The values as stored. `encoding`, if not null, receives how.
 Image readImage(const std::string& path, Encoding* encoding = nullptr);
-// Three channels, linear: what is integer is decoded from sRGB. Of an EXR with layers it is the beauty.
+// Three channels, linear: integers are decoded from sRGB. For an EXR with layers, the beauty.
 Image readLinearRgb(const std::string& path);
-// The string attributes of the first part. Throws Error if it is no EXR.
+// The string attributes of the first part. Throws Error if the file is not an EXR.
 ExrMetadata readExrMetadata(const std::string& path);
 
-// Linear RGB (the first three channels, or grey) to an 8-bit sRGB PNG; what is above 1 is clipped. All or nothing.
+// Writes linear RGB (the first three channels, or grey) as an 8-bit sRGB PNG, clipped at 1; whole or not at all.
 void writePng(const std::string& path, const Image& linear);
 
 }  // namespace drc

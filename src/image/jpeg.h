@@ -5,9 +5,9 @@
 
 namespace drc {
 
-// Channels "Y" or "R", "G", "B". Inks (CMYK and YCCK, inverted as Adobe's programs write them) become colours: each is
-// what its ink and black let through. An orientation that a camera noted down is not applied. Throws Error, also where
-// libjpeg would go on with grey in place of what is missing.
+// Channels "Y" or "R", "G", "B". CMYK and YCCK, inverted as Adobe's programs write them, become colours: each channel
+// is what its ink and black transmit. The orientation tag of a camera is not applied. Throws Error, even where libjpeg
+// would fill missing data with grey.
 ImageFile decodeJpeg(const EncodedImage& encoded);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// Pictures with known errors and known noise, for tests of how errors are measured.
+// For tests of how errors are measured: pictures with known errors and known noise.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace drc::noise_testing {
 
 using Rng = std::mt19937;
 
-// A room's worth of contrast: a gradient, dark squares, a lamp, and highlights of single pixels.
+// The contrast of a room: a gradient, dark squares, a lamp, and highlights of single pixels.
 inline Image scene(int width, int height) {
     Image image(width, height);
     for (int y = 0; y < height; ++y)
@@ -25,15 +25,15 @@ inline Image scene(int width, int height) {
     return image;
 }
 
-// Noise of mean zero, in units of the pixel's radiance, or of 1 where that is larger: what is seen of emitters is
-// hardly noisy.
+// Noise of mean zero, in units of the pixel's radiance or of 1, whichever is smaller: emitters that the camera sees
+// have little noise.
 using Noise = std::function<float(Rng&)>;
 
 inline Noise gaussian(float deviation) {
     return [=](Rng& rng) { return std::normal_distribution<float>(0, deviation)(rng); };
 }
 
-// One pixel in `every` is `size` times too bright; the others are darker by what these have too much.
+// One pixel in `every` is `size` times too bright; the others are darker by the mean of that excess.
 inline Noise fireflies(float every, float size, float deviation) {
     return [=](Rng& rng) {
         const bool bright = std::uniform_real_distribution<float>(0, 1)(rng) < 1 / every;
@@ -41,7 +41,7 @@ inline Noise fireflies(float every, float size, float deviation) {
     };
 }
 
-// Grey noise, as most of a path tracer's is.
+// Grey noise, like most noise of a path tracer.
 inline Image noisy(const Image& image, const Noise& noise, Rng& rng) {
     Image result = image;
     for (int y = 0; y < image.height(); ++y)
@@ -52,7 +52,7 @@ inline Image noisy(const Image& image, const Noise& noise, Rng& rng) {
     return result;
 }
 
-// The mean of (2 radius + 1)^2 pixels, what is beyond the edge left out: noise that neighbours share.
+// The mean of (2 radius + 1)^2 pixels, without those beyond the edge: noise that neighbours share.
 inline Image blurred(const Image& image, int radius) {
     Image result(image.width(), image.height());
     for (int y = 0; y < image.height(); ++y)

@@ -8,22 +8,22 @@
 
 namespace drc {
 
-// The share of a displayed metric that the noise of the references' mean may have.
+// The largest share of a metric of displayed colours that the noise of the references' mean may have.
 inline constexpr double kMostDisplayedNoise = 0.25;
 
 struct PairMetrics {
     CrossErrors errors;
     double ssim = 0, flip = 0;  // ssim.h and flip.h, against the mean of both references
-    // The noise of this mean is more than a quarter of what is measured by it (ReferencePair::ssimNoise, flipNoise).
+    // Whether the noise of this mean is more than a quarter of the metric (ReferencePair::ssimNoise, flipNoise).
     bool ssimIsNoisy = false, flipIsNoisy = false;
     std::array<double, 2> pngKb{};  // as in metrics.h; the first is of the references' mean
 };
 
-// What comparisons with the same references share.
+// Two references, with what all comparisons with them share.
 class ReferencePair {
   public:
     // Linear RGB, of different seeds; names for messages. exposure: as in metrics.h. Throws Error if the sizes differ,
-    // and if both are the same picture: their noise would count as the test image's error.
+    // and if both are the same picture, whose noise would count as the test image's error.
     ReferencePair(Image first, Image second, float exposure = 0, const std::string& firstName = "the first reference",
                   const std::string& secondName = "the second reference");
 
@@ -32,8 +32,9 @@ class ReferencePair {
     const Image& mean() const { return mean_; }
     const Image& norm() const { return norm_; }  // relative_norm.h
 
-    // About how far the noise of the mean puts a perfect picture from SSIM 1 and FLIP 0. Both references differ by four
-    // times the variance that the mean has; SSIM's loss is proportional to the variance, FLIP to the deviation.
+    // Approximately how far a perfect picture is from SSIM 1 and FLIP 0, because of the noise of the mean. The
+    // difference of the references has four times the variance of their mean; SSIM's loss is proportional to the
+    // variance, FLIP to the standard deviation.
     double ssimNoise() const { return ssimNoise_; }
     double flipNoise() const { return flipNoise_; }
 

@@ -9,12 +9,12 @@
 namespace drc {
 
 bool isPfm(std::string_view bytes);
-// Which byte order to read: there are writers that name the wrong one.
+// The byte order to read: some writers name the wrong one.
 enum class PfmOrder { AsNamed, Other };
 
 // Values times |scale|, first row on top. `path` is for messages. Throws Error on a damaged file.
 Image decodePfm(std::string_view bytes, const std::string& path, PfmOrder order = PfmOrder::AsNamed);
-// The first channel of an image of less than three, else the first three. Little endian.
+// Encodes the first channel of an image with fewer than three, else the first three. Little endian.
 std::string encodePfm(const Image& image);
 
 }  // namespace drc

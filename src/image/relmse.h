@@ -7,7 +7,7 @@
 
 namespace drc {
 
-// The share of pixels, the worst ones, that relMSE leaves out: a few fireflies would decide it otherwise.
+// The share of the worst pixels that relMSE leaves out, because a few fireflies would dominate it.
 inline constexpr double kRelMseDropped = 0.001;
 
 struct RadianceErrors {
@@ -16,8 +16,7 @@ struct RadianceErrors {
     double l1 = 0;      // mean of |t - r|
     // mean(t) / mean(r) of each channel; 1 if both are 0.
     std::array<double, 3> meanRatio{1, 1, 1};
-    // Pixels with NaN or an infinity. They have no error that could be averaged: all values above leave them out, and
-    // are NaN if no pixel is left.
+    // The number of pixels with NaN or infinity. All values above leave them out, and are NaN if no pixel is left.
     int64_t nonFiniteReference = 0, nonFiniteTest = 0;
 };
 

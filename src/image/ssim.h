@@ -5,7 +5,7 @@
 
 namespace drc {
 
-// Window size: smaller images have no SSIM.
+// The size of the window, and so of the smallest image that has an SSIM.
 inline constexpr int kSsimWindow = 11;
 
 // Of two linear RGB images of one size, each clamped to [0, 1], sRGB-encoded and reduced to luminance (Rec. 709

@@ -1,5 +1,5 @@
-// Truevision TGA: palettes, colours and grey, 8 to 32 bits, plain or run-length encoded, from any corner. Source: the
-// Truevision TGA File Format Specification, version 2.0.
+// Truevision TGA: palettes, colours and grey, 8 to 32 bits, uncompressed or run-length encoded, with any corner first.
+// Source: the Truevision TGA File Format Specification, version 2.0.
 #pragma once
 #include <string_view>
 
@@ -8,13 +8,13 @@
 
 namespace drc {
 
-// That a file may be a TGA: the kinds and sizes of its header are ones that exist.
+// Whether a file may be a TGA: whether types and sizes in its header are valid.
 bool hasTgaHeader(std::string_view bytes);
-// That it is one of version 2.
+// Whether it is a TGA of version 2.
 bool hasTgaFooter(std::string_view bytes);
 
-// Channels "R", "G", "B", of 32 bits "A" too; or "Y", of 16 bits and with bits of alpha "A" too. First row on top. What
-// alpha the single bit of 16-bit colours and the palette have is dropped. Throws Error.
+// Channels "R", "G", "B", and "A" with 32 bits; or "Y", and "A" with 16 bits and bits of alpha. The first row is at the
+// top. The single alpha bit of 16-bit colours and the alpha of palettes are dropped. Throws Error.
 ImageFile decodeTga(const EncodedImage& encoded);
 
 }  // namespace drc

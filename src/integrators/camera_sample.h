@@ -1,24 +1,25 @@
-// The one place where camera rays are made: of pictures, map sites and training examples alike.
+// Makes camera rays, for pictures, map sites and training examples alike.
 #pragma once
 #include "math/sampler.h"
 #include "scene/scene.h"
 
 namespace drc {
 
-// What every sample of a pixel begins with.
+// The beginning of every sample of a pixel.
 struct CameraSample {
-    Sampler sampler;  // goes on with the path
+    Sampler sampler;  // continues with the path
     Vec2 film;        // position, in pixels
     float filterWeight;
-    CameraRay camera;  // of weight 0 where the lens lets nothing through
+    CameraRay camera;  // of weight 0 where the lens blocks all light
 };
 
-// Key of a pixel's own random numbers, for Sampler streams. purpose: keeps streams of different uses apart.
+// The Sampler stream of a pixel's own random numbers. purpose: keeps different uses apart.
 inline uint64_t pixelStream(uint64_t seed, uint64_t purpose, int x, int y) {
     return hashCombine(seed, hashCombine(purpose, (uint64_t(uint32_t(y)) << 32) | uint32_t(x)));
 }
 
-// The scene's camera ray through a position of the film. Takes three numbers from the sampler: lens (2) and time.
+// The scene's camera ray through a film position. Takes three numbers from the sampler: two for the lens and one for
+// time.
 inline CameraRay cameraRay(const Scene& scene, const Vec2& film, Sampler& sampler) {
     const Vec2 uLens = sampler.get2D();
     return scene.camera->generateRay(film, uLens, sampler.get1D());

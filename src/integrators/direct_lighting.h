@@ -1,5 +1,5 @@
-// Direct lighting for every integrator: Le that rays meet, and light samples at the vertices of paths, with what
-// multiple importance sampling (Veach 1997, chapter 9) needs to know of both. Radiance is linear RGB.
+// Direct lighting for every integrator: Le at surfaces that rays hit and at infinity, and light samples at the vertices
+// of paths, with the pdfs and weights of multiple importance sampling (Veach 1997, chapter 9). Radiance is linear RGB.
 #pragma once
 #include "integrators/environment_guide.h"
 #include "integrators/light_sampler.h"
@@ -16,16 +16,16 @@ inline float powerHeuristic(float a, float b) {
 
 class DirectLighting {
   public:
-    // Stands for "no group of the guide": samples there are not guided.
+    // No group of the guide: light samples are not guided.
     static constexpr int kNoGroup = -1;
-    // The pdf of a direction that no light sample could have produced: from the camera, or from a specular lobe.
+    // Marks a direction that light sampling cannot produce: one from the camera, or from a specular lobe.
     static constexpr float kSpecular = 0;
 
-    // Both must outlive this.
+    // Both arguments must outlive this object.
     DirectLighting(const Accel& accel, const LightSampler& lights) : accel_(accel), lights_(lights) {}
 
-    // From here on, samples of the guide's light are guided, and the guide learns which of them arrive. Null: no
-    // longer.
+    // From here on, samples of the guide's light are guided, and the guide learns which of them are unoccluded. Null
+    // ends that.
     void setGuide(EnvironmentGuide* guide) { guide_ = guide; }
     // The guide's group for a point on a surface; kNoGroup without a guide.
     int groupOf(const SurfaceInteraction& at, const Bsdf& bsdf) const {
@@ -52,25 +52,25 @@ class DirectLighting {
         }
     }
 
-    // Le met by a ray that left `from` in a direction sampled with `pdf` per solid angle (kSpecular: weight 1), times
-    // the weight against light sampling at `from`.
+    // Le along a ray that left `from` in a direction sampled with `pdf` per solid angle, times the weight against light
+    // sampling at `from` (1 for kSpecular).
     Rgb emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const;
     Rgb emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, int group) const;
 
-    // A light sample at a vertex, before anything is known of what may block it.
+    // A light sample at a vertex, before its visibility is known.
     struct Proposal {
         const Light* light = nullptr;  // null: no light
         LightSample sample{};
-        Rgb throughput{0.f};  // BSDF times cosine, over lightPdf
-        float lightPdf = 0;   // per solid angle, choice of the light included
-        float bsdfPdf = 0;    // of the BSDF sampling the same direction
-        int slot = -1;        // of the guide, which is told whether the sample arrives; -1: not guided
-        // Against the BSDF's own samples.
+        Rgb throughput{0.f};  // BSDF times cosine, divided by lightPdf
+        float lightPdf = 0;   // per solid angle, including the choice of the light
+        float bsdfPdf = 0;    // of BSDF sampling for the same direction
+        int slot = -1;        // of the guide, which learns from the sample's visibility; -1: not guided
+        // The weight against BSDF sampling.
         float weight() const { return sample.delta ? 1 : powerHeuristic(lightPdf, bsdfPdf); }
     };
-    // uLight chooses the light, u the direction or the point on it.
+    // uLight chooses the light, u the direction or the point on the light.
     Proposal propose(const SurfaceInteraction& at, const BsdfView& bsdf, int group, float uLight, const Vec2& u) const;
-    // What of the sample arrives: throughput times Le, or black if the shadow ray is blocked. Without weight().
+    // The sample's contribution without weight(): throughput times Le, or black if the shadow ray is blocked.
     Rgb arriving(const SurfaceInteraction& at, const Proposal& proposal) const;
 
     const Accel& accel() const { return accel_; }

@@ -1,28 +1,29 @@
-// What can be recorded of a path while it is walked.
+// Records of a path, filled in while it is walked.
 #pragma once
 #include "accel/interaction.h"
 
 namespace drc {
 
-// Where a path first met a surface, as a radiance map records it.
+// The first surface of a path, as a radiance map records it.
 struct FirstHit {
     float distance = -1;   // world units; -1: the path escaped
     Vec3 normal{0, 0, 0};  // geometric, turned towards the origin; zero if it escaped
-    // Share of light that the surface sends on towards the origin (Bsdf::albedo), in [0, 1]. Of an emitter without a
-    // material, that of what lies behind; zero if the path escaped.
+    // The albedo of the surface towards the origin (Bsdf::albedo), in [0, 1]. For an emitter without a material, that
+    // of the surface behind it; zero if the path escaped.
     Rgb albedo{0.f};
-    // Of the sample, what reaches the first non-specular vertex straight from emitters; the rest has been at another.
+    // The part of the sample's radiance that reaches the first non-specular vertex straight from emitters; the rest has
+    // met at least one more such vertex.
     Rgb direct{0.f};
 };
 
-// What a camera sample says of the surfaces that its pixel shows, seen by way of mirrors and smooth glass too. All zero
-// where there is none.
+// The G-buffer of a camera sample: surfaces in the pixel, seen directly or through mirrors and smooth glass. All zero
+// if there are none.
 struct GBufferSample {
-    // Albedos of the non-specular lobes along the specular chain, times its throughput: an estimate whose mean is that
-    // of the pixel, single samples may exceed 1.
+    // The albedos of the non-specular lobes along the specular chain, times its throughput. This is an estimate whose
+    // mean is the pixel's albedo; single samples may exceed 1.
     Rgb albedo{0.f};
-    // Of the first surface with non-specular lobes: shading normal on the viewer's side, world space, unit; and the
-    // length of the chain to it, world units.
+    // For the first surface with non-specular lobes: the shading normal on the viewer's side (world space, unit
+    // length), and the length of the chain up to it (world units).
     Vec3 normal{0.f};
     float depth = 0;
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
 
-// Lobes only estimate their albedos.
+// Clamped to [0, 1], because lobes only estimate their albedos.
 Rgb unitAlbedo(const Bsdf& bsdf, const Vec3& wo) {
     Rgb albedo = bsdf.albedo(wo);
     for (int c = 0; c < 3; ++c) albedo[c] = albedo[c] > 0 ? std::min(albedo[c], 1.f) : 0.f;
@@ -57,9 +57,9 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
     Rgb sum(0.f);
     PathState path(firstRay);
     bool counted = emission == FirstEmission::Counted;
-    // The point that the ray leaves was the path's first vertex.
+    // If first emission is skipped, the ray's origin was the path's first vertex.
     const int maxDepth = settings_.maxDepth - (counted ? 0 : 1);
-    // Where to record what comes next: each until it is known.
+    // Where to record the next values; each is reset once it is known.
     FirstHit *hitWanted = sinks.firstHit, *albedoWanted = nullptr, *directWanted = sinks.firstHit;
     const Accel& accel = lighting_.accel();
     SurfaceInteraction hit;
@@ -99,7 +99,8 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
         const Rgb throughput = path.throughput;
         const int depth = path.depth;
         const bool goesOn = scatter(path, hit, view, u);
-        // The path's own ray before the shadow ray, which then hides the wait for the data of the surface met.
+        // The path's own ray is traced before the shadow ray, which then hides the latency of loading the surface's
+        // data.
         any = goesOn && accel.find(path.ray, found);
         if (directWanted && depth > 0) std::exchange(directWanted, nullptr)->direct = sum;
         sum += throughput * lighting_.arriving(hit, light) * light.weight();
@@ -107,7 +108,7 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
     }
     if (directWanted) directWanted->direct = sum;
     const Rgb bounded = clampedSample(sum, settings_.clamp);
-    // The part is bounded with the whole.
+    // The direct part is scaled together with the whole.
     if (sinks.firstHit && bounded != sum) {
         if (isFinite(sum))
             sinks.firstHit->direct *= settings_.clamp / luminance(sum);

@@ -1,8 +1,8 @@
-// One walk over the vertices of a path. All light transport from the camera is made of its parts: the walk itself
-// (paths, radiance maps), the chain of mirrors and smooth glass that it may begin with (direct light, first vertices),
-// and the sinks that look on (G-buffer, first hit of a radiance map).
+// The walk over the vertices of a path. All light transport from the camera is made of these parts: the walk itself
+// (paths, radiance maps), the chain of mirrors and smooth glass before it (direct light, primary points), and the sinks
+// that record on the way (G-buffer, first hit of a radiance map).
 //
-// Depth counts non-specular vertices. Mirrors and smooth glass count for nothing in it. Radiance is linear RGB.
+// Depth counts non-specular vertices only; mirrors and smooth glass do not count. Radiance is linear RGB.
 #pragma once
 #include "integrators/direct_lighting.h"
 #include "integrators/path_sinks.h"
@@ -11,33 +11,33 @@
 namespace drc {
 
 struct PathSettings {
-    int maxDepth = 64;        // non-specular vertices; Russian roulette ends nearly all paths long before
+    int maxDepth = 64;        // non-specular vertices; Russian roulette ends nearly all paths earlier
     int rouletteDepth = 3;    // vertices before roulette starts
-    float clamp = kInfinity;  // upper bound on a sample's luminance; infinity: none, the unbiased default
-    // Lobes that are rougher are broad (LobeMask), and of those radiance maps bring the indirect light: this default is
-    // what maps of 32x32 texels resolve (broadAlpha() of cache/projection.h).
+    float clamp = kInfinity;  // upper bound on a sample's luminance; infinity: unbiased
+    // Lobes whose alpha is at least this are broad (LobeMask): radiance maps give their indirect light. The default is
+    // the roughness that maps of 32x32 texels resolve (broadAlpha() of cache/projection.h).
     float broadAlpha = 0.2f;
 };
 
-// radiance, or black if it is not finite, scaled down to the luminance that the settings allow a sample.
+// radiance scaled down to the luminance `clamp`; black if it is not finite.
 inline Rgb clampedSample(const Rgb& radiance, float clamp) {
     if (!isFinite(radiance)) return Rgb(0.f);
     const float l = luminance(radiance);
     return l <= clamp ? radiance : radiance * (clamp / l);
 }
 
-// A path as it goes on from its latest vertex.
+// The state of a path after its latest vertex.
 struct PathState {
     PathState(const Ray& r, float spaceBefore = 0) : ray(r), from(r.o), distance(spaceBefore) {}
 
     Ray ray;
-    Vec3 from;  // the vertex that the ray leaves, before it was moved off the surface
+    Vec3 from;  // the vertex that the ray leaves, on the surface, not offset from it
     Rgb throughput{1.f};
     float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
-    float etaScale = 1;        // undoes the scaling of radiance inside glass, which is no loss, for roulette
-    float distance;            // that the path has come, world units
-    int depth = 0, chain = 0;  // non-specular vertices; specular ones and surfaces passed through
-    int group = DirectLighting::kNoGroup;  // of the guide, for the vertex that the ray leaves
+    float etaScale = 1;                     // undoes the scaling of radiance by refraction, for Russian roulette
+    float distance;                         // length of the path, world units
+    int depth = 0, chain = 0;               // non-specular vertices; specular ones and surfaces passed through
+    int group = DirectLighting::kNoGroup;   // of the guide, for the vertex that the ray leaves
 };
 
 // The random numbers of one vertex.
@@ -49,9 +49,9 @@ struct VertexNumbers {
     float light, lobe, roulette;
 };
 
-// Goes along the ray to the next surface with a material, through emitters without one; met(hit) is called for every
-// surface on the way and for that one. Escaped: there was none, and the ray is the last part of its way. Lost: there
-// were too many; no light may be taken from there. found: what accel.find said of the ray.
+// Follows the ray to the next surface with a material, through emitters without one; met(hit) is called for each of
+// these emitters and for that surface. Escaped: there is no such surface, and `ray` is the last segment. Lost: there
+// were too many emitters, and no light may be taken from there. found: the result of accel.find for the ray.
 enum class Arrival { Surface, Escaped, Lost };
 template <class Met>
 inline Arrival toSurface(const Accel& accel, Ray& ray, Accel::Found& found, bool any, SurfaceInteraction& hit,
@@ -72,13 +72,13 @@ inline Arrival toSurface(const Accel& accel, Ray& ray, SurfaceInteraction& hit, 
     return toSurface(accel, ray, found, any, hit, met);
 }
 
-// The mirrors and smooth glass between a camera and the surfaces that it sees in them.
+// The chain of mirrors and smooth glass between a camera and the surfaces that it sees in them.
 class SpecularChain {
   public:
     SpecularChain(const Accel& accel, const Ray& cameraRay) : accel_(accel), ray_(cameraRay) {}
 
-    // On to the next surface with a material: surface(). met(hit) as for toSurface. Where the path ends, atInfinity(d)
-    // is called if it escaped.
+    // Moves on to the next surface with a material, surface(). met(hit) is called as by toSurface. Where the path
+    // escapes, atInfinity(d) is called. False: the path ends.
     template <class Met, class AtInfinity>
     bool next(Met&& met, AtInfinity&& atInfinity) {
         const Arrival arrival = toSurface(accel_, ray_, surface_, [&](const SurfaceInteraction& hit) {
@@ -88,12 +88,12 @@ class SpecularChain {
         if (arrival == Arrival::Escaped) atInfinity(ray_.d);
         return arrival == Arrival::Surface;
     }
-    // Goes on from surface() by one of its specular lobes. probability: of having decided so. False: the path ends.
+    // Leaves surface() by one of its specular lobes. probability: that of having chosen to do so. False: the path ends.
     bool follow(const Bsdf& bsdf, float uLobe, const Vec2& u, float probability = 1);
 
     const SurfaceInteraction& surface() const { return surface_; }
     const Rgb& throughput() const { return throughput_; }  // of the chain up to surface()
-    float distance() const { return distance_; }           // of surface() along the chain, world units
+    float distance() const { return distance_; }           // to surface() along the chain, world units
     int bounces() const { return bounces_; }
 
   private:
@@ -111,10 +111,10 @@ class PathWalker {
     PathWalker(const DirectLighting& lighting, const PathSettings& settings)
         : lighting_(lighting), settings_(settings) {}
 
-    // Whether Le met before the first vertex counts: not where it is somebody else's (the R of the split).
+    // Whether Le before the first vertex counts. It is skipped where another layer has it (the R of the split).
     enum class FirstEmission { Counted, Skipped };
-    // All light that arrives along the ray. start: the surface that the ray meets first, if that is known already. If
-    // first emission is skipped, the point that the ray leaves is a vertex of the path, and counts in its depth.
+    // All light that arrives along the ray. start: the first surface on the ray, if it is known already. If first
+    // emission is skipped, the ray's origin is a vertex of the path, and counts in its depth.
     Rgb walk(const Ray& ray, Sampler& sampler, FirstEmission first, PathSinks sinks = {},
              const SurfaceInteraction* start = nullptr) const;
 

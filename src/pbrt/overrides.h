@@ -1,11 +1,12 @@
-// Parameters of a film, a sampler or an integrator that are given beside the file, as -D does on the command line:
+// Parameters of the film, the sampler or the integrator that are given outside the scene file, as by -D on the command
+// line:
 //
 //     film.xresolution=640                 directive.name=value
-//     pixelsamples=64                      of the one directive of the three that knows the name
-//     film.cropwindow=0,.5,0,1             values in a row, with commas or blanks between them
+//     pixelsamples=64                      of the only one of the three directives that has this parameter
+//     film.cropwindow=0,.5,0,1             several values, separated by commas or blanks
 //
-// They count as if they stood in the file, in place of what it says: with the type under which the front end looks the
-// name up, the same defaults beside them, and the same errors.
+// They act as if they stood in the file in place of its own values: with the type under which the front end looks the
+// name up, the same defaults for other parameters, and the same errors.
 #pragma once
 #include <memory>
 #include <string>
@@ -24,9 +25,9 @@ class Overrides {
         ParamSet& params;
         decltype(&applyFilm) apply;
     };
-    // Puts each into the parameters of its directive; of two with one name the last counts. Throws Error for one that
-    // is not of that form, that nobody knows, or whose value is of another type. Must live for as long as the
-    // parameters are in use: they refer to places in it.
+    // Puts each override into the parameters of its directive; of two with one name the last counts. Throws Error for
+    // an override of another form, with an unknown name, or with a value of another type. Must live as long as the
+    // parameters are in use, because they refer to locations in it.
     Overrides(const std::vector<std::string>& texts, const std::vector<Directive>& directives);
 
   private:

@@ -1,4 +1,4 @@
-// Bidirectional path tracing: one path from the camera and one from a light for each sample.
+// Bidirectional path tracing: each sample connects a path from the camera with a path from a light.
 #include "integrators/bdpt.h"
 #include "render/sampled_integrator.h"
 #include "render/splat_filter.h"
@@ -16,7 +16,8 @@ class BdptIntegrator final : public SampledIntegrator {
 
     std::vector<FilmLayerSpec> layers() const override {
         std::vector<FilmLayerSpec> layers = SampledIntegrator::layers();
-        // Finer steps than other layers: a splat is the share of one path among as many as the film has pixels.
+        // Smaller quanta than in other layers: a splat is the contribution of one path, divided by the number of pixels
+        // of the film.
         layers.push_back({.name = kSplats, .weighted = false, .quantum = layers[0].quantum / 256});
         return layers;
     }
@@ -25,7 +26,7 @@ class BdptIntegrator final : public SampledIntegrator {
         LayeredPicture picture = SampledIntegrator::picture(std::move(film));
         const FilmLayer &camera = picture.film->layer(kBeauty), &splats = picture.film->layer(kSplats);
         const PixelRegion& region = picture.film->region();
-        // Splats are meant for one light path for each pixel of the whole region.
+        // BidirectionalTracer scales splats for one light path for each pixel of the whole region.
         double paths = 0;
         for (int y = region.y0; y < region.y1; ++y)
             for (int x = region.x0; x < region.x1; ++x) paths += camera.expected(x, y);

@@ -1,4 +1,4 @@
-// Raises a token when a deadline passes or another token is raised, so that loops need to watch one flag alone.
+// A token that is raised when a deadline passes or another token is raised, so that loops need to check one flag only.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -16,7 +16,7 @@ class DeadlineToken {
         : watcher_([this, deadline, other](const std::stop_token& stop) {
               std::mutex mutex;
               std::unique_lock lock(mutex);
-              std::condition_variable_any stopped;  // ends a wait at once when the token goes
+              std::condition_variable_any stopped;  // ends the wait at once when the token is destroyed
               while (!stop.stop_requested()) {
                   if ((other && other->cancelled()) || std::chrono::steady_clock::now() >= deadline) {
                       token_.cancel();

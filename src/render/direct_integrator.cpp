@@ -1,4 +1,4 @@
-// Direct light alone: emission that the camera sees, and one bounce.
+// Direct light alone: emission that the camera sees, and light that surfaces scatter once.
 #include "render/sampled_integrator.h"
 
 namespace drc {

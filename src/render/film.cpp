@@ -21,9 +21,9 @@ size_t bytesOf(const std::vector<FilmLayerSpec>& layers) {
     return bytes;
 }
 
-// Before anything is made. What is made of the film for a picture is about as much again.
+// Called before the film is allocated. Finishing a picture takes about as much memory as the film itself.
 void requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSpec>& layers) {
-    constexpr double kForPicture = 200;  // bytes a pixel: colours, auxiliaries and what files are encoded in
+    constexpr double kForPicture = 200;  // bytes a pixel: images, G-buffer and the encoded files
     const PixelRegion region = settings.region();
     try {
         const MemoryClaim memory(double(region.count()) * (2 * double(bytesOf(layers)) + kForPicture),
@@ -34,7 +34,7 @@ void requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSp
     }
 }
 
-// FNV-1a over 64-bit words: damage is to be noticed, not attacks.
+// FNV-1a over 64-bit words: it detects damage, not attacks.
 uint64_t checksum(std::span<const std::byte> bytes, uint64_t sum) {
     size_t i = 0;
     for (; i + 8 <= bytes.size(); i += 8) {
@@ -112,7 +112,7 @@ void Film::add(const Film& other) {
     mapPasses += other.mapPasses;
 }
 
-// One line of text, so that a person can tell what a file is.
+// A line of text, so that a person who opens the file can tell what it is.
 std::string Film::header(const std::string& identity) const {
     std::string text = fmt::format("drc film 1 {} {} {} {} {:016x}", region_.x0, region_.y0, region_.x1, region_.y1,
                                    checksum(std::as_bytes(std::span(identity)), kChecksumStart));
@@ -156,7 +156,7 @@ void Film::load(const std::string& path, const std::string& identity) {
         throw Error(fmt::format("{}: the file is damaged: it has {} bytes, {} were expected", path, bytes.size(),
                                 expected.size() + size + sizeof(uint64_t)));
     std::span<const std::byte> rest = bytes.subspan(expected.size());
-    // The checksum runs over the same pieces that were written.
+    // The checksum depends on how the bytes are divided, so it must see the same pieces that were written.
     uint64_t sum = kChecksumStart;
     const auto verify = [&](size_t count) {
         sum = checksum(rest.first(count), sum);

@@ -1,6 +1,7 @@
-// What a render has found out: sums over samples for each pixel, in named layers, and which samples each row of pixels
-// has had. All of it commutes: films of different samples of one picture add up to the film of all of them, in any
-// order, and a film that was saved goes on where it was.
+// The state of a render: for each pixel sums over samples, in named layers, and for each row of pixels the number of
+// sample passes that it has had. Sums commute: films of different samples of one picture add up, in any order, to the
+// film of all of them (exact layers to the bit, others to rounding), and a film that was saved and loaded continues
+// where it was.
 #pragma once
 #include <memory>
 #include <mutex>
@@ -15,7 +16,7 @@ class Film {
     Film(const RenderSettings& settings, std::vector<FilmLayerSpec> layers);
 
     const PixelRegion& region() const { return region_; }
-    // In the order of the specs; or by name, for which it throws std::out_of_range if there is none.
+    // Layers by index, in the order of the specs, or by name, which throws std::out_of_range if there is no such layer.
     size_t layerCount() const { return layers_.size(); }
     FilmLayer& layer(size_t i) { return layers_[i]; }
     const FilmLayer& layer(size_t i) const { return layers_[i]; }
@@ -24,29 +25,30 @@ class Film {
     bool has(std::string_view name) const;
     size_t bytesPerPixel() const;
 
-    // Held by whoever adds to a row of pixels, or reads it while others may add. Not needed for splats.
+    // Must be held while adding to a row of pixels, or while reading it when others may add. Not needed for splats.
     std::unique_lock<std::mutex> lockRow(int y) const { return std::unique_lock(rowMutexes_[size_t(y - region_.y0)]); }
 
-    // How far sampling is (SamplePass): for each row the number of passes that it has had.
+    // The number of sample passes (SamplePass) that a row has had.
     int rowPasses(int y) const { return rowPasses_[size_t(y - region_.y0)]; }
     void setRowPasses(int y, int passes) { rowPasses_[size_t(y - region_.y0)] = passes; }
-    // That all rows have had.
+    // The number of passes that every row has had.
     int passes() const;
-    // Passes of radiance maps that are whole.
+    // The number of complete map passes.
     int mapPasses = 0;
 
-    // Forgets all samples.
+    // Removes all samples.
     void clear();
-    // A copy of the pixels of a part of the region; of all without one. Safe beside whoever adds under lockRow.
+    // A copy of a part of the region, or of all of it. Safe while others add under lockRow.
     std::shared_ptr<const Film> snapshot() const { return snapshot(region_); }
     std::shared_ptr<const Film> snapshot(const PixelRegion& part) const;
-    // As if all samples of the other had been taken here. The films must have had different samples
-    // (RenderParams::firstSample); passes that are whole in both count together. Throws Error if the films do not have
+    // Adds another film's sums, as if all of its samples had been taken here. The films must have had different samples
+    // (RenderParams::firstSample); their complete passes are counted together. Throws Error if the films do not have
     // the same layers and region.
     void add(const Film& other);
 
-    // A file of this film: all or nothing. identity: of what was rendered (scene, camera, settings); load throws Error
-    // if the file's differs, if its layers or region differ, or if it is damaged. Nothing changes if it throws.
+    // Writes the film to a file, whole or not at all, and reads it back. identity: describes what was rendered (scene,
+    // camera, settings). load throws Error, and changes nothing, if the file's identity, layers or region differ, or if
+    // it is damaged.
     void save(const std::string& path, const std::string& identity) const;
     void load(const std::string& path, const std::string& identity);
 

@@ -43,21 +43,22 @@ TEST_P(EveryStorage, VarianceOfTheMeanIsByHowGroupsDiffer) {
     EXPECT_FALSE(l.complete(3, 4));
     l.add(3, 4, 3, Rgb(6, 5, 0), 1);
     EXPECT_TRUE(l.complete(3, 4));
-    // Squares of the differences from 3 sum to 14; 14 / 3 is the variance of a group, a quarter of it the mean's.
+    // The squared differences from 3 sum to 14; 14 / 3 is the variance of a group, and a quarter of it that of the
+    // mean.
     EXPECT_FLOAT_EQ(l.varianceOfMean(3, 4).x, 14.f / 12);
     EXPECT_EQ(l.varianceOfMean(3, 4).y, 0);
 }
 
 TEST(FilmLayer, ImportanceWeighsPasses) {
     FilmLayer l(kRegion, {.name = "l", .groups = 4, .storage = Storage::Single});
-    // Of two groups, one with three times the say: weights 1/4 and 3/4 about the mean 3.
+    // Of two groups, one with three times the weight: weights 1/4 and 3/4 about the mean 3.
     l.add(4, 5, 0, Rgb(0.f), 1, 2);
     l.add(4, 5, 1, Rgb(4.f), 1, 6);
     EXPECT_EQ(l.mean(4, 5), Rgb(3.f));
     EXPECT_FLOAT_EQ(l.varianceOfMean(4, 5).x, 2 * (9.f / 16 + 9.f / 16));
 }
 
-// Weights of a filter with negative lobes may cancel; what they weigh does not.
+// Weights of a filter with negative lobes may cancel, while the weighted values do not.
 TEST_P(EveryStorage, WeightsThatCancelDivideByWhatTheyShouldBe) {
     FilmLayer l = layer(1);
     l.add(3, 4, 0, Rgb(1, 1, 1), 1);
@@ -97,7 +98,7 @@ TEST(FilmLayer, ExactSumsSaturate) {
     EXPECT_EQ(l.mean(3, 4).z, 1);
 }
 
-// The quantum follows the film's scale: a dim scene that is shown brightened keeps its digits.
+// The quantum follows the film's scale: a dim scene that is brightened for display keeps its precision.
 TEST(FilmLayer, TheQuantumFollowsTheScale) {
     EXPECT_EQ(radianceQuantum(1), 0x1p-24);
     for (const float scale : {1e-5f, 1.f, 1e6f}) {

@@ -24,7 +24,7 @@ std::vector<FilmLayerSpec> layers() {
             {.name = "splats", .weighted = false}};
 }
 
-// A sample of its own for each number.
+// Adds a sample that differs from that of any other number.
 void sample(Film& film, int number) {
     for (int y = kRegion.y0; y < kRegion.y1; ++y) {
         const auto lock = film.lockRow(y);
@@ -91,7 +91,7 @@ TEST(Film, SnapshotsOfAPartHaveItsPixels) {
     EXPECT_EQ(snapshot->layer("single").mean(12, 25), Rgb(3.f));
 }
 
-// Every row of a snapshot has either all of a pass or nothing of it.
+// Every row of a snapshot has either all samples of a pass or none of them.
 TEST(Film, SnapshotsAreSafeBesideSamples) {
     TestFilm film;
     std::atomic<bool> done{false};
@@ -121,7 +121,7 @@ TEST_F(FilmFile, ComesBackAsItWas) {
     film.save(path("a.film"), "scene");
     other.load(path("a.film"), "scene");
     EXPECT_TRUE(sameBits(film, other));
-    // And goes on as if nothing had been.
+    // The loaded film continues as if it had never been saved.
     sample(film, 3);
     sample(other, 3);
     EXPECT_TRUE(sameBits(film, other));

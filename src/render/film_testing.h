@@ -1,4 +1,4 @@
-// Films for tests: settings of a film that is rendered in part.
+// For tests: settings of a film of which a part is rendered.
 #pragma once
 #include "render/film.h"
 

@@ -4,7 +4,8 @@
 
 #include "base/error.h"
 
-// One line for each integrator: its name, the function of its files that makes it, and whether it has radiance maps.
+// One line for each integrator: its name, the function that makes it, which its own file defines, and whether it has
+// map passes.
 #define DRC_INTEGRATORS(X)               \
     X("drc", makeMapsIntegrator, true)   \
     X("path", makePathIntegrator, false) \

@@ -1,5 +1,5 @@
-// A way to render: what it samples, what it keeps of that, and the picture that this comes to. A new one is a pair of
-// files and its line in the list of integrator.cpp.
+// The interface of integrators: what one samples, what it keeps in the film, and the picture that it makes of that. A
+// new one is a file or a pair of files, and its line in the list of integrator.cpp.
 #pragma once
 #include <memory>
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace drc {
 
-// What integrators are made from. All must outlive them.
+// What integrators are made from. All of it must outlive them.
 struct RenderContext {
     const Scene& scene;
     const Accel& accel;
@@ -31,12 +31,12 @@ class Integrator {
   public:
     virtual ~Integrator() = default;
 
-    // Of the film that it needs. All camera samples add to the first layer.
+    // The layers of the film. Every camera sample must add to the first one, which tells how many samples a pixel has.
     virtual std::vector<FilmLayerSpec> layers() const = 0;
-    // Takes one camera sample of pixel (x, y) into the film, whose row is locked. index: of the sample in its pixel.
+    // Adds one camera sample of pixel (x, y) to the film, whose row is locked. index: of the sample within its pixel.
     virtual void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) const = 0;
-    // Whether it has passes of radiance maps too, and the one of this index. spacing: between maps, pixels; only pixels
-    // on a lattice of this stride are lit. False: cancelled. maps: counts those captured.
+    // Whether there are map passes. mapPass runs one of them. index: of the pass. spacing: between maps, in pixels.
+    // stride: only every so many rows and columns of pixels are lit. False: the pass was cancelled.
     virtual bool hasMapPasses() const { return false; }
     virtual bool mapPass(int /*index*/, float /*spacing*/, int /*stride*/, Film& /*film*/,
                          const CancelToken* /*cancel*/) const {
@@ -46,10 +46,10 @@ class Integrator {
     virtual LayeredPicture picture(std::shared_ptr<const Film> film) const = 0;
 };
 
-// Throws Error that lists what there is.
+// Throws Error that lists the integrators if there is none of this name.
 std::unique_ptr<Integrator> makeIntegrator(const std::string& name, const RenderContext& context);
 std::vector<std::string> integratorNames();
-// Whether it has passes of radiance maps.
+// Whether this integrator has map passes.
 bool usesMaps(const std::string& integrator);
 
 }  // namespace drc

@@ -9,50 +9,51 @@
 namespace drc {
 namespace {
 
-// A layer is looked at in pixels and in four averages of it, of standard deviations 1, 2.2, 4.6 and 9.2 pixels.
+// The scales of a layer are its pixels and four averages with standard deviations of 1, 2.2, 4.6 and 9.2 pixels.
 constexpr int kLevels = 5;
 constexpr LayerFilter::Scales kAlongSurfaces{0, kLevels - 1};
-// Of strays, far ones show another edge. In a correction single ones tell nothing.
-constexpr LayerFilter::Scales kAmongStrays{0, 1}, kAlongEdges{1, 2};
-// Layers are divided by no smaller albedos than the first; to surfaces with less than the second the layer does not
-// belong, and takes nothing from what is around them.
+// Edge pixels farther away mostly belong to another edge. A correction leaves out single pixels, whose difference is
+// nearly all noise.
+constexpr LayerFilter::Scales kAmongEdgePixels{0, 1}, kAlongEdges{1, 2};
+// Layers are divided by albedos of at least kSmallestAlbedo, which bounds the noise. A surface whose albedo is below
+// kBlack scatters nothing with these lobes, and takes no light from its neighbours.
 constexpr float kSmallestAlbedo = 0.02f, kBlack = 1e-4f;
-// Times the variance that counts as noise. One gives the least mean square error of Gaussian noise, if the variance is
-// known; a correction is better kept calm.
+// The multiple of the estimated variance that counts as noise. One minimises the mean squared error if the noise is
+// Gaussian and its variance is known; in corrections, a larger multiple suppresses blotches.
 constexpr float kCaution = 1, kCautionOfCorrection = 1.5f;
-// Times that, what counts as noise of single pixels: most of what the four groups of a pixel take for detail there is
-// the chance that two of them met a bright path, and it shows as a dot.
+// A further factor for single pixels. Most of what seems to be detail in the four groups of one pixel is the chance
+// that two of them met a bright path, and it shows as a dot.
 constexpr float kCautionOfDots = 2;
-// Below one, a bright path that only one group met (its square over the variance is one, however bright it is) would
-// count for something, and become a blotch of the correction.
+// A bright path that only one group met has a square that equals its variance, however bright it is. With a factor
+// below one, some of it would be kept, and would become a blotch of the correction.
 constexpr float kLeastCautionOfCorrection = 1.1f;
 
-// On a plane, of white noise: the variance of what a pixel has more than the average of the finest scale about it, in
-// units of the noise's. With the spline's weights w, 1 - 2 w0^2 + (sum of w^2)^2.
+// For white noise on a plane: the variance of the difference between a pixel and the average of the finest scale around
+// it, relative to the pixel's variance. With the spline's weights w it is 1 - 2 w0^2 + (sum of w^2)^2.
 constexpr float kNoiseAboveAverage = 0.794f;
 
-// And that of the average of the finest scale itself: (sum of w^2)^2.
+// The same for the average of the finest scale itself: (sum of w^2)^2.
 constexpr float kNoiseOfAverage = 0.0748f;
 
 // Pixels whose light differs by much more than the noise, as on both sides of a shadow's edge, are not averaged with
-// each other: of a pixel's noise, the share that what is smooth already may differ by.
+// each other. This is the share of a pixel's noise variance by which filtered pixels may still differ.
 constexpr float kNoiseBetween = 0.25f;
 
-// Sum of the weights of a pixel's neighbours on its surface, of which its own is 0.14: with less than the first it
-// stands alone, as where it shows an edge, a mixture of two surfaces, and the few paths of its own are no statistics;
-// those that miss a bright spot agree with each other. With more than the second there are enough.
+// The sum of the weights of a pixel's neighbours on its surface, of which its own is 0.14. Below kAlone it is an edge
+// pixel, a mixture of two surfaces: its own few paths cannot tell the noise, because those that miss a bright spot
+// agree with each other. Above kAmongEnough there are enough neighbours.
 constexpr float kAlone = 0.15f, kAmongEnough = 0.4f;
-// Of a pixel: its square, and the sum of many, are still numbers.
+// The largest value of a pixel: its square, and sums of many squares, are still finite.
 constexpr float kLargest = 1e15f;
 
-// Groups of samples that layers to be filtered have.
+// The number of groups in the layers to be filtered.
 constexpr int kGroups = LayerFilter::kGroups;
-// Where some pixels have no sample in some group, groups begin to be known after the first average. There a fourth
-// plane of each group has the share of the pixels about that do have one; with less than this share it is not known
-// there.
+// Where some pixels have no sample in some group, the groups' means are known only from the first average on. A fourth
+// plane of each group then averages which pixels have a sample; where this share is smaller than kLeastShare, the group
+// counts as unknown.
 constexpr float kLeastShare = 1e-3f;
 
-// f(pixel), in parallel.
+// Calls f(pixel) for all pixels, in parallel.
 template <typename F>
 void forEachPixel(size_t count, const F& f) {
     constexpr int kGrain = 1 << 14;
@@ -61,7 +62,7 @@ void forEachPixel(size_t count, const F& f) {
     });
 }
 
-// For those that the filter knows: of edges alone there are few.
+// The same for the pixels that the filter covers: a filter of edge pixels covers few.
 template <typename F>
 void forEachCovered(const SurfaceFilter& filter, size_t count, const F& f) {
     forEachPixel(count, [&](size_t i) {
@@ -74,13 +75,14 @@ Rgb notBlack(Rgb albedo) {
     return albedo;
 }
 
-// The mean of the independent groups in the first three planes, and its variance in the other three. groups: three
-// planes of each group, one after the other; then, if not all are known everywhere, a plane of each group's share.
+// The mean of the independent groups in the first three planes, and the variance of this mean in the other three.
+// groups: three planes for each group, one group after the other; then, unless all groups are known everywhere, one
+// plane for each group with its share.
 Planes estimates(const SurfaceFilter& filter, const Planes& groups, size_t pixels) {
     Planes result(pixels, 6);
     const bool whole = groups.count() == 3 * kGroups;
     forEachCovered(filter, pixels, [&](size_t i) {
-        float perShare[kGroups], n = 0;  // 1 / share; 0: not known
+        float perShare[kGroups], n = 0;  // 1 / share; 0: unknown
         for (int g = 0; g < kGroups; ++g) {
             const float share = whole ? 1 : groups.plane(3 * kGroups + g)[i];
             perShare[g] = share > kLeastShare ? 1 / share : 0;
@@ -94,14 +96,14 @@ Planes estimates(const SurfaceFilter& filter, const Planes& groups, size_t pixel
             for (int g = 0; g < kGroups; ++g)
                 if (perShare[g] > 0) variance += sqr(value(g) - mean);
             result.plane(c)[i] = mean;
-            // A single group does not tell: as if all of it were noise.
+            // A single group has no variance; all of its value is taken for noise.
             result.plane(3 + c)[i] = n > 1 ? variance * (1 / (n * (n - 1))) : sqr(mean);
         }
     });
     return result;
 }
 
-// Fine to coarse: the estimates, averaged wider and wider.
+// From fine to coarse: the estimates from wider and wider averages.
 std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t pixels, int coarsest) {
     std::vector<Planes> levels;
     levels.push_back(estimates(filter, groups, pixels));
@@ -114,14 +116,14 @@ std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t 
     return levels;
 }
 
-// Memory that is used again and again: to ask for so much of it takes time.
+// Buffers that are reused, because allocating so much memory takes time.
 struct Spread {
     explicit Spread(size_t pixels) : planes(pixels, 6), wider(pixels, 6) {}
-    Planes planes;  // three of squares, three of their noise
-    Planes wider;   // on the way there
+    Planes planes;  // three of squared detail, three of its noise
+    Planes wider;   // for the next average
 };
 
-// What of a level's difference to the coarser ones there is about a pixel: its squares, and their noise.
+// The local mean of a level's squared detail, which is its difference from the coarser levels, and of the noise in it.
 void spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimates, const Planes& coarser, size_t pixels,
                  Spread& result) {
     auto& [spread, wider] = result;
@@ -131,17 +133,17 @@ void spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimates
             spread.plane(3 + c)[i] = estimates.plane(3 + c)[i];
         }
     });
-    // At steps of the level's own width first, because wider ones alone would fall between what there is and draw
-    // their lattice.
+    // Averaged first at steps of the level's own width: wider steps alone would skip pixels, and their lattice would
+    // show.
     for (const int step : {1 << level, 2 << level}) {
         filter.average(step, spread, wider);
         std::swap(spread, wider);
     }
 }
 
-// The noise, as a share of what the difference between the groups tells: at most one, and less where all of a pixel's
-// samples together are better distributed than those of a group. Most pixels differ from those next to them on a
-// surface by noise alone. spread: that of single pixels.
+// The actual noise as a share of the estimate from the groups: at most one, and less where all of a pixel's samples
+// together are better stratified than those of one group. It is the median over the pixels, because most pixels differ
+// from their neighbours on the same surface by noise alone. spread: that of single pixels.
 float shareOfNoise(const Planes& spread, size_t pixels) {
     std::vector<float> shares;
     for (int c = 0; c < 3; ++c)
@@ -155,9 +157,9 @@ float shareOfNoise(const Planes& spread, size_t pixels) {
     return std::min(1.f, *median);
 }
 
-// Coarse to fine, from the level `coarsest` to `finest`: of what a level adds to the coarser ones (to `sum`, in place),
-// the share that is not noise, as its neighbourhood has it. noisy: of each level, times its variance, what counts as
-// noise.
+// From the level `coarsest` down to `finest`: adds to `sum` (the result of the coarser levels, changed in place) the
+// detail of each level, reduced to the share of its local variance that is not noise. noisy: for each level, the
+// multiple of the variance that counts as noise.
 void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& levels, size_t pixels, int coarsest,
                      int finest, const std::array<float, kLevels>& noisy, Spread& spread, Planes& sum) {
     for (int level = coarsest; level >= finest; --level) {
@@ -174,7 +176,7 @@ void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& lev
     }
 }
 
-// Of the filter at each pixel, from 0 (it stands alone) to 1.
+// How far the filter can be trusted at each pixel, from 0 (an edge pixel) to 1.
 std::vector<float> trustIn(const SurfaceFilter& filter) {
     std::vector<float> trust = filter.weights(1);
     for (float& t : trust) t = std::clamp((t - kAlone) / (kAmongEnough - kAlone), 0.f, 1.f);
@@ -188,8 +190,8 @@ LayerFilter::LayerFilter(const LobeGBuffer& surfaces, LobeKind lobes)
       lobes_(lobes),
       filter_(surfaces.filter(lobes)),
       trust_(trustIn(filter_)),
-      amongStrays_(amongStrays()),
-      trustAmongStrays_(trustIn(amongStrays_)) {}
+      amongEdgePixels_(amongEdgePixels()),
+      trustAmongEdgePixels_(trustIn(amongEdgePixels_)) {}
 
 bool LayerFilter::isWhole(const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
@@ -224,7 +226,7 @@ LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Sca
     spreadAbout(filter, 0, levels[size_t(known)], levels[1], pixels, spread);
     const float share = whole ? shareOfNoise(spread.planes, pixels) : 1;
     Filtered result{Planes(pixels, 3), Planes(pixels, 1)};
-    // A pixel's own few samples do not tell what their mean varies by; those about it do.
+    // The variance of a pixel's mean is estimated around the pixel, because its own few samples do not give it.
     const float ofPixel = whole ? share : 1 / kNoiseOfAverage;
     forEachPixel(pixels, [&](size_t i) {
         for (int c = 0; c < 3; ++c) result.noise.plane(0)[i] += ofPixel * spread.planes.plane(3 + c)[i];
@@ -237,7 +239,8 @@ LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Sca
         addWithoutNoise(filter, levels, pixels, scales.coarsest, finest, noisy, spread, sum);
         return result;
     }
-    // A difference may well be nothing but noise. Light is there, and its coarsest average is not to be darkened.
+    // A difference from the base may be nothing but noise, and is shrunk at all scales. Light is never zero, so its
+    // coarsest average is kept whole, or the picture would darken.
     for (int c = 0; c < 3; ++c) std::copy_n(levels.back().plane(c), pixels, sum.plane(c));
     addWithoutNoise(filter, levels, pixels, scales.coarsest - 1, finest, noisy, spread, sum);
     return result;
@@ -254,17 +257,17 @@ Planes LayerFilter::withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales
 Image LayerFilter::smooth(const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
     Image result = samples.image();
-    // Many scenes have no narrow lobes.
+    // Many scenes have no glossy lobes.
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
     const bool whole = isWhole(samples);
-    // What maps light changes slowly along a surface, and pixels that share maps share their noise. Other layers have
-    // edges of light.
+    // Light from maps varies slowly along a surface, and pixels that share maps share their noise, so that a guide
+    // would take this noise for detail. Other layers have edges of light.
     const Planes ofSurfaces = lobes_ == LobeKind::Broad
                                   ? withoutNoise(filter_, kAlongSurfaces, samples, whole, nullptr).values
                                   : withoutNoiseBetweenEdges(filter_, kAlongSurfaces, samples, whole);
-    // The first few samples do not tell by how much strays differ.
-    const Planes ofStrays =
-        whole ? withoutNoiseBetweenEdges(amongStrays_, kAmongStrays, samples, whole) : Planes(region.count(), 3);
+    // The first few samples do not give the variance between edge pixels.
+    const Planes ofEdgePixels = whole ? withoutNoiseBetweenEdges(amongEdgePixels_, kAmongEdgePixels, samples, whole)
+                                      : Planes(region.count(), 3);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
@@ -272,16 +275,16 @@ Image LayerFilter::smooth(const FilmLayer& samples) const {
         if (!filter_.covers(i) || samples.groupsWithSamples(x, y) == 0 || maxComponent(scatters) <= kBlack) return;
         Rgb value = result.rgb(column, row);
         const Rgb scale = notBlack(scatters);
-        const float surface = trust_[i], edge = whole ? (1 - surface) * trustAmongStrays_[i] : 0;
+        const float surface = trust_[i], edge = whole ? (1 - surface) * trustAmongEdgePixels_[i] : 0;
         for (int c = 0; c < 3; ++c)
             value[c] += surface * (ofSurfaces.plane(c)[i] * scale[c] - value[c]) +
-                        edge * (ofStrays.plane(c)[i] * scale[c] - value[c]);
+                        edge * (ofEdgePixels.plane(c)[i] * scale[c] - value[c]);
         result.setRgb(column, row, value);
     });
     return result;
 }
 
-SurfaceFilter LayerFilter::amongStrays() const {
+SurfaceFilter LayerFilter::amongEdgePixels() const {
     SurfaceFilter filter(surfaces_.region().width(), surfaces_.region().height());
     const Vec3 anyPoint(0.f), anyNormal(0, 0, 1);
     for (size_t i = 0; i < trust_.size(); ++i)
@@ -293,15 +296,15 @@ void LayerFilter::correct(Image& layer, const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
     const bool whole = isWhole(samples);
     const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, whole, &layer).values;
-    // Maps err at edges, and mostly alike all along one of them. The first few samples do not tell by how much.
+    // Maps err at edges, and mostly in the same way all along one edge. The first few samples do not show by how much.
     const Planes ofEdges =
-        whole ? withoutNoise(amongStrays_, kAlongEdges, samples, whole, &layer).values : Planes(region.count(), 3);
+        whole ? withoutNoise(amongEdgePixels_, kAlongEdges, samples, whole, &layer).values : Planes(region.count(), 3);
     forEachPixel(region.count(), [&](size_t i) {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         if (!filter_.covers(i)) return;
         Rgb value = layer.rgb(column, row);
         const Rgb scale = notBlack(albedo(column, row));
-        const float surface = trust_[i], edge = (1 - surface) * trustAmongStrays_[i];
+        const float surface = trust_[i], edge = (1 - surface) * trustAmongEdgePixels_[i];
         for (int c = 0; c < 3; ++c) {
             const float correction = surface * ofSurfaces.plane(c)[i] + edge * ofEdges.plane(c)[i];
             value[c] = std::max(0.f, value[c] + correction * scale[c]);

@@ -1,9 +1,10 @@
-// Removes noise from layers of a picture, as far as their samples tell it from what is there.
+// Removes noise from the layers of a picture, as far as the layers' own samples show that it is noise.
 //
-// A layer is averaged along surfaces at several scales. From coarse to fine, of what each scale adds to the coarser
-// ones only that share is kept that the samples' own noise, estimated from independent groups of them, leaves (a local
-// Wiener filter: Lee, "Digital Image Enhancement and Noise Filtering by Use of Local Statistics", 1980). With ever more
-// samples that is all, down to single pixels: the filter goes away as the noise does.
+// A layer is averaged along surfaces at several scales. From coarse to fine, each scale adds its detail to the coarser
+// ones, reduced to the share that remains when the noise is subtracted; the noise is estimated from independent groups
+// of samples (a local Wiener filter: Lee, "Digital Image Enhancement and Noise Filtering by Use of Local Statistics",
+// 1980). The more samples there are, the larger is this share, down to single pixels, so that the filter fades out as
+// the noise does.
 #pragma once
 #include "render/lobe_g_buffer.h"
 
@@ -11,47 +12,49 @@ namespace drc {
 
 class LayerFilter {
   public:
-    // Of a layer's samples: enough to tell their noise by, and few enough to keep.
+    // Groups that a layer's samples are divided into: enough to estimate their noise, and few enough to keep in memory.
     static constexpr int kGroups = 4;
 
-    // Of layers of light that these lobes scatter. While it is averaged such a layer is divided by their albedo, so
-    // that textures stay sharp. surfaces must outlive the filter.
+    // Filters layers of light that these lobes scatter. Such a layer is demodulated by their albedo while it is
+    // averaged, so that textures stay sharp. surfaces must outlive the filter.
     LayerFilter(const LobeGBuffer& surfaces, LobeKind lobes);
 
-    // The samples' mean without noise.
+    // The mean of the samples, with its noise removed.
     Image smooth(const FilmLayer& samples) const;
 
-    // Corrects a layer that has little noise but errors of its own (radiance maps stand too far apart for what they
-    // light; the network is off in hue) by samples of the same light that have noise but no such error: adds the
-    // filtered difference of the two, in place. Pixels that show an edge are corrected by that of the edge's others.
+    // Corrects, in place, a layer that has little noise but systematic errors (radiance maps are too far apart for the
+    // light that they represent; the network is off in hue) by samples of the same light that have noise but no such
+    // errors: adds the filtered difference of the two. Edge pixels are corrected by the difference that is common to
+    // the pixels of the edge.
     void correct(Image& layer, const FilmLayer& samples) const;
 
-    // Of what a layer is looked at in: 0, single pixels; each further one an average twice as wide.
+    // The range of scales that a layer is filtered at: 0 is single pixels, and each further scale is an average twice
+    // as wide.
     struct Scales {
         int finest, coarsest;
     };
 
   private:
-    // Whether each pixel that shows a surface has a sample in each group. Where not, as in the first sweeps, groups are
-    // known from the pixels about, and there is nothing finer than these.
+    // Whether each pixel that shows a surface has a sample in each group. In the first sample passes that is not so;
+    // the groups' means are then taken from the averages around a pixel, and no finer detail is shown.
     bool isWhole(const FilmLayer& samples) const;
     struct Filtered {
         Planes values;
-        Planes noise;  // one plane: variance of the mean of a pixel's own samples thereabouts, summed over the channels
+        Planes noise;  // one plane: local variance of the mean of a pixel's samples, summed over the channels
     };
-    // What is left of the samples' mean minus `base` (null: minus nothing), divided by albedo; also where that is of no
-    // use. whole: what isWhole says of the samples.
+    // The samples' mean minus `base` (null: minus nothing), demodulated by albedo, with its noise removed; computed at
+    // all pixels, also where it will not be used. whole: the result of isWhole for the samples.
     Filtered withoutNoise(const SurfaceFilter& filter, Scales scales, const FilmLayer& samples, bool whole,
                           const Image* base) const;
-    // Without a base, and without averaging what differs by more than noise, which a first filter without that
-    // condition tells.
+    // The same without a base, in two filters: the second does not average pixels whose values, after the first, differ
+    // by more than noise.
     Planes withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales, const FilmLayer& samples, bool whole) const;
 
-    // Averages strays, and what is one in part, with each other, whatever they show. Strays are pixels that stand
-    // alone, as those that mix two surfaces at an edge.
-    SurfaceFilter amongStrays() const;
+    // Averages edge pixels with each other, whatever surfaces they show, and partly those that are nearly edge pixels.
+    // Edge pixels mix two surfaces, so that none of their neighbours lies on the same surface.
+    SurfaceFilter amongEdgePixels() const;
 
-    // By pixels of the region.
+    // Position relative to the region.
     Rgb albedo(int column, int row) const {
         const PixelRegion& region = surfaces_.region();
         return surfaces_.albedo(lobes_, region.x0 + column, region.y0 + row);
@@ -60,9 +63,9 @@ class LayerFilter {
     const LobeGBuffer& surfaces_;
     LobeKind lobes_;
     SurfaceFilter filter_;
-    std::vector<float> trust_;  // of the filter at each pixel, from 0 (it stands alone) to 1
-    SurfaceFilter amongStrays_;
-    std::vector<float> trustAmongStrays_;
+    std::vector<float> trust_;  // in filter_ at each pixel: 0 at edge pixels, 1 amid a surface
+    SurfaceFilter amongEdgePixels_;
+    std::vector<float> trustAmongEdgePixels_;
 };
 
 }  // namespace drc

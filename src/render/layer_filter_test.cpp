@@ -11,14 +11,14 @@ namespace {
 
 constexpr PixelRegion kRegion{10, 20, 50, 50};
 
-// A wall (x below 30) and a floor (the rest), lit by `light`, of a chequered albedo; noisy samples of it.
+// Noisy samples of a wall (x below 30) and a floor (the rest), lit by `light`, with a chequered albedo.
 struct Scene {
     static bool wall(int x) { return x < 30; }
     static Rgb albedo(int x, int y) { return (x / 2 + y / 2) % 2 ? Rgb(0.8f, 0.6f, 0.4f) : Rgb(0.1f, 0.2f, 0.3f); }
     static Rgb light(int x) { return wall(x) ? Rgb(1, 2, 3) : Rgb(5, 4, 3); }
 };
 
-// What samples of such a scene leave behind.
+// The film of such a scene's samples.
 std::vector<FilmLayerSpec> layersOfTest() {
     std::vector<FilmLayerSpec> layers{
         {.name = "samples", .groups = LayerFilter::kGroups, .storage = FilmLayerSpec::Storage::Single}};
@@ -101,8 +101,8 @@ TEST(LayerFilter, CorrectionRemovesASmoothErrorWithoutNoiseOrLeaks) {
     Image image = layer(0.7f);
     EXPECT_NEAR(relativeError(image), 0.3, 1e-5);
     traced(64).correct(image);
-    // The samples themselves have a relative error of 1/8 a pixel; and a filter across the edge would mix light that
-    // differs fivefold.
+    // The samples have a relative error of 1/8 in each pixel, and a filter across the edge would mix light that differs
+    // fivefold.
     EXPECT_LT(relativeError(image), 0.03);
 }
 
@@ -118,7 +118,7 @@ TEST(LayerFilter, CorrectionMakesNoBlotchOfOneBrightPath) {
     EXPECT_LT(relativeError(image), 0.03);
 }
 
-// Now and then two of the groups agree by chance.
+// Sometimes two of the groups agree by chance.
 TEST(LayerFilter, CorrectionMakesNoDotOfTwoBrightPaths) {
     const Image truth = layer(1);
     Image image = truth;
@@ -132,7 +132,8 @@ TEST(LayerFilter, CorrectionMakesNoDotOfTwoBrightPaths) {
     EXPECT_LT(shown, 0.1 * sampled);
 }
 
-// Nothing is near this pixel, and of its light only one path in many is bright: those that are not prove nothing.
+// This pixel has no neighbours on its surface, and only one in many of its paths is bright: that the others agree
+// proves nothing.
 TEST(LayerFilter, CorrectionLeavesAPixelAlone) {
     FilteredFilm film;
     for (int i = 0; i < 64; ++i)
@@ -147,7 +148,7 @@ TEST(LayerFilter, CorrectionLeavesAPixelAlone) {
     EXPECT_LT(relativeError(image), 1e-4);
 }
 
-// With a sample or two a pixel, groups are known from the pixels about.
+// With one or two samples a pixel, the groups' means are known only from the averages around it.
 TEST(LayerFilter, CorrectionGainsFromTheFirstSamplesOn) {
     for (const int samples : {1, 2, 3}) {
         Image image = layer(0.7f);
@@ -175,7 +176,7 @@ TEST(LayerFilter, SmoothsNoiseButNeitherEdgesNorTextures) {
     EXPECT_LT(relativeError(film.smooth()), 0.02);
 }
 
-// One picture's mean changes by half a per cent or so, either way.
+// The mean of a single picture changes by about half a per cent, in either direction.
 TEST(LayerFilter, SmoothingKeepsTheMean) {
     double before = 0, after = 0;
     for (unsigned seed = 1; seed <= 12; ++seed) {
@@ -186,7 +187,7 @@ TEST(LayerFilter, SmoothingKeepsTheMean) {
     EXPECT_NEAR(after / before, 1, 0.004);
 }
 
-// A bar of shadow two pixels wide on a floor in the sun: what geometry tells nothing of.
+// A bar of shadow two pixels wide on a sunlit floor, of which the G-buffer shows nothing.
 TEST(LayerFilter, SmoothingLeavesNoLightInNarrowShadows) {
     std::mt19937 rng(1);
     std::exponential_distribution<float> noise(1);
@@ -204,7 +205,7 @@ TEST(LayerFilter, SmoothingLeavesNoLightInNarrowShadows) {
     EXPECT_NEAR(sun, 1, 0.1);
 }
 
-// As with corrections.
+// The same as for corrections.
 TEST(LayerFilter, SmoothingMakesNoDotOfTwoBrightPaths) {
     const Image truth = layer(1);
     FilteredFilm film = traced(16);
@@ -242,8 +243,8 @@ TEST(LayerFilter, SmoothingKeepsTheEdgeOfAShadow) {
     EXPECT_LT(atEdge, 0.05);
 }
 
-// Four samples that differ much but together are exact, as well distributed ones may be: the groups speak of noise that
-// is not there. Of the faint stripes it would hide most.
+// Four samples that differ much, but whose mean is exact, as stratified samples may be: the variance between the groups
+// overestimates the noise, and would hide most of the faint stripes.
 TEST(LayerFilter, SmoothingKeepsDetailsThatGroupsTogetherKnow) {
     const auto truth = [](int x) { return 1 + 0.05f * std::sin(float(x)); };
     const auto light = [&](int x, int y, int i) {
@@ -259,7 +260,7 @@ TEST(LayerFilter, SmoothingKeepsDetailsThatGroupsTogetherKnow) {
     EXPECT_LT(error, 0.5 * difference);  // if the groups are believed: 0.8
 }
 
-// A floor of which one half has none of the lobes that the layer is of: light beside it must not spread there.
+// A floor of which one half has none of the layer's lobes: light from the other half must not spread there.
 TEST(LayerFilter, SmoothingGivesNothingToWhatDoesNotScatter) {
     FilteredFilm film;
     for (int i = 0; i < 4; ++i)
@@ -275,8 +276,8 @@ TEST(LayerFilter, SmoothingGivesNothingToWhatDoesNotScatter) {
     });
 }
 
-// In a column of pixels every other sample met something else: a lamp, or the sky. The others tell which surface it is,
-// and it is averaged along that.
+// In a column of pixels every other sample meets a lamp or the sky. The other samples tell which surface it is, and the
+// column is averaged along that.
 TEST(LayerFilter, SmoothsPixelsThatShowTheirSurfaceInPart) {
     for (const bool sky : {false, true}) {
         FilteredFilm film;
@@ -305,8 +306,8 @@ TEST(LayerFilter, SmoothsPixelsThatShowTheirSurfaceInPart) {
     }
 }
 
-// A floor of light 1, noisy, but for a column of pixels with nothing of their own surface near: an edge. One of them
-// has that many times the light that is given, sample by sample.
+// A noisy floor of light 1 with a column of edge pixels, which have no neighbours on their own surface. One of them has
+// the given multiple of the light, sample by sample.
 template <typename F>
 FilteredFilm edgeOnFloor(int samples, unsigned seed, F&& light) {
     FilteredFilm film;
@@ -321,7 +322,7 @@ FilteredFilm edgeOnFloor(int samples, unsigned seed, F&& light) {
     return film;
 }
 
-// As a dot it is less bright, and no light is lost.
+// The dot becomes less bright, and no light is lost.
 TEST(LayerFilter, EdgesShareADotOfOneBrightPath) {
     constexpr int kFilms = 12;
     double before = 0, after = 0, sampled = 0, shown = 0;
@@ -360,8 +361,8 @@ TEST(LayerFilter, EdgesKeepWhatAllOfTheirSamplesShow) {
     EXPECT_NEAR(smooth.rgb(25, 21).y / 0.8, 1, 0.1);
 }
 
-// Pixels that show an edge have no surface to be averaged along, but each other: what maps err by all along it is known
-// with the samples of a pixel's neighbours there, and the floor on either side does not count.
+// Edge pixels have no surface to be averaged along, but each other: the maps' error all along the edge is known from
+// the samples of a pixel's neighbours there, and the floor on either side does not count.
 TEST(LayerFilter, CorrectionRemovesAnErrorAllAlongAnEdge) {
     std::mt19937 rng(5);
     std::exponential_distribution<float> noise(1);
@@ -382,7 +383,7 @@ TEST(LayerFilter, CorrectionRemovesAnErrorAllAlongAnEdge) {
         for (const int x : {24, 26}) beside += image.rgb(x, y).y / 0.4 / (2 * image.height());
     }
     RecordProperty("edge", std::to_string(atEdge));
-    EXPECT_LT(atEdge, 1.2);  // of an error of one
+    EXPECT_LT(atEdge, 1.2);  // of an error of 1 before
     EXPECT_GT(atEdge, 0.95);
     EXPECT_NEAR(beside, 1, 0.01);
 }
@@ -403,7 +404,7 @@ TEST(LayerFilter, SmoothingOfTheFirstSamplesKeepsTheMean) {
     EXPECT_NEAR(sum / double(smooth.data().size()), 1, 0.02);
 }
 
-// A group of which nothing is known, here or about, is left out.
+// A group without samples at a pixel and around it is left out.
 TEST(LayerFilter, GroupsWithoutSamplesDoNotDarken) {
     FilteredFilm film = floorUnder(1, [](int, int, int) { return 2.f; });
     film.samples = FilmLayer(kRegion, film.samples.spec());

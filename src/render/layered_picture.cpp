@@ -9,7 +9,7 @@
 namespace drc {
 namespace {
 
-// f(row) for all rows, in parallel.
+// Calls f(row) for all rows, in parallel.
 template <class F>
 void forEachRow(int height, const F& f) {
     parallelFor(0, height, 8, [&](int begin, int end) {
@@ -44,8 +44,8 @@ Image LayeredPicture::variance() const {
 
 void LayeredPicture::compose() {
     beauty = part("");
-    // Filters with negative lobes undershoot beside what is bright. As in pbrt a picture has no light below zero; its
-    // layers may.
+    // Pixel filters with negative lobes undershoot beside bright areas. As in pbrt the picture is clamped at zero; its
+    // layers are not.
     for (float& v : beauty.data()) v = std::max(v, 0.f);
 }
 

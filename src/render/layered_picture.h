@@ -1,5 +1,5 @@
-// A picture by the layers that it is the sum of, with what denoisers and compositing need. All images have the size of
-// the film's region; radiance is linear RGB times the film's scale.
+// A picture as the sum of its layers, with the G-buffer and variance that denoisers and compositing need. All images
+// have the size of the film's region; radiance is linear RGB times the film's scale.
 #pragma once
 #include <memory>
 #include <optional>
@@ -14,12 +14,13 @@ namespace drc {
 
 struct PictureLayer {
     std::string name;
-    std::string part;  // "direct" or "indirect": what it belongs to in files; empty: the picture has no parts
-    Image mean;        // may be below zero, by filters with negative lobes
-    std::optional<Image> variance;  // of the mean, R, G and B, from half buffers or groups of samples
+    // The EXR's layer that this one is added to: "direct" or "indirect". Empty: the picture has no such parts.
+    std::string part;
+    Image mean;                     // may be negative, where the pixel filter has negative lobes
+    std::optional<Image> variance;  // of the mean, for R, G and B, from the differences between groups of samples
 };
 
-// Of what each pixel shows, as GBufferSample defines it: means over the samples; zero where there is no surface.
+// The G-buffer: means of GBufferSample over a pixel's samples; zero where no surface is seen.
 struct GBuffer {
     Image albedo;  // RGB, in [0, 1]
     Image normal;  // X, Y, Z, world space; shorter than 1 where a pixel shows several surfaces
@@ -27,12 +28,12 @@ struct GBuffer {
 };
 
 struct LayeredPicture {
-    std::shared_ptr<const Film> film;  // that it was made of
-    float scale = 1;                   // of the film
+    std::shared_ptr<const Film> film;  // that the picture was made from
+    float scale = 1;                   // the film's, already applied to all images
     std::vector<PictureLayer> layers;
-    Image beauty;  // their sum, nowhere below zero; filters may replace it by something better
+    Image beauty;  // the sum of the layers, clamped at zero; denoisers may replace it
     std::optional<GBuffer> gBuffer;
-    std::optional<Image> samples;  // X: number of camera samples; there if a layer has variance
+    std::optional<Image> samples;  // X: number of camera samples; present if a layer has variance
 
     PictureLayer& layer(const std::string& name);
     // The sum of the layers of a part.
@@ -43,16 +44,16 @@ struct LayeredPicture {
     void compose();
 };
 
-// The picture's layer of a film's layer: means, and variances where it has several groups.
+// Makes a picture's layer from a film's layer: means, and the variance of the mean if there are several groups.
 PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale);
 
-// The film's layer that GBufferSamples are added to: albedo, normal, depth.
+// The film's layer that GBufferSamples are added to: seven channels of albedo, normal and depth.
 inline constexpr const char* kGBufferLayer = "g-buffer";
 void addGBufferSpec(std::vector<FilmLayerSpec>& layers);
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& sample, float filterWeight);
-// Sets picture.gBuffer from it.
+// Sets picture.gBuffer from that layer.
 void addGBuffer(LayeredPicture& picture);
-// X: the number of samples that a layer has had in each pixel.
+// X: the number of samples in each pixel of a layer.
 Image sampleCounts(const FilmLayer& layer);
 
 }  // namespace drc

@@ -10,7 +10,7 @@ enum SurfaceChannel { kShare, kPosition, kNormal = kPosition + 3, kPixelSize = k
 }  // namespace
 
 void LobeGBuffer::addSpecs(std::vector<FilmLayerSpec>& layers, float extent) {
-    // Of a scene a kilometre wide, micrometres.
+    // This resolves micrometres in a scene a kilometre wide.
     const double quantum = std::exp2(std::round(std::log2(std::max(1e-30, double(extent)))) - 30);
     for (size_t i = 0; i < 3; ++i) {
         layers.push_back({.name = kAlbedo[i], .storage = FilmLayerSpec::Storage::Single});
@@ -27,7 +27,7 @@ void LobeGBuffer::add(Film& film, size_t firstLayer, int x, int y, const SampleL
     const Vec3 &p = sample.position, &n = sample.normal;
     for (size_t i = 0; i < 3; ++i) {
         film.layer(firstLayer + 2 * i).add(x, y, 0, albedos[i], filterWeight);
-        // Negative lobes of the filter have no say in which surface it is.
+        // The absolute value, because negative filter weights must not count against a surface.
         const float share = luminance(albedos[i]) * std::abs(filterWeight);
         if (!looked || !(share > 0)) continue;
         const float values[] = {1, p.x, p.y, p.z, n.x, n.y, n.z, sample.pixelSize};

@@ -1,5 +1,5 @@
-// Deep Radiance Caching as published: direct light sampled at every pixel, indirect light from radiance maps; of what
-// maps cannot resolve, the glossy lobes, paths. See SurfacePictureFilter for what its layers are filtered by.
+// Deep Radiance Caching as published: direct light is sampled at every pixel, indirect light comes from radiance maps,
+// and paths trace the light of glossy lobes, which maps cannot resolve. SurfacePictureFilter filters the layers.
 #include "render/integrator.h"
 #include "render/layer_filter.h"
 #include "render/sample_pass.h"
@@ -32,7 +32,7 @@ class MapsIntegrator final : public Integrator {
     void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) const override {
         const RenderParams& params = context_.params;
         const Turn turn = turnOf(index);
-        // Each two by two pixels have all groups, also before each pixel has.
+        // Each block of 2x2 pixels has all groups, even before each pixel has.
         const int group = turn.group ^ (x & 1) ^ (2 * (y & 1));
         const CameraRay& camera = sample.camera;
         const bool seen = camera.weight > 0;
@@ -56,10 +56,10 @@ class MapsIntegrator final : public Integrator {
     bool mapPass(int index, float spacing, int stride, Film& film, const CancelToken* cancel) const override {
         IndirectPass pass(context_.tracer, *context_.mapDenoiser, settings_, context_.stats);
         const float height = float(context_.scene.settings.film.height);
-        // By the square of its maps: noise falls with their number, and what interpolation smears with their spacing.
-        // Each pass has 1.58 times the say of the one before, and the first ones fade.
+        // A pass is weighted by the square of its number of maps: noise falls with this number, and the interpolation
+        // error with the spacing. Each pass counts 1.58 times as much as the one before, so the first passes fade out.
         const float importance = std::pow(context_.params.firstSpacing * height / spacing, 4.f);
-        // As with the camera samples, no group may have every fourth point of a sequence.
+        // As with the camera samples, no group may get every fourth point of a sequence.
         const int turn = int(random(kPassStream, index) % LayerFilter::kGroups);
         FilmLayer& maps = film.layer(kMaps);
         const bool whole = pass.run(
@@ -97,17 +97,17 @@ class MapsIntegrator final : public Integrator {
         return uint32_t(hashCombine(context_.params.seed, hashCombine(stream, uint64_t(index))) >> 32);
     }
 
-    // Which group the samples of an index belong to, and whether they trace broad indirect light as well.
+    // The group that the samples of an index belong to, and whether they also trace broad indirect light.
     struct Turn {
         int group;
         bool traceBroad;
     };
     Turn turnOf(uint32_t index) const {
-        // All samples go on with one sequence. The members of a group must not be every fourth point of it, which are
-        // not well distributed at all: of each four that follow on each other, a group has one at random.
+        // All samples continue one sequence. A group must not get every fourth point of it, because these are poorly
+        // stratified: of each four consecutive samples it gets one at random.
         const uint32_t four = index / 4, eight = index / 8;
         const uint32_t group = (index ^ random(kTurnStream, int(2 * four))) % LayerFilter::kGroups;
-        // Two of each four are followed, and of each eight one of each group.
+        // Two of each four consecutive samples trace it, and of each eight one in each group.
         const bool follow = ((group ^ four ^ random(kTurnStream, int(2 * eight + 1))) & 1) == 0;
         return {int(group), context_.params.correct && follow};
     }

@@ -20,7 +20,7 @@ void OidnPictureFilter::apply(LayeredPicture& picture) const {
     }
     Image direct = picture.part("direct");
     for (float& v : direct.data()) v = std::max(v, 0.f);
-    // One layer takes the place of those of direct light.
+    // One layer replaces all layers of direct light.
     PictureLayer denoised{"direct", "direct", library_.denoised(direct, g.albedo, g.normal, settings_), std::nullopt};
     std::erase_if(picture.layers, [](const PictureLayer& layer) { return layer.part == "direct"; });
     picture.layers.insert(picture.layers.begin(), std::move(denoised));

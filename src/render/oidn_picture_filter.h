@@ -1,4 +1,4 @@
-// Open Image Denoise on a picture: on the whole, or on direct light alone. Needs the picture's G-buffer.
+// Open Image Denoise, applied to the whole picture or to its direct light alone. Needs the picture's G-buffer.
 #pragma once
 #include "render/open_image_denoise.h"
 #include "render/picture_filter.h"
@@ -11,7 +11,7 @@ class OidnPictureFilter final : public PictureFilter {
     OidnPictureFilter(const OpenImageDenoise& library, const OidnSettings& settings, bool directAlone)
         : library_(library), settings_(settings), directAlone_(directAlone) {}
     void apply(LayeredPicture& picture) const override;
-    // "oidn high", "oidn balanced without prefilter".
+    // Denoiser and mode, as "oidn high" or "oidn balanced without prefilter".
     std::string name() const override;
 
   private:

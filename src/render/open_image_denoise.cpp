@@ -12,7 +12,7 @@
 namespace drc {
 namespace {
 
-// Of its C interface, what is used here.
+// The part of its C interface that is used here.
 using Device = void*;
 using Filter = void*;
 constexpr int kCpu = 1, kFloat3 = 3;
@@ -23,12 +23,12 @@ struct QualityName {
     int value;         // of the filter's parameter "quality"
     int firstVersion;  // of the library that knows it
 };
-// From the better to the faster. High is what every version does without being told.
+// From the best to the fastest. High is the default in every version.
 constexpr QualityName kQualities[] = {{OidnQuality::High, "high", 6, 0},
                                       {OidnQuality::Balanced, "balanced", 5, 20000},
                                       {OidnQuality::Fast, "fast", 4, 20300}};
 
-// The wanted one, or the next better that the version knows.
+// The wanted quality, or the next better one that this version knows.
 const QualityName& knownQuality(OidnQuality wanted, int version) {
     const QualityName* known = &kQualities[0];
     for (const QualityName& quality : kQualities) {
@@ -88,7 +88,7 @@ struct OpenImageDenoise::Library {
     }
     ~Library() {
         if (device) releaseDevice(device);
-        // Never unloaded: it leaves threads of its own behind.
+        // The library is never unloaded, because its threads keep running.
     }
     Library(const Library&) = delete;
     Library& operator=(const Library&) = delete;
@@ -107,7 +107,7 @@ struct OpenImageDenoise::Library {
             throw Error(fmt::format("Open Image Denoise: {}", message ? message : "no device for this processor"));
     }
 
-    // inputs: the first is what is filtered.
+    // inputs: the first is the image to be filtered.
     Image run(std::initializer_list<NamedImage> inputs, const QualityName& quality, bool hdr,
               bool cleanAuxiliaries) const {
         const Image& first = *inputs.begin()->image;

@@ -17,7 +17,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-// A library with the C interface of version 1 or 2 and a version of its own: a filter writes what it was told.
+// A fake library with the C interface of version 1 or 2 and a given version number: its filter writes the parameters
+// that it was given.
 class FakeLibrary : public FolderTest {
   protected:
     std::string library(int version, bool oldNames) const {
@@ -95,7 +96,7 @@ TEST_F(FakeLibrary, OlderOnesDoWhatTheyCanAndAWarningSaysSo) {
     EXPECT_EQ(warning(20000, {OidnQuality::Balanced, true}, false, 5), "");
 }
 
-// The real one: DRC_OIDN_LIBRARY, if the system does not find it by itself.
+// The real library: DRC_OIDN_LIBRARY, if the system does not find it by itself.
 class OpenImageDenoiseTest : public testing::Test {
   protected:
     void SetUp() override {
@@ -105,7 +106,7 @@ class OpenImageDenoiseTest : public testing::Test {
         } catch (const Error& error) {
             GTEST_SKIP() << error.what();
         }
-        // Two grey walls under noise, with an edge that albedo and normal show.
+        // Two noisy grey walls, with an edge that albedo and normal show.
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x) {
                 const float noise = uniformFloat(hash32(x, y)) - 0.5f;

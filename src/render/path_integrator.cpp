@@ -1,4 +1,4 @@
-// Path tracing.
+// Path tracing: all light in one layer of camera samples.
 #include "render/sampled_integrator.h"
 
 namespace drc {

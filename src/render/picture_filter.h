@@ -1,4 +1,4 @@
-// What makes a better picture of the layers of one: denoisers.
+// The interface of denoisers, which work on the layers of a picture.
 #pragma once
 #include "render/layered_picture.h"
 
@@ -7,9 +7,9 @@ namespace drc {
 class PictureFilter {
   public:
     virtual ~PictureFilter() = default;
-    // In place. Takes time in proportion to the number of pixels. Throws Error if a library fails.
+    // Filters the picture in place, in time proportional to its number of pixels. Throws Error if a library fails.
     virtual void apply(LayeredPicture& picture) const = 0;
-    // As --denoise names it.
+    // The name for messages, beginning with the value of --denoise.
     virtual std::string name() const = 0;
 };
 

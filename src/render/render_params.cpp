@@ -10,7 +10,8 @@
 namespace drc {
 namespace {
 
-// Camera samples a pixel with and without radiance maps, passes of these, and directions gathered from them.
+// Camera samples a pixel with map passes, number of map passes, directions gathered from them, and camera samples a
+// pixel without map passes.
 struct Effort {
     int mapSpp, mapPasses, gatherSamples, spp;
 };
@@ -26,12 +27,12 @@ Effort effortOf(Quality quality) {
     return {};
 }
 
-// What a scene's file asks for, as far as it is built.
+// The integrator that the scene's file asks for, or the nearest one that there is.
 std::string integratorOfFile(const std::string& name) {
     if (name == "iispt") return "drc";
     if (name == "directlighting") return "direct";
     if (name == "bdpt") return "bdpt";
-    // Of "volpath" no more is left: media have warnings of their own.
+    // Without media, "volpath" is "path"; media have warnings of their own.
     if (name != "path" && name != "volpath") logWarning("the scene's integrator '" + name + "' is rendered as 'path'");
     return "path";
 }

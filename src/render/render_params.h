@@ -1,5 +1,5 @@
-// What decides a picture, besides its scene: set by the command line and by programs alike. What is left open is
-// resolved from the quality and from the scene's file.
+// All that determines a picture besides its scene, set by the command line or by another program. resolved() fills in
+// what is left open, from the quality and from the scene's file.
 #pragma once
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ enum class Quality { Draft, Standard, High };
 enum class Denoise {
     Automatic,   // the surface filter where the integrator has layers for it, else none
     Off,         //
-    Surface,     // along surfaces, as far as the noise of each layer asks for it (LayerFilter)
+    Surface,     // each layer is averaged along surfaces, as far as its noise requires (LayerFilter)
     Oidn,        // Open Image Denoise on the whole picture
     OidnDirect,  // the same on direct light alone
 };
@@ -24,27 +24,27 @@ struct RenderParams {
     std::string integrator = "drc";  // one of integratorNames(), or "scene": what the file asks for
     Quality quality = Quality::Standard;
     std::optional<int> spp;        // camera samples a pixel
-    int firstSample = 0;           // index of the first of them: films of different ones can be added up
-    std::optional<int> mapPasses;  // of radiance maps
-    std::optional<int> mapTasks;   // the same in the paper's unit
+    int firstSample = 0;           // index of the first one: films of different samples can be added up
+    std::optional<int> mapPasses;  // number of map passes
+    std::optional<int> mapTasks;   // the same in the paper's unit (passesForTasks)
     std::optional<int> maxDepth;
-    double seconds = 0;  // budget of wall-clock time, which replaces spp and mapPasses; 0: none
+    double seconds = 0;  // wall-clock budget, which replaces spp and mapPasses; 0: none
     uint64_t seed = 0;
     float clamp = 0;  // upper bound on the luminance of a sample; 0: the film's own, by default none
     IndirectSettings indirect;
     std::optional<int> gatherSamples;
-    float firstSpacing = 0;  // between the maps of the first pass, as a share of the frame's height; 0: the default
-    // Whether samples of the broad lobes' indirect light correct the maps' errors.
+    float firstSpacing = 0;  // of the maps of the first map pass, as a share of the film's height; 0: the default
+    // Whether path-traced samples of the broad lobes' indirect light correct the maps' errors.
     bool correct = true;
     Denoise denoise = Denoise::Automatic;
     OidnSettings oidn;
     bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
     bool variance = false;  // keep half buffers: PictureLayer::variance
-    bool guide = true;      // whether samples of an environment learn where its light comes in
+    bool guide = true;      // whether sampling of the environment learns where its light enters (EnvironmentGuide)
 };
 
-// The same with nothing left open: integrator, spp, mapPasses, maxDepth and all others have values. Throws Error if the
-// parameters contradict each other.
+// The same parameters with nothing left open: integrator, spp, mapPasses, maxDepth and all others have values. Throws
+// Error if parameters contradict each other.
 RenderParams resolved(RenderParams params, const Scene& scene);
 
 }  // namespace drc

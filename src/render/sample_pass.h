@@ -1,6 +1,6 @@
-// Passes of camera samples over the film. The first sample of the pixels is taken in three passes, over every fourth
-// row and column, then every second, then the rest, so that there is soon a whole picture, if a coarse one; each
-// further pass takes one sample of every pixel.
+// Sample passes: passes of camera samples over the film. The first sample of the pixels is taken in three passes, over
+// every fourth row and column, then every second, then the rest, so that there is soon a coarse picture of the whole
+// film; each further pass takes one sample of every pixel.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -15,12 +15,12 @@ struct SamplePass {
 
     int pass = 0;  // from 0
 
-    // Which sample of its pixels the pass takes.
+    // The index, within a pixel, of the sample that the pass takes.
     uint32_t sample() const { return uint32_t(std::max(0, pass - (kLattices - 1))); }
-    // Samples that every pixel has had after so many passes.
+    // The number of samples that every pixel has had after so many passes, and its inverse.
     static int wholeSamples(int passes) { return std::max(0, passes - (kLattices - 1)); }
     static int passesFor(int samples) { return samples > 0 ? samples + kLattices - 1 : 0; }
-    // Whether the pass ends a sample of every pixel.
+    // Whether all pixels have one sample more after the pass.
     bool endsSample() const { return pass >= kLattices - 1; }
 
     // Calls f(column) for the columns of the region that the pass samples in a row of it.
@@ -28,14 +28,14 @@ struct SamplePass {
     void forEachColumn(int row, int width, F&& f) const {
         const int step = pass == 0 ? 4 : pass == 1 ? 2 : 1;
         if (row % step != 0) return;
-        // What the lattice before has sampled already.
+        // The previous lattice has already sampled every other column of such a row.
         const bool shared = pass > 0 && pass < kLattices && row % (2 * step) == 0;
         for (int column = shared ? step : 0; column < width; column += shared ? 2 * step : step) f(column);
     }
 };
 
-// Gives pixels that have no sample yet, while the first lattices are under way, the value of the nearest sample up and
-// left on a coarser lattice. sampled: a layer that every camera sample adds to, of the image's region.
+// Fills pixels that have no sample yet, during the first passes, with the value of the nearest sampled pixel up and
+// left on a coarser lattice. sampled: a layer of the image's region that every camera sample adds to.
 void fillUnsampled(Image& image, const FilmLayer& sampled);
 
 }  // namespace drc

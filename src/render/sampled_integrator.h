@@ -1,5 +1,5 @@
-// What integrators have in common whose picture is one layer of camera samples: its film, with half buffers and a
-// G-buffer if they are asked for, and its picture.
+// The base class of integrators whose picture is one layer of camera samples: its film, with half buffers and a
+// G-buffer if they are wanted, and its picture.
 #pragma once
 #include "render/integrator.h"
 
@@ -14,14 +14,14 @@ class SampledIntegrator : public Integrator {
 
   protected:
     static constexpr const char* kBeauty = "beauty";
-    // Radiance along the ray, which the camera lets through. gBuffer: null if it is not wanted.
+    // The radiance that arrives along a camera ray of nonzero weight. gBuffer: null if it is not wanted.
     virtual Rgb radiance(const Ray& ray, Sampler& sampler, Film& film, GBufferSample* gBuffer) const = 0;
 
     const RenderContext context_;
 };
 
-// Which of two groups a pixel's sample belongs to, at random for each pair of samples: the even ones of a sequence
-// alone are not well distributed.
+// The half buffer that a sample belongs to, at random for each pair of samples: the even samples of a sequence alone
+// are poorly stratified.
 int halfOf(uint64_t seed, uint32_t index);
 
 }  // namespace drc

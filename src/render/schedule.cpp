@@ -10,15 +10,15 @@
 namespace drc {
 namespace {
 
-// Of the time that passes get, the share of camera samples where there are map passes too.
+// The share of the time that sample passes get, if there are map passes too.
 constexpr double kSampleShare = 0.7;
-// Pixels. Below it more map passes serve better than more maps in one.
+// In pixels. Beyond this spacing, more map passes reduce the error more than more maps in one pass.
 constexpr float kFinestInTime = 3;
-// A first map pass that would take more than this share of the time lights only a lattice of pixels.
+// If the first map pass would take more than this share of the budget, it lights only a lattice of pixels.
 constexpr double kFirstMapShare = 0.15;
-// Of a map pass, what a pixel costs in units of a camera sample of direct light: roughly, where it has been measured.
+// The cost of a pixel in a map pass, in units of a camera sample of direct light: an approximate measured value.
 constexpr double kGatherInSamples = 3;
-// Share of the remaining time after which the time to finish is measured once more.
+// The time to finish the picture is measured again after this share of the time for passes.
 constexpr double kMeasureAgainAt = 0.6;
 
 double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
@@ -55,7 +55,7 @@ std::optional<Schedule::Work> Schedule::next(int samplePasses, int mapPasses) co
     const int wanted = *params_.spp, wantedMaps = maps_ ? *params_.mapPasses : 0;
     if (!end_) {
         const int taken = SamplePass::wholeSamples(samplePasses);
-        // In turns, so that an interrupted render has both in proportion.
+        // Alternates between the two kinds, so that an interrupted render has both in proportion.
         if (mapPasses < wantedMaps && (taken >= wanted || double(mapPasses) / wantedMaps <= double(taken) / wanted))
             return maps;
         if (taken < wanted) return samples;
@@ -77,8 +77,8 @@ std::optional<Schedule::Work> Schedule::next(int samplePasses, int mapPasses) co
 
 float Schedule::spacingInTime(int mapPasses) const {
     const double left = seconds(*deadline() - Clock::now());
-    // The first pass is cheap and makes the picture whole. The next goes as fine as lets four passes, each with the
-    // usual 1.26 times the maps of the one before, fill what is left of their share.
+    // The first pass is cheap and completes the picture. The second is made so fine that four passes, each with the
+    // usual 1.26 times as many maps as the one before, fill the rest of the map passes' time.
     constexpr double kPassesInTime = 4;
     const double growth = 1 / sqr(double(kSpacingFactor));
     double cost = lastMapSeconds_ * growth;
@@ -86,7 +86,8 @@ float Schedule::spacingInTime(int mapPasses) const {
         const double sum = (std::pow(growth, kPassesInTime) - 1) / (growth - 1);
         cost = std::max(cost, (1 - kSampleShare) * left / sum);
     }
-    // It must end in time: with fewer maps if need be, not at all if it would be much coarser.
+    // A pass must end before the deadline: it gets fewer maps if need be, and is left out if it would be much coarser
+    // than the last one.
     if (cost > 0.9 * left) {
         if (0.5 * lastMapSeconds_ > left) return 0;
         cost = 0.9 * left;
@@ -102,7 +103,7 @@ void Schedule::finished(const Work& work, Clock::duration duration, bool whole) 
         return;
     }
     mapSeconds_ += took;
-    // What it would have taken to light all pixels.
+    // The time for all pixels, extrapolated from the lattice.
     lastMapSeconds_ = took * sqr(double(work.stride));
     lastSpacing_ = work.spacing;
 }
@@ -111,7 +112,7 @@ double Schedule::progress(int samplePasses, int mapPasses) const {
     if (end_) return std::clamp(seconds(Clock::now() - start_) / std::max(1e-9, params_.seconds - reserved_), 0.0, 1.0);
     const double samples = std::min(1.0, double(SamplePass::wholeSamples(samplePasses)) / std::max(1, *params_.spp));
     if (!maps_) return samples;
-    // Passes cost more and more: by the maps they have.
+    // Later passes cost more, in proportion to their number of maps.
     const auto mapsOf = [](int n) { return std::pow(double(kSpacingFactor), -2.0 * n) - 1; };
     const double passes = *params_.mapPasses > 0 ? mapsOf(mapPasses) / mapsOf(*params_.mapPasses) : 1;
     return kSampleShare * samples + (1 - kSampleShare) * std::min(1.0, passes);

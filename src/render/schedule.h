@@ -1,5 +1,6 @@
-// What a render does next, and until when: the only place that knows time. Without a budget of time, as many passes as
-// were asked for; with one, passes until what is left is needed to finish: to filter, encode and write the picture.
+// Decides what a render does next, and until when; the only place that knows the time. Without a time budget it runs as
+// many passes as were asked for; with one, it runs passes until the rest of the time is needed to filter, encode and
+// write the picture.
 #pragma once
 #include <chrono>
 #include <optional>
@@ -12,39 +13,43 @@ class Schedule {
   public:
     using Clock = std::chrono::steady_clock;
 
-    // params: resolved. start: from when on the budget counts. filmHeight: pixels, of the whole frame.
+    // params: resolved. start: when the budget begins. filmHeight: of the whole film, pixels. pixels: number of pixels
+    // that are rendered.
     Schedule(const RenderParams& params, Clock::time_point start, int filmHeight, size_t pixels);
 
     struct Work {
         enum class Kind { Samples, Maps } kind;
-        int index = 0;      // of the sample pass (SamplePass) or of the map pass
-        float spacing = 0;  // of the maps, pixels
+        int index = 0;      // of the sample pass (SamplePass) or map pass
+        float spacing = 0;  // of the maps, in pixels
         int stride = 1;     // of the lattice of pixels that the maps light
     };
-    // What comes next, if so many passes are done; none: nothing.
+    // The next pass after so many complete ones; none if the render is done.
     std::optional<Work> next(int samplePasses, int mapPasses) const;
-    // Whether there is one of all that makes up a picture.
+    // Whether there has been a pass of each kind that the picture needs.
     bool hasPicture(int samplePasses, int mapPasses) const { return samplePasses > 0 && (!maps_ || mapPasses > 0); }
-    // Takes note of what work took. whole: it was not cancelled.
+    // Records the time that a pass took. whole: the pass was not cancelled.
     void finished(const Work& work, Clock::duration took, bool whole);
 
-    // When passes have to end. None: no budget.
+    // When passes must end; none without a budget.
     std::optional<Clock::time_point> deadline() const;
-    // Sets aside time before the end of the budget. Measured, while rendering, by whoever finishes pictures.
+    // Sets aside time at the end of the budget to finish the picture. It is measured during the render, by whoever
+    // finishes pictures.
     void reserve(double seconds) { reserved_ = seconds; }
     double reserved() const { return reserved_; }
-    // When the time is right to measure it: as soon as there is a picture, and once more later, as machines get busy.
+    // Whether it should be measured now: as soon as there is a picture, and once more later, because the load of a
+    // machine changes.
     bool wantsReserve(int samplePasses, int mapPasses) const;
     void reserveMeasured() { ++measured_; }
-    // Of the whole budget, seconds; infinity without one.
+    // The whole budget and what is left of it, in seconds; infinity without one.
     double budget() const;
     double secondsLeft() const;
 
-    // Share of the work, or of the time, that is done: in [0, 1].
+    // The share of the work, or of the time, that is done, in [0, 1].
     double progress(int samplePasses, int mapPasses) const;
 
   private:
-    // Before a deadline: the spacing of the next map pass, from what the last one cost. 0: there is no time for one.
+    // With a deadline: the spacing of the next map pass in pixels, from the cost of the last one. 0: there is no time
+    // for another.
     float spacingInTime(int mapPasses) const;
 
     RenderParams params_;

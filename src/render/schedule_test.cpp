@@ -22,7 +22,7 @@ RenderParams params(const std::string& integrator, int spp, int mapPasses, doubl
     return p;
 }
 
-// What it has done when it stops by itself: sample passes and map passes.
+// The sample passes and map passes that it has run when it stops by itself.
 std::pair<int, int> runOut(const Schedule& schedule) {
     int samples = 0, maps = 0;
     while (const auto work = schedule.next(samples, maps)) {
@@ -48,7 +48,7 @@ TEST(Schedule, PassesAndSamplesGrowInProportion) {
 }
 
 TEST(Schedule, WithABudgetThereIsAPictureFirst) {
-    // All of the time is over already.
+    // The budget is already over.
     const Schedule late(params("drc", 5, 3, 1), Clock::now() - seconds(2), 100, 10000);
     EXPECT_EQ(runOut(late), std::pair(1, 1));
     const Schedule path(params("path", 5, 0, 1), Clock::now() - seconds(2), 100, 10000);
@@ -67,7 +67,7 @@ TEST(Schedule, TimeIsSetAsideToFinish) {
     EXPECT_TRUE(schedule.next(5, 0));
     schedule.reserve(101);
     EXPECT_FALSE(schedule.next(5, 0));
-    // Machines get busy: once more when most of the time has gone.
+    // The load of a machine changes: it is measured again when most of the time is over.
     Schedule old(params("path", 5, 0, 100), Clock::now() - seconds(80), 100, 10000);
     old.reserveMeasured();
     EXPECT_TRUE(old.wantsReserve(5, 0));
@@ -75,7 +75,7 @@ TEST(Schedule, TimeIsSetAsideToFinish) {
     EXPECT_FALSE(old.wantsReserve(5, 0));
 }
 
-// A first pass of maps that would take long lights a lattice of pixels, and its cost is scaled for the next ones.
+// A first map pass that would take long lights a lattice of pixels, and its cost is extrapolated for the next ones.
 TEST(Schedule, TheFirstMapPassFitsIntoTheTime) {
     Schedule schedule(params("drc", 5, 3, 10), Clock::now(), 2160, 8000000);
     schedule.finished({Kind::Samples, 0}, milliseconds(500), true);

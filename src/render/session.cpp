@@ -11,7 +11,7 @@ namespace drc {
 namespace {
 
 constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003;
-// Of the guide: voxels between the camera and what it sees.
+// The guide's voxels: this many between the camera and what it sees.
 constexpr float kVoxelsInDistance = 8;
 
 PathSettings pathSettings(const RenderParams& params) {
@@ -65,7 +65,7 @@ void Session::startGuide() {
         most = power;
     }
     if (brightest == nullptr) return;
-    // Voxels in proportion to the distances that the picture shows.
+    // The voxels' size is proportional to the median distance that the picture shows.
     constexpr int kProbes = 16;
     std::vector<float> distances;
     const PixelRegion& region = film_->region();
@@ -116,7 +116,7 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
         region.y0, region.y1, 1,
         [&](int y, int) {
             const auto lock = film_->lockRow(y);
-            // A pass that was cut short goes on with the rows that it did not reach.
+            // A pass that was cancelled continues with the rows that it did not reach.
             if (film_->rowPasses(y) > index) return;
             pass.forEachColumn(y - region.y0, region.width(), [&](int column) {
                 const int x = region.x0 + column;

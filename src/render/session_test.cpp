@@ -71,7 +71,7 @@ bool sameBits(const Film& a, const Film& b) {
     return true;
 }
 
-// A bright strip across a dim sky, through a filter that undershoots beside it.
+// A bright strip across a dim sky, with a pixel filter that undershoots beside it.
 TEST(Session, PicturesHaveNoLightBelowZero) {
     Rendered r(paramsOf("path", 16), pbrt::loadPbrtString(R"(
         Film "image" "integer xresolution" 24 "integer yresolution" 24
@@ -96,7 +96,7 @@ TEST(Session, PicturesHaveNoLightBelowZero) {
     EXPECT_GT(bright, 50);
 }
 
-// Whatever indirect light the samples bring along: they are the same, and so well distributed.
+// Tracing indirect light along with the samples does not change them, nor their stratification.
 TEST(Session, TheDirectLayerIsWhatTheDirectIntegratorGives) {
     const Image direct = Rendered(paramsOf("direct", 12)).finish().session.picture().beauty;
     Rendered maps(paramsOf("drc", 12));
@@ -116,7 +116,7 @@ TEST(Session, LayersSumToThePicture) {
         EXPECT_NEAR(direct.data()[i] + indirect.data()[i], picture.beauty.data()[i], 1e-5f);
 }
 
-// However late it is, every part of a picture has direct and indirect light.
+// Even if the time is over, every part of a picture has direct and indirect light.
 TEST(Session, ABudgetThatIsOverLeavesAPicture) {
     for (const std::string integrator : {"drc", "path", "bdpt"}) {
         RenderParams params = paramsOf(integrator, 5);
@@ -135,7 +135,7 @@ TEST(Session, ABudgetThatIsOverLeavesAPicture) {
     }
 }
 
-// A pass that was cancelled is no whole one, though what it sampled counts.
+// A cancelled pass does not count as complete, but its samples count.
 TEST(Session, ACancelledPassIsNotCounted) {
     Rendered r(paramsOf("path", 8));
     while (r.session.samplesDone() < 2) ASSERT_TRUE(r.session.step());
@@ -144,12 +144,12 @@ TEST(Session, ACancelledPassIsNotCounted) {
     EXPECT_FALSE(r.session.step(&cancel));
     EXPECT_EQ(r.session.samplesDone(), 2);
     EXPECT_EQ(r.session.status(), "2 spp");
-    // Some rows have had their third sample.
+    // Some rows already have their third sample.
     r.session.film().setRowPasses(3, SamplePass::passesFor(3));
     EXPECT_EQ(r.session.samplesDone(), 2);
 }
 
-// Stopped anywhere and continued, by way of a film that was saved: the same bits.
+// A render that is stopped anywhere and continued from a saved film has the same bits.
 TEST(Session, GoesOnWhereItWas) {
     const TemporaryFolder folder;
     for (const std::string integrator : kIntegrators) {
@@ -165,7 +165,7 @@ TEST(Session, GoesOnWhereItWas) {
     }
 }
 
-// Samples 0 to 1 and 2 to 5 rendered apart are samples 0 to 5, to the bit.
+// Samples 0 to 1 and 2 to 5, rendered separately, add up to samples 0 to 5, to the bit.
 TEST(Session, ShardsAddUpToTheWhole) {
     for (const std::string integrator : {"path", "bdpt", "direct"}) {
         Rendered whole(paramsOf(integrator, 6)), a(paramsOf(integrator, 2));
@@ -252,14 +252,14 @@ TEST(Session, KnowsHowNoisyItIs) {
             squares +=
                 double(few.beauty.data()[i] - other.beauty.data()[i]) * (few.beauty.data()[i] - other.beauty.data()[i]);
         const double measured = squares / double(few.beauty.data().size()) / 2;
-        // Sobol points do better than independent ones.
+        // Sobol points have less variance than independent ones, which the estimate assumes.
         EXPECT_LT(measured, 1.5 * variance(few));
         EXPECT_GT(measured, 0.1 * variance(few));
     }
     EXPECT_GT(variance(noisy("drc", 16, 1)), 0);
 }
 
-// The G-buffer comes from the samples themselves: they are the same with and without.
+// The G-buffer is recorded by the samples themselves, which are the same with and without it.
 TEST(Session, TheGBufferChangesNothing) {
     for (const std::string integrator : kIntegrators) {
         RenderParams params = paramsOf(integrator, 8);
@@ -269,7 +269,7 @@ TEST(Session, TheGBufferChangesNothing) {
         const LayeredPicture picture = r.finish().session.picture();
         EXPECT_EQ(picture.beauty.data(), plain.data()) << integrator;
         ASSERT_TRUE(picture.gBuffer) << integrator;
-        // The ball ahead, two units away; of its glossy lobe there is a little on top of the diffuse one.
+        // The ball ahead, two units away; its glossy lobe adds a little to the diffuse albedo.
         EXPECT_NEAR(picture.gBuffer->depth.at(12, 8, 0), 2, 0.02) << integrator;
         EXPECT_NEAR(picture.gBuffer->normal.at(12, 8, 2), -1, 0.02) << integrator;
         EXPECT_GT(picture.gBuffer->albedo.at(12, 8, 0), 0.55f) << integrator;
@@ -277,8 +277,8 @@ TEST(Session, TheGBufferChangesNothing) {
     }
 }
 
-// A sample of emission that is no number is left out; it must not turn the emission layer negative. Two lamps without a
-// surface, one behind the other before a wall: each of their radiances is a number, their sum is none.
+// A sample of emission that is not finite is left out; it must not turn the emission layer negative. Two lamps without
+// a surface, one behind the other before a wall: each radiance is finite, their sum is not.
 TEST(Session, EmissionThatOverflowsTakesNothingFromOtherLight) {
     const auto scene = [] {
         const std::string lamp =
@@ -320,7 +320,7 @@ TEST(Session, NoSampleIsBrighterThanTheClamp) {
             if (integrator == "drc")
                 look(picture.part("direct"));
             else if (integrator == "bdpt")
-                look(picture.layers[0].mean);  // without splats, of which each has its own bound
+                look(picture.layers[0].mean);  // without splats, each of which is bounded by itself
             else
                 look(picture.beauty);
             EXPECT_LE(most, kClamp * 1.0001f) << integrator << byFile;  // the lamp has 8
@@ -328,7 +328,7 @@ TEST(Session, NoSampleIsBrighterThanTheClamp) {
         }
 }
 
-// At most 64 bytes a pixel for paths, without what denoisers want.
+// A film takes at most 64 bytes a pixel for paths, without the G-buffer and variance.
 TEST(Session, FilmsAreSmall) {
     EXPECT_LE(Rendered(paramsOf("path", 1)).session.film().bytesPerPixel(), 64u);
     EXPECT_LE(Rendered(paramsOf("direct", 1)).session.film().bytesPerPixel(), 64u);
@@ -336,7 +336,8 @@ TEST(Session, FilmsAreSmall) {
     EXPECT_LE(Rendered(paramsOf("drc", 1)).session.film().bytesPerPixel(), 624u);
 }
 
-// The film of the largest size that a file may ask for: no machine has terabytes for all of it, and any has for a part.
+// A film of the largest size that a file may ask for: no machine has terabytes for all of it, and every machine has
+// memory for a part.
 TEST(Session, PicturesBeyondTheMemoryAreRefused) {
     const std::string text =
         "Film \"image\" \"integer xresolution\" 65536 \"integer yresolution\" 65536\n"
@@ -352,7 +353,7 @@ TEST(Session, PicturesBeyondTheMemoryAreRefused) {
     const float part[4] = {0.5f, 0.501f, 0.5f, 0.501f};
     std::copy(part, part + 4, scene->settings.cropWindow);
     EXPECT_EQ(errorFor(*scene), "");
-    // What the command line asks for is no fault of the file.
+    // Settings from the command line are not reported as a fault of the file.
     const auto other = pbrt::loadPbrtString(text, ".", {FilmGeometry{60000, 60000}}, "s.pbrt");
     EXPECT_THAT(errorFor(*other), StartsWith("a picture of 60000 x 60000 pixels needs"));
 }

@@ -21,7 +21,7 @@ double integral(const Filter& filter) {
 SplatFilter::SplatFilter(const Filter& filter) : filter_(filter), scale_(float(1 / integral(filter))) {}
 
 void SplatFilter::add(const Splat& splat, FilmLayer& layer) const {
-    // Pixels' centres are at halves.
+    // Pixel centres have half-integer coordinates.
     const Vec2 at(splat.film.x - 0.5f, splat.film.y - 0.5f), radius = filter_.radius();
     if (!(std::abs(at.x) < 1e9f && std::abs(at.y) < 1e9f)) return;
     const PixelRegion& region = layer.region();

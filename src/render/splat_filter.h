@@ -1,5 +1,5 @@
-// Adds light that lands anywhere on the film, not in the pixel that asked for it: what paths from the lights bring to
-// the lens. Each splat counts for all pixels whose filter reaches it.
+// Adds light paths' contributions, which may land anywhere on the film, to all pixels whose filter reaches their
+// position.
 #pragma once
 #include "integrators/bdpt.h"
 #include "render/film_layer.h"
@@ -8,14 +8,14 @@ namespace drc {
 
 class SplatFilter {
   public:
-    // The filter must outlive this.
+    // The filter must outlive this object.
     explicit SplatFilter(const Filter& filter);
-    // To an exact layer without weights. From any thread; the sums do not depend on the order.
+    // Adds a splat to an exact layer without weights. From any thread; the sums do not depend on the order.
     void add(const Splat& splat, FilmLayer& layer) const;
 
   private:
     const Filter& filter_;
-    float scale_;  // makes the filter's integral 1
+    float scale_;  // normalises the filter's integral to 1
 };
 
 }  // namespace drc

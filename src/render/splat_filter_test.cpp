@@ -30,7 +30,7 @@ TEST(SplatFilter, FiltersShareASplatAmongPixelsAndLoseNone) {
                                     makeTriangleFilter(Vec2(2, 2)), makeMitchellFilter(Vec2(2, 2), 1 / 3.f, 1 / 3.f)}) {
         FilmLayer l = layer();
         const SplatFilter splats(*filter);
-        // Over all positions in a pixel, a filter's integral.
+        // Over all positions in a pixel, the sum is the filter's integral.
         constexpr int kSide = 32;
         for (int i = 0; i < kSide * kSide; ++i)
             splats.add({Vec2(14 + (float(i % kSide) + 0.5f) / kSide, 23 + (float(i / kSide) + 0.5f) / kSide), Rgb(1.f)},
@@ -44,7 +44,7 @@ TEST(SplatFilter, BordersGetOnlyTheirPart) {
     FilmLayer l = layer();
     const SplatFilter splats(*filter);
     for (const Vec2& at : {Vec2(10.5f, 22.5f), Vec2(9.5f, 22.5f), Vec2(-1e30f, 22.5f)}) splats.add({at, Rgb(1.f)}, l);
-    // 2 of 3 columns of the first, 1 of the second.
+    // Two of the three columns of the first splat, one of the second.
     EXPECT_NEAR(total(l), 1, 1e-3);
 }
 

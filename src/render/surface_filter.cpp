@@ -11,7 +11,7 @@ namespace drc {
 namespace {
 
 namespace stdx = std::experimental;
-// Pixels of a row, side by side.
+// Adjacent pixels of a row.
 using Lanes = stdx::native_simd<float>;
 constexpr int kLanes = int(Lanes::size());
 
@@ -19,7 +19,7 @@ constexpr float kSpline[3] = {0.375f, 0.25f, 0.0625f};
 constexpr float kLeastNoise = 1e-20f;
 constexpr int kReach = 2, kNeighbours = (2 * kReach + 1) * (2 * kReach + 1);
 
-// exp(-x), nearly; it ends at eight.
+// Approximates exp(-x); zero from x = 8 on.
 Lanes falloff(const Lanes& x) {
     const Lanes e1 = stdx::max(Lanes(0.f), 1 - x * 0.125f), e2 = e1 * e1, e4 = e2 * e2;
     return e4 * e4;
@@ -30,14 +30,14 @@ bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) &
 [[gnu::noinline]] Lanes loadAtEnd(const float* row, int x, int width) {
     return Lanes([&](int lane) { return x + lane >= 0 && x + lane < width ? row[x + lane] : 0.f; });
 }
-// The row's values from x on; zeros beyond its ends.
+// The row's values from x on, with zeros beyond its ends.
 inline Lanes load(const float* row, int x, int width) {
     if (x >= 0 && x + kLanes <= width) [[likely]]
         return Lanes(row + x, stdx::element_aligned);
     return loadAtEnd(row, x, width);
 }
 
-// Only what is within the row.
+// Stores only the values within the row.
 void store(const Lanes& values, float* row, int x, int width) {
     if (x + kLanes <= width)
         values.copy_to(row + x, stdx::element_aligned);
@@ -47,7 +47,7 @@ void store(const Lanes& values, float* row, int x, int width) {
 
 }  // namespace
 
-// Of the pixels of a row, at steps of `dilation`, in the rows that there are.
+// The neighbours of the pixels of a row, at steps of `dilation`, in the rows that exist.
 struct SurfaceFilter::Neighbours {
     Neighbours(int y, int dilation, int width, int height) {
         for (int ky = -kReach; ky <= kReach; ++ky) {
@@ -69,7 +69,7 @@ struct SurfaceFilter::Neighbours {
     int count = 0;
 };
 
-// Of pixels side by side, the neighbours that there are, with their weights.
+// The existing neighbours of a group of adjacent pixels, with their weights.
 struct SurfaceFilter::Weights {
     struct From {
         size_t row;
@@ -103,7 +103,7 @@ void SurfaceFilter::show(size_t i, const Vec3& p, const Vec3& n, float size) {
     perSize_[i] = shown ? perSize : 0;
 }
 
-// Most of a filter's time is spent here and in average(), without a branch on any pixel.
+// Most of the filter's time is spent here and in average(), which therefore have no branch on single pixels.
 void SurfaceFilter::weigh(size_t row, int x, const Neighbours& neighbours, Weights& result) const {
     const auto here = [&](const Planes& planes, int c) { return load(planes.plane(c) + row, x, width_); };
     const Lanes nx = here(normal_, 0), ny = here(normal_, 1), nz = here(normal_, 2);
@@ -111,17 +111,17 @@ void SurfaceFilter::weigh(size_t row, int x, const Neighbours& neighbours, Weigh
     const Lanes perSize = load(perSize_.data() + row, x, width_);
     result.count = 0;
     result.total = 0;
-    // Single pixels at edges are all that some filters are of.
+    // Filters of edge pixels cover few pixels, so whole groups are often empty.
     if (stdx::all_of(perSize == 0)) return;
     for (int k = 0; k < neighbours.count; ++k) {
         const Neighbours::Neighbour& to = neighbours.all[size_t(k)];
         const int other = x + to.right;
         if (other + kLanes <= 0 || other >= width_) continue;
         const auto there = [&](const Planes& planes, int c) { return load(planes.plane(c) + to.row, other, width_); };
-        // Beyond the row's ends there is no normal, and so no weight.
+        // Beyond the row's ends the normal is zero, and so is the weight.
         const Lanes cosine =
             stdx::max(Lanes(0.f), nx * there(normal_, 0) + ny * there(normal_, 1) + nz * there(normal_, 2));
-        // Off the tangent plane, in units of the pixels between.
+        // The distance from the tangent plane, relative to the distance of the pixels on the surface.
         const Lanes off = (nx * (there(point_, 0) - px) + ny * (there(point_, 1) - py) + nz * (there(point_, 2) - pz)) *
                           perSize * to.perDistance;
         const Lanes c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4;
@@ -134,7 +134,7 @@ void SurfaceFilter::weigh(size_t row, int x, const Neighbours& neighbours, Weigh
 }
 
 void SurfaceFilter::weighValues(size_t row, int x, Weights& weights) const {
-    // Where there is no noise, what is equal still counts.
+    // Without noise, equal values still have weight.
     const Lanes noise = load(noise_->plane(0) + row, x, width_) + kLeastNoise;
     for (size_t k = 0; k < size_t(weights.count); ++k) {
         const Weights::From& from = weights.from[k];
@@ -148,7 +148,8 @@ void SurfaceFilter::weighValues(size_t row, int x, Weights& weights) const {
     }
 }
 
-// Calls f(row, x, weights) for pixels side by side, row by row, in parallel; the last of a row may come twice.
+// Calls f(row, x, weights) for groups of adjacent pixels, row by row, in parallel; the last groups of a row may
+// overlap.
 template <typename F>
 void SurfaceFilter::forEachWeighed(int dilation, const F& f) const {
     constexpr int kGrain = 4;
@@ -174,7 +175,7 @@ void SurfaceFilter::average(int dilation, const Planes& in, Planes& out) const {
             store(mean, out.plane(c) + row, x, width_);
         };
         int c = 0;
-        // Three at once, so that each weight is read once for all of them; in variables of their own, which the
+        // Three planes at once, so that each weight is read once for all of them; in separate variables, which the
         // compiler keeps in registers.
         for (; c + 3 <= in.count(); c += 3) {
             const float *const plane0 = in.plane(c), *const plane1 = in.plane(c + 1), *const plane2 = in.plane(c + 2);

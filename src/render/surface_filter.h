@@ -1,5 +1,5 @@
-// Averages of pixels along the surfaces that they show: neighbours count by the cubic B-spline's weights and by whether
-// they lie on the same surface (the edge-avoiding a-trous filter of Dammertz et al., "Edge-Avoiding A-Trous Wavelet
+// Averages pixels along the surfaces that they show: neighbours are weighted by a cubic B-spline and by whether they
+// lie on the same surface (the edge-avoiding a-trous filter of Dammertz et al., "Edge-Avoiding A-Trous Wavelet
 // Transform for fast Global Illumination Filtering", 2010).
 #pragma once
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace drc {
 
-// Pictures of one number a pixel, of the same size, row-major, all zero at first.
+// Single-channel images of one size, row-major, initially zero.
 class Planes {
   public:
     Planes(size_t pixels, int count)
@@ -19,8 +19,9 @@ class Planes {
     const float* plane(int c) const { return values_.data() + size_t(c) * stride_; }
 
   private:
-    // The same pixel of all planes is read at once. If planes were whole pages apart, as the pixels of most common
-    // sizes are, the first cache, which has eight places for each of a page's lines, could not hold so many.
+    // The same pixel of all planes is read at once. At most common image sizes, planes would be a multiple of 4096
+    // bytes apart, and their lines would compete for the same eight places of the first-level cache; the offset
+    // prevents that.
     static size_t strideOf(size_t pixels) {
         constexpr size_t kPage = 4096 / sizeof(float), kApart = 5 * 64 / sizeof(float);
         return (pixels + kPage - 1) / kPage * kPage + kApart;
@@ -33,20 +34,22 @@ class Planes {
 
 class SurfaceFilter {
   public:
-    // Of pixels none of which shows a surface yet.
+    // Initially no pixel shows a surface.
     SurfaceFilter(int width, int height);
 
-    // What pixel i shows: a point, its unit normal, and the width of a pixel there, both in world units. With a size of
-    // zero, or with numbers that are none, it shows nothing that could be averaged along.
+    // Sets what pixel i shows: a point, its unit normal, and the width of a pixel there, in world units. With a size of
+    // zero, or values that are not finite, it shows no surface to average along.
     void show(size_t i, const Vec3& p, const Vec3& n, float size);
     bool covers(size_t i) const { return perSize_[i] > 0; }
-    // From here on neighbours also count by how near their values are to the pixel's: of a difference whose square is
-    // d, summed over the planes, exp(-d / (noise of one + noise of the other)). noise: one plane, 0 or more.
+    // From here on neighbours are also weighted by the similarity of their values: with d the squared difference,
+    // summed over the planes, by exp(-d / (noise of one + noise of the other)). noise: one plane of variances, 0 or
+    // more.
     void guideBy(Planes values, Planes noise);
 
-    // out: each plane's means over the 5x5 neighbours at steps of `dilation` pixels; zero where no surface is shown.
+    // out: the means of each plane over the 5x5 neighbours at steps of `dilation` pixels; zero where no surface is
+    // shown.
     void average(int dilation, const Planes& in, Planes& out) const;
-    // The sum of the weights of each pixel's neighbours, its own 9/64 included; at most one.
+    // The sum of the weights of each pixel's neighbours, including its own weight of 9/64; at most one.
     std::vector<float> weights(int dilation) const;
 
   private:
@@ -59,7 +62,7 @@ class SurfaceFilter {
 
     int width_, height_;
     Planes point_, normal_;
-    std::vector<float> perSize_;  // 1 / size; 0: shows nothing
+    std::vector<float> perSize_;  // 1 / size; 0: no surface
     std::optional<Planes> guide_, noise_;
 };
 

@@ -10,8 +10,8 @@ namespace {
 constexpr int kWidth = 40, kHeight = 30;
 constexpr size_t kPixels = size_t(kWidth) * kHeight;
 
-// A wall to the left of the column kEdge and a floor to the right, both tilted against the view: pixels are not as far
-// apart on them in x as in y.
+// A wall to the left of the column kEdge and a floor to the right, both tilted against the view: on them the distance
+// of pixels in x differs from that in y.
 constexpr int kEdge = 17;
 SurfaceFilter corner() {
     SurfaceFilter filter(kWidth, kHeight);
@@ -57,7 +57,7 @@ TEST(SurfaceFilter, WeighsByTheSplineOnOneSurface) {
         }
     const std::vector<float> weights = filter.weights(2);
     EXPECT_NEAR(weights[y0 * kWidth + x0], 1, 1e-5f);
-    // In the corner of the picture three columns and rows of five remain.
+    // In the corner of the picture three of five columns and rows remain.
     EXPECT_NEAR(weights[(kHeight - 1) * kWidth + kWidth - 1], 121.f / 256, 1e-5f);
 }
 
@@ -65,7 +65,8 @@ TEST(SurfaceFilter, NothingIsMixedAcrossDepthsOrWithNothing) {
     SurfaceFilter filter(kWidth, kHeight);
     Pcg32 rng(2);
     Planes in(kPixels, 1), out(kPixels, 1);
-    // Two planes one behind the other, pixel by pixel at random, and pixels that show none, or no numbers.
+    // Two planes one behind the other, pixel by pixel at random, and pixels without a surface or with values that are
+    // not finite.
     std::vector<int> shows(kPixels);
     for (size_t i = 0; i < kPixels; ++i) {
         const float x = float(i % kWidth), y = float(i / kWidth);
@@ -109,12 +110,12 @@ TEST(SurfaceFilter, GuidedByValuesItMixesOnlyWhatNoiseMayMakeDiffer) {
         EXPECT_FLOAT_EQ(stepAt(noise, right), 1);
     }
     EXPECT_NEAR(stepAt(1e6f, left), 5.f / 16, 1e-5f);
-    // Of two pixels with a noise of one each, exp(-1/2) of a neighbour's weight.
+    // For two pixels with a noise of one each, a neighbour's weight is multiplied by exp(-1/2).
     const float across = 5.f / 16 * std::exp(-0.5f);
     EXPECT_NEAR(stepAt(1, left), across / (11.f / 16 + across), 0.005f);
 }
 
-// Pixels are worked on side by side; rows may be shorter than that, or no multiple of it.
+// Groups of adjacent pixels are processed together; rows may be shorter than a group, or no multiple of it.
 TEST(SurfaceFilter, FollowsItsFormulaAtAnyWidth) {
     constexpr int kRows = 6, kPlanes = 5, kDilation = 2;
     for (const int width : {1, 3, 8, 21, 40}) {

@@ -1,4 +1,4 @@
-// The filter of the pictures of radiance maps: takes the noise out of each layer along surfaces, and corrects the maps'
+// The filter for integrators with map passes: removes the noise of each layer along surfaces, and corrects the maps'
 // errors by path-traced samples of the same light (LayerFilter).
 #pragma once
 #include "render/picture_filter.h"
@@ -8,7 +8,7 @@ namespace drc {
 class SurfacePictureFilter final : public PictureFilter {
   public:
     SurfacePictureFilter(bool smooth, bool correct) : smooth_(smooth), correct_(correct) {}
-    // picture: by an integrator with radiance maps.
+    // picture: from an integrator with map passes.
     void apply(LayeredPicture& picture) const override;
     std::string name() const override { return "surface"; }
 

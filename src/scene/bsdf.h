@@ -20,7 +20,7 @@ struct BsdfSample {
     Rgb f;              // BSDF value; for a specular lobe f / pdf is the weight divided by |cos|
     float pdf = 0;      // per solid angle; for a specular lobe the probability of having chosen it
     LobeFlags flags{};  // of the lobe that was sampled
-    float eta = 1;      // relative index of refraction that was crossed, 1 if none; for Russian roulette
+    float eta = 1;      // relative index of refraction crossed, 1 if none; for Russian roulette
     bool isSpecular() const { return any(flags & LobeFlags::Specular); }
     bool isTransmission() const { return any(flags & LobeFlags::Transmission); }
 };
@@ -30,7 +30,7 @@ class Bsdf {
     static constexpr int kMaxLobes = 12;
 
     Bsdf() = default;
-    // ng: geometric normal. Neither normal need face the viewer.
+    // ng: geometric normal. Neither normal has to face the viewer.
     Bsdf(const Frame& shading, const Vec3& ng) : frame_(shading), ng_(ng) {}
     Bsdf(const Bsdf& other);
     Bsdf& operator=(const Bsdf& other);
@@ -47,7 +47,8 @@ class Bsdf {
         ++own_.count;
     }
 
-    // The lobes of another in place of its own, which must outlive this one and its copies and not change.
+    // Uses the lobes of another Bsdf in place of its own. The other must outlive this one and its copies, and must not
+    // change.
     void borrowLobes(const Bsdf& other) { lobes_ = other.lobes_; }
 
     // True if any lobe of the mask has all of these flags.
@@ -58,7 +59,7 @@ class Bsdf {
     bool hasSpecular() const { return has(LobeFlags::Specular); }
     int size() const { return lobes_->count; }
 
-    // What a BsdfView of wo through mask says of one direction; a view is the cheaper way to ask more than once.
+    // The functions of a BsdfView of wo through the mask; a view is cheaper for more than one call.
     Rgb f(const Vec3& wo, const Vec3& wi, const LobeMask& mask = LobeFlags::All,
           TransportMode mode = TransportMode::Radiance) const;
     float pdf(const Vec3& wo, const Vec3& wi, const LobeMask& mask = LobeFlags::All) const;
@@ -70,7 +71,7 @@ class Bsdf {
     void setFrame(const Frame& shading) { frame_ = shading; }
     const Vec3& ng() const { return ng_; }
 
-    // Albedo towards wo, an estimate for AOVs and for choosing lobes.
+    // The albedo towards wo: an estimate for the G-buffer and for choosing lobes.
     Rgb albedo(const Vec3& wo, const LobeMask& mask = LobeFlags::All) const;
 
     // i in [0, size()).
@@ -90,13 +91,14 @@ class Bsdf {
         std::array<LobeFlags, kMaxLobes> flags;
         std::array<float, kMaxLobes> alphas;
         std::array<Rgb, kMaxLobes> weights;
-        // Raw, because a Bsdf is made at every hit and to construct twelve lobes for the two in use would be a waste.
+        // Raw memory, because a Bsdf is made at every hit, and constructing twelve lobes where two are used would be
+        // wasteful.
         alignas(Lobe) std::byte storage[kMaxLobes * sizeof(Lobe)];
     };
 
     Frame frame_;
     Vec3 ng_{0, 0, 1};
-    const Lobes* lobes_ = &own_;  // or another's
+    const Lobes* lobes_ = &own_;  // or those of another
     Lobes own_;
 };
 static_assert(std::is_trivially_destructible_v<Lobe>, "Bsdf does not destroy its lobes");

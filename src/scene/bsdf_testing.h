@@ -1,11 +1,11 @@
-// For tests: what must hold for a Bsdf of any lobes.
+// For tests: properties that every Bsdf must have, whatever its lobes.
 #pragma once
 #include "scene/bsdf.h"
 #include "scene/lobe_testing.h"
 
 namespace drc::test {
 
-// sample() against pdf() and f() for a mask. Specular samples count as none: they have no density.
+// Checks sample() against pdf() and f() for a mask. Specular samples count as none, because they have no pdf.
 inline void checkBsdf(const Bsdf& bsdf, const LobeMask& mask, std::vector<float> cosines = {0.9f, 0.25f, -0.7f}) {
     for (const float c : cosines) {
         SCOPED_TRACE("cos theta_o = " + std::to_string(c) + ", mask " + std::to_string(int(mask.flags)));
@@ -19,7 +19,7 @@ inline void checkBsdf(const Bsdf& bsdf, const LobeMask& mask, std::vector<float>
             if (!s || s->isSpecular()) return std::nullopt;
             return s->wi;
         };
-        // Where the BSDF is zero a sample is as good as none.
+        // Where the BSDF is zero, having a sample or none makes no difference.
         const auto pdf = [&](const Vec3& wi) { return isBlack(bsdf.f(wo, wi, mask)) ? 0.f : bsdf.pdf(wo, wi, mask); };
         const ChiSquare r = chiSquareTest(sample, pdf, 50000, 11);
         EXPECT_GT(r.pValue, kChiSquareLevel) << "chi2 " << r.statistic << " dof " << r.degreesOfFreedom;
@@ -64,7 +64,7 @@ inline Mean meanWeight(const Bsdf& bsdf, const Vec3& wo, const LobeMask& mask = 
     return m;
 }
 
-// Under a white sky no more comes back than arrives.
+// Checks that no more light is scattered than arrives.
 inline void checkBsdfEnergy(const Bsdf& bsdf) {
     for (float c = -0.95f; c < 1; c += 0.2f) {
         const Mean m = meanWeight(bsdf, bsdf.frame().toWorld(direction(c)));
@@ -72,7 +72,7 @@ inline void checkBsdfEnergy(const Bsdf& bsdf) {
     }
 }
 
-// The mean weight over the non-specular lobes is the integral of f cos.
+// Checks that the mean weight of the non-specular lobes is the integral of f cos.
 inline void checkUnbiased(const Bsdf& bsdf, const LobeMask& mask = LobeFlags::NonSpecular) {
     for (const float c : {0.8f, -0.4f}) {
         const Vec3 wo = bsdf.frame().toWorld(direction(c));
@@ -83,15 +83,16 @@ inline void checkUnbiased(const Bsdf& bsdf, const LobeMask& mask = LobeFlags::No
     }
 }
 
-// Light goes both ways alike: what a camera path carries from wi to wo is what a light path carries from wo to wi.
-// Pairs on which the two normals disagree are left out, where shading normals are known to break this.
+// Checks reciprocity: a camera path transports from wi to wo what a light path transports from wo to wi. Pairs on whose
+// sides the two normals disagree are left out, because shading normals are known to break reciprocity there.
 inline void checkBsdfReciprocity(const Bsdf& bsdf) {
     std::mt19937 rng(14);
     int compared = 0;
     for (int i = 0; i < 4000; ++i) {
         const Vec3 wo = randomDirection(rng), wi = randomDirection(rng);
         const auto side = [&](const Vec3& w) { return dot(w, bsdf.ng()) * dot(w, bsdf.frame().n); };
-        // Where rounding is most of a narrow lobe's tail, and near the critical angle, there is nothing to compare.
+        // In the tail of a very glossy lobe, and near the critical angle, rounding errors dominate, so there is nothing
+        // to compare.
         if (side(wo) < 1e-3f || side(wi) < 1e-3f) continue;
         const Rgb f = bsdf.f(wo, wi, LobeFlags::All, TransportMode::Radiance);
         expectClose(f, bsdf.f(wi, wo, LobeFlags::All, TransportMode::Importance), 2e-3f, "reciprocity", 1e-2f);
@@ -102,8 +103,9 @@ inline void checkBsdfReciprocity(const Bsdf& bsdf) {
     }
 }
 
-// The same of specular lobes: the way back of a sample is one of the ways that samples from its end take, with as much
-// of the light. (Refraction narrows a beam by the relative index squared, which is in the delta of one way alone.)
+// The same for specular lobes: the reverse of a sample's path is one of the paths that samples from its end take, with
+// the same share of the light. (Refraction narrows a beam by the squared relative index, which is in the delta
+// distribution of one direction only.)
 inline void checkSpecularReciprocity(const Bsdf& bsdf) {
     constexpr LobeFlags kMask = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
     constexpr int kChoices = 256;

@@ -1,5 +1,5 @@
-// A BSDF as one direction sees it, through some of its lobes: what does not depend on the other direction is worked out
-// once, for all the light samples, map samples and new directions that a path tries at a point.
+// A BSDF seen from one direction, through some of its lobes: what does not depend on the other direction is computed
+// once, for all the light samples, map samples and new directions at a point.
 #pragma once
 #include "scene/bsdf.h"
 
@@ -14,11 +14,11 @@ class BsdfView {
     const Bsdf& bsdf() const { return bsdf_; }
     // Sum of the non-specular lobes; wi in world space.
     Rgb f(const Vec3& wi) const { return evaluate(wi).f; }
-    // The same with the density of sample() per solid angle, without its specular lobes. Where f is zero the density
-    // may be given as zero too.
+    // The same together with the pdf of sample() per solid angle, without its specular lobes. Where f is zero the pdf
+    // may be returned as zero too.
     LobeValue evaluate(const Vec3& wi) const;
-    // Chooses among the lobes in proportion to an estimate of their albedo. None: no lobe, or no light. If the sampled
-    // lobe is non-specular, f and pdf are those of all the non-specular ones together.
+    // Chooses a lobe in proportion to an estimate of its albedo. None: there is no lobe, or no light. If the sampled
+    // lobe is non-specular, f and pdf are those of all non-specular lobes together.
     std::optional<BsdfSample> sample(float uLobe, const Vec2& u) const;
 
   private:
@@ -27,7 +27,7 @@ class BsdfView {
         LobeFlags flags;
         float probability;
     };
-    // The sums over the non-specular lobes but one; wi in the shading frame.
+    // The sums over all non-specular lobes except `one`; wi in the shading frame.
     LobeValue allBut(const Choice* one, const Vec3& wi, LobeFlags side) const;
     LobeFlags sideOf(const Vec3& wiWorld) const;
 
@@ -36,7 +36,7 @@ class BsdfView {
     float woSide_;  // cosine of wo to the geometric normal
     TransportMode mode_;
     LobeFlags sides_ = LobeFlags::None;  // of all lobes within the mask
-    int count_ = 0;                      // lobes within the mask; 0 too where none can be chosen
+    int count_ = 0;                      // lobes within the mask; also 0 if none can be chosen
     Choice choices_[Bsdf::kMaxLobes];
 };
 

@@ -1,16 +1,17 @@
-// The part of the film that is rendered, as scene files and the command line give it.
+// The part of the film that is rendered, as specified in scene files and on the command line.
 #pragma once
 #include <array>
 #include <span>
 
 namespace drc {
 
-// x0 x1 y0 y1, in parts of the film's width and height from its upper left corner, each in [0, 1]; x0 < x1, y0 < y1.
+// x0 x1 y0 y1, as fractions of the film's width and height from its upper left corner, each in [0, 1]; x0 < x1, y0 <
+// y1.
 using CropWindow = std::array<float, 4>;
 
-// The window that these numbers mean, as pbrt takes them: x0 x1 y0 y1, in either order of the two edges, cut to the
-// film. Throws Error with the complaint alone ("must be ..."), for the caller to say of what: other than four values,
-// one that is no number, or a window of which nothing lies on the film.
+// The window of these numbers, read as pbrt does: x0 x1 y0 y1, with the two edges in either order, clipped to the film.
+// Throws Error with the complaint alone ("must be ..."), so that the caller can name the parameter: if there are not
+// four values, if one is NaN, or if the window lies outside the film.
 CropWindow cropWindowOf(std::span<const double> values);
 
 }  // namespace drc

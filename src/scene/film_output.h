@@ -1,4 +1,4 @@
-// The pictures that a scene's film asks for.
+// The output files that a scene's film asks for.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,9 +7,8 @@
 
 namespace drc {
 
-// What is written where the user names no picture: an EXR and a PNG in the current folder, called as the film's file
-// is, without its folder and extension. Throws Error, at the film's file name, if that names no file ("pictures/",
-// "..").
+// The files that are written if the user names none: an EXR and a PNG in the current folder, with the stem of the
+// film's file name. Throws Error, at the place of that name, if it names no file ("pictures/", "..").
 std::vector<std::string> filmOutputs(const RenderSettings& settings);
 
 }  // namespace drc

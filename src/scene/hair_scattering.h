@@ -2,13 +2,13 @@
 // et al., "An Energy-Conserving Hair Reflectance Model", 2011; Chiang et al., "A Practical and Controllable Hair and
 // Fur Model for Production Path Tracing", 2016; Pharr, "The Implementation of a Hair Scattering Model", 2016).
 //
-// The fibre is a coloured dielectric cylinder, rough, with scales that lean towards its tip. Light is reflected off its
-// surface (R), passes through (TT), or leaves after one or more reflections inside (TRT, and all further ones). Each of
-// these lobes is a product of what is absorbed, a distribution along the fibre and one around it, each of which
-// integrates to one, so that no energy is made or lost.
+// The fibre is a rough, coloured dielectric cylinder with scales that tilt towards its tip. Light is reflected off its
+// surface (R), passes through (TT), or leaves after one or more internal reflections (TRT, and all further ones). Each
+// of these lobes is the product of an attenuation by absorption, a distribution along the fibre and one around it; the
+// distributions integrate to one, so that energy is conserved.
 //
-// x of the shading frame points along the fibre; polar angles are measured from the plane normal to it, azimuths within
-// that plane. As all scattering inside the fibre is part of the lobe, its light may leave on either side.
+// The x axis of the shading frame points along the fibre; longitudinal angles are measured from the plane normal to it,
+// azimuths within that plane. All scattering inside the fibre is part of the lobe, so light may leave on either side.
 #pragma once
 #include <array>
 
@@ -22,9 +22,10 @@ class HairScattering {
         float eta = 1.55f;         // index of refraction
         float betaM = 0.3f;        // roughness along the fibre, [0, 1]
         float betaN = 0.3f;        // roughness around it, [0, 1]
-        float alphaDegrees = 2.f;  // by how much the scales lean
+        float alphaDegrees = 2.f;  // tilt of the scales
     };
-    // h: where the fibre is met, across its width, in [-1, 1]. absorption: sigma_a inside, per radius of the fibre.
+    // h: where the ray hits the fibre, across its width, in [-1, 1]. absorption: sigma_a inside, in units of 1 / the
+    // fibre's radius.
     HairScattering(float h, const Rgb& absorption, const Shape& shape);
 
     static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Glossy; }
@@ -36,9 +37,9 @@ class HairScattering {
     Rgb albedo(const Vec3& wo) const;  // exact
 
   private:
-    // R, TT, TRT, and the rest together.
+    // R, TT, TRT, and all further ones together.
     static constexpr int kLobes = 4;
-    // What depends on wo alone.
+    // Quantities that depend on wo alone.
     struct Outgoing;
     float variance(int lobe) const;
 

@@ -1,15 +1,15 @@
-// What the lobes that a BSDF can be made of have in common. Each is a small value type in a file or pair of its own; a
-// new lobe is that, one line in lobes.h, and a test.
+// The interface that all lobes of a BSDF share. Each lobe is a small value type in a file or pair of its own; a new one
+// takes that, a line in lobes.h, and a test.
 //
-// A lobe works in the shading frame: unit vectors, z is the shading normal, both wo and wi point away from the
+// A lobe works in the shading frame: unit vectors, z is the shading normal, and both wo and wi point away from the
 // surface and may be on either side. It offers
 //     LobeFlags flags() const;                       // what it is
 //     float alpha() const;                           // its roughness, see LobeMask
 //     Rgb f(wo, wi) const;                           // BSDF, without cosine; 0 for a specular lobe
 //     float pdf(wo, wi) const;                       // of sample(), per solid angle; 0 for a specular lobe
 //     LobeSample sample(wo, uLobe, u, mode) const;   // pdf 0: no sample
-//     Rgb f(wo, wi, mode) const;                     // only where f depends on what is transported
-//     LobeValue evaluate(wo, wi) const;              // only where f and pdf together cost less than the two apart
+//     Rgb f(wo, wi, mode) const;                     // only if f depends on the transport mode
+//     LobeValue evaluate(wo, wi) const;              // only if f and pdf are cheaper to compute together
 //     Rgb albedo(wo) const;                          // estimate of the directional albedo, for choosing lobes
 #pragma once
 #include <cstdint>
@@ -37,11 +37,11 @@ constexpr LobeFlags operator|(LobeFlags a, LobeFlags b) { return LobeFlags(uint8
 constexpr LobeFlags operator&(LobeFlags a, LobeFlags b) { return LobeFlags(uint8_t(a) & uint8_t(b)); }
 constexpr bool any(LobeFlags f) { return f != LobeFlags::None; }
 
-// Which lobes take part: those that have no other flags than these, and a roughness within [from, to).
+// Selects lobes: those that have no flags other than these, and a roughness within [from, to).
 //
-// The roughness is alpha of the Trowbridge-Reitz distribution of microfacets, the larger of both axes. Specular lobes
-// have 0 and diffuse ones kDiffuseAlpha. Hair has 0 whatever its roughness: a fibre is thinner than a pixel and its
-// normal turns all the way around across it, so that nothing which is known of a neighbour stands for it.
+// The roughness is alpha of the Trowbridge-Reitz distribution of microfacets, the larger one of both axes. Specular
+// lobes have 0 and diffuse ones kDiffuseAlpha. Hair has 0 whatever its roughness: a fibre is thinner than a pixel, and
+// its normal turns all the way around across it, so that nothing known at a neighbour holds for it.
 struct LobeMask {
     constexpr LobeMask(LobeFlags lobes) : flags(lobes) {}  // NOLINT: flags alone are a mask
     constexpr LobeMask(LobeFlags lobes, float fromAlpha, float toAlpha) : flags(lobes), from(fromAlpha), to(toAlpha) {}
@@ -55,12 +55,12 @@ struct LobeMask {
 
 inline constexpr float kDiffuseAlpha = std::numeric_limits<float>::max();
 
-// Broad lobes: diffuse ones, and those that are at least so rough. A map of incident radiance as coarse as that
-// threshold resolves their light (broadAlpha() of cache/projection.h).
+// Broad lobes: diffuse ones, and others with an alpha of at least the threshold. A map of incident radiance with the
+// resolution of that threshold resolves their light (broadAlpha() of cache/projection.h).
 constexpr LobeMask broadLobes(float threshold) {
     return {LobeFlags::NonSpecular, threshold, std::numeric_limits<float>::infinity()};
 }
-// Glossy lobes: the rest, but for specular ones.
+// Glossy lobes: all other non-specular ones.
 constexpr LobeMask glossyLobes(float threshold) { return {LobeFlags::NonSpecular, 0, threshold}; }
 
 struct LobeValue {
@@ -76,7 +76,7 @@ struct LobeSample {
     float eta = 1;      // relative index of refraction crossed
 };
 
-// What specular lobes have in common: only their own samples have any of their light.
+// The base of specular lobes: f and pdf are zero, because only their own samples carry light.
 class SpecularLobe {
   public:
     Rgb f(const Vec3&, const Vec3&) const { return Rgb(0.f); }

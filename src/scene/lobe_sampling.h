@@ -1,5 +1,5 @@
-// The ways in which most reflecting lobes are sampled. A lobe that uses one has the density and the sampler of that
-// way, so that they cannot disagree.
+// The sampling strategies of most reflecting lobes. A lobe that uses one takes both pdf and sampler from it, so that
+// the two cannot disagree.
 #pragma once
 #include "math/warp.h"
 #include "scene/lobe.h"
@@ -8,7 +8,7 @@
 
 namespace drc {
 
-// What a lobe is that reflects diffusely: Self adds f and albedo. Sampled in proportion to the cosine, on wo's side.
+// A diffusely reflecting lobe: Self adds f and albedo. Sampled in proportion to the cosine, on wo's side.
 template <class Self>
 class DiffuseReflectionLobe {
   public:
@@ -26,7 +26,7 @@ class DiffuseReflectionLobe {
     }
 };
 
-// A mirror: Self adds albedo, of which nothing is estimated.
+// A mirror: Self adds albedo, which must be exact, because samples are weighted by it.
 template <class Self>
 class MirrorLobe : public SpecularLobe {
   public:
@@ -42,15 +42,15 @@ class MirrorLobe : public SpecularLobe {
     }
 };
 
-// A lobe's sample, once its direction is chosen by the density that evaluate() gives.
+// Completes the sample of a lobe whose direction was sampled with the pdf of evaluate().
 template <class Lobe>
 LobeSample sampleTowards(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
     const LobeValue value = lobe.evaluate(wo, wi);
     return {.wi = wi, .f = value.f, .pdf = value.pdf, .flags = lobe.flags()};
 }
 
-// Reflected off a microfacet of this normal. No sample where wo does not see it, and where it reflects into the
-// surface: the energy that single scattering loses.
+// The sample reflected off a microfacet with this normal. There is none if wo does not see the microfacet, or if it
+// reflects into the surface: that is the energy that single scattering loses.
 template <class Lobe>
 LobeSample sampleOffMicrofacet(const Lobe& lobe, const Vec3& wo, const Vec3& wh) {
     if (dot(wo, wh) <= 0) return {};
@@ -59,8 +59,8 @@ LobeSample sampleOffMicrofacet(const Lobe& lobe, const Vec3& wo, const Vec3& wh)
     return sampleTowards(lobe, wo, wi);
 }
 
-// Reflected off a microfacet that wo sees (PBR 3e, section 14.1.1).
-// d: distribution.d of the normal halfway between wo and wi.
+// Samples a visible microfacet and reflects off it (PBR 3e, section 14.1.1).
+// d: distribution.d of the half vector of wo and wi.
 inline float microfacetPdf(const TrowbridgeReitz& distribution, const Vec3& wo, const Vec3& wi, float d) {
     return sameHemisphere(wo, wi) ? 0.25f * d * distribution.g1OverCosine(wo) : 0;
 }

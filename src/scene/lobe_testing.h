@@ -1,4 +1,4 @@
-// For tests: what must hold for every lobe.
+// For tests: properties that every lobe must have.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -21,13 +21,13 @@ inline Vec3 direction(float cosTheta, float phi = 0.7f) {
     const float r = safeSqrt(1 - cosTheta * cosTheta);
     return Vec3(r * std::cos(phi), r * std::sin(phi), cosTheta);
 }
-// Relative to the larger, or to `least` where both are smaller.
+// The tolerance is relative to the larger value, or to `least` if both are smaller.
 inline void expectClose(const Rgb& a, const Rgb& b, float relative, const char* what = "", float least = 1e-4f) {
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(a[c], b[c], relative * std::max({std::abs(a[c]), std::abs(b[c]), least})) << what << " " << c;
 }
 
-// sample() against pdf() and f(): distribution, densities that integrate to no more than one, values that agree.
+// Checks sample() against pdf() and f(): the distribution, pdfs that integrate to at most one, and equal values.
 template <typename L>
 void checkSampling(const L& lobe, std::vector<float> cosines = {0.97f, 0.4f, 0.08f, -0.6f}) {
     for (const float c : cosines) {
@@ -57,7 +57,8 @@ void checkSampling(const L& lobe, std::vector<float> cosines = {0.97f, 0.4f, 0.0
     }
 }
 
-// The lobe under a white sky: mean weight of samples, by importance so that refraction's scale of radiance is out.
+// The albedo of the lobe: the mean weight of samples, in importance mode, which leaves out the scaling of radiance by
+// refraction.
 template <typename L>
 Rgb furnace(const L& lobe, const Vec3& wo, int samples = 20000) {
     std::mt19937 rng(3);
@@ -86,7 +87,7 @@ void checkReciprocity(const L& lobe) {
     }
 }
 
-// The estimate of albedo() must be within `absolute` of the lobe's true one.
+// Checks that albedo() is within `absolute` of the lobe's true albedo.
 template <typename L>
 void checkAlbedo(const L& lobe, float absolute) {
     for (const float c : {-0.8f, 0.3f, 0.9f})

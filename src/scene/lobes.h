@@ -1,4 +1,4 @@
-// All lobes. A new one is a pair of files, a line here and a test.
+// The list of all lobes. A new one takes a pair of files, a line here and a test.
 #pragma once
 #include <variant>
 

@@ -13,8 +13,8 @@ class TrowbridgeReitz {
     // pbrt's lower limit: below it the lobe is a mirror to single precision.
     static constexpr float kMinAlpha = 0.001f;
 
-    // Whether a facet that one direction sees is likelier to be seen by the other, too: high facets are. Separable
-    // takes the two as independent, as Burley's model does; it is darker.
+    // HeightCorrelated: a microfacet that one direction sees is more likely to be seen from the other too, because it
+    // is high. Separable takes the two as independent, as Burley's model does, and is darker.
     enum class Masking { HeightCorrelated, Separable };
 
     TrowbridgeReitz() : TrowbridgeReitz(1, 1) {}
@@ -27,35 +27,35 @@ class TrowbridgeReitz {
 
     // Density of microfacets of normal wh per unit area and solid angle; even in wh.
     float d(const Vec3& wh) const {
-        // The textbook's cos^4 (1 + tan^2 (...))^2, multiplied out: no tangent that overflows at the horizon.
+        // The textbook's cos^4 (1 + tan^2 (...))^2, expanded, so that no tangent overflows at the horizon.
         const float e = sqr(wh.x * inverseX_) + sqr(wh.y * inverseY_) + wh.z * wh.z;
         return kInvPi * inverseX_ * inverseY_ / (e * e);
     }
-    // Masking and shadowing over 4 |cos wo cos wi|, what the Torrance-Sparrow model multiplies d by. With the cosines
-    // cancelled out of Smith's function nothing overflows at the horizon and one division is left.
+    // Masking and shadowing divided by 4 |cos wo cos wi|: the factor of d in the Torrance-Sparrow model. With the
+    // cosines cancelled in Smith's function, nothing overflows at the horizon and one division remains.
     float visibility(const Vec3& wo, const Vec3& wi) const {
         const float cosO = std::abs(wo.z), cosI = std::abs(wi.z);
         const float o = stretchedLength(wo), i = stretchedLength(wi);
         return masking_ == Masking::Separable ? 1 / ((cosO + o) * (cosI + i)) : 0.5f / (o * cosI + i * cosO);
     }
-    // Masking alone over |cos w|; finite at the horizon.
+    // Masking divided by |cos w|; finite at the horizon.
     float g1OverCosine(const Vec3& w) const { return 2 / (std::abs(w.z) + stretchedLength(w)); }
 
     // A microfacet normal that wo sees, on wo's side of the surface. wo.z != 0.
     Vec3 sample(const Vec3& wo, const Vec2& u) const;
-    // Its density, per solid angle of wh; wh must face wo.
+    // Its pdf, per solid angle of wh; wh must face wo.
     float pdf(const Vec3& wo, const Vec3& wh) const { return d(wh) * g1OverCosine(wo) * absDot(wo, wh); }
 
-    // One number for both axes.
+    // The geometric mean of both axes, and the larger one.
     float meanAlpha() const { return std::sqrt(alphaX_ * alphaY_); }
     float largestAlpha() const { return std::max(alphaX_, alphaY_); }
-    // The same surface with normals spread further, by independent ones of this alpha.
+    // The same surface with normals spread further, by independent ones with this alpha.
     TrowbridgeReitz widened(float alpha) const {
         return TrowbridgeReitz(std::sqrt(sqr(alphaX_) + sqr(alpha)), std::sqrt(sqr(alphaY_) + sqr(alpha)), masking_);
     }
 
   private:
-    // Of w, scaled so that the surface's slopes have alpha 1: |cos w| (1 + 2 lambda(w)).
+    // The length of w in the space in which the slopes have alpha 1: |cos w| (1 + 2 lambda(w)).
     float stretchedLength(const Vec3& w) const {
         return std::sqrt(sqr(alphaX_ * w.x) + sqr(alphaY_ * w.y) + w.z * w.z);
     }

@@ -7,8 +7,8 @@ namespace drc {
 
 class MicrofacetTransmission {
   public:
-    // etaA: index of refraction on the side of the shading normal; etaB: on the other. They must differ: a boundary
-    // between equals bends nothing, and its BTDF is a delta function.
+    // etaA: index of refraction on the side of the shading normal; etaB: on the other side. They must differ: a
+    // boundary between equal media refracts nothing, and its BTDF is a delta distribution.
     MicrofacetTransmission(const Rgb& transmittance, const TrowbridgeReitz& distribution, float etaA, float etaB)
         : transmittance_(transmittance), distribution_(distribution), etaA_(etaA), etaB_(etaB) {}
 
@@ -23,7 +23,7 @@ class MicrofacetTransmission {
   private:
     // Index on the far side of wo divided by the index on wo's side.
     float relativeEta(const Vec3& wo) const { return wo.z > 0 ? etaB_ / etaA_ : etaA_ / etaB_; }
-    // The microfacet normal, above the surface, that refracts wi to wo; false: none that wo and wi both see.
+    // The microfacet normal, above the surface, that refracts wi to wo; false: there is none that both see.
     bool halfVector(const Vec3& wo, const Vec3& wi, float eta, Vec3& wh) const;
 
     Rgb transmittance_;
