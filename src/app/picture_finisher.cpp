@@ -14,8 +14,9 @@ using Clock = std::chrono::steady_clock;
 
 // If finishing takes more than this share of the budget, cheaper filters are used.
 constexpr double kMostOfBudget = 0.7;
-// A larger part is measured if that takes no more than this share of the budget.
-constexpr double kMostToMeasure = 0.02;
+// The share of the budget that may be taken to measure the larger part, unless finishing takes less than the second
+// share.
+constexpr double kMostToMeasure = 0.03, kNegligible = 0.01;
 // The side of the smallest part in pixels: no filter reaches farther.
 constexpr int kLeastSide = 64;
 // The estimate is multiplied by this, because the speed of a machine varies.
@@ -24,8 +25,8 @@ constexpr double kMargin = 1.03;
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // The central part of a region: each side divided by `divisor`, but at least kLeastSide.
-PixelRegion middle(const PixelRegion& region, int divisor) {
-    const auto side = [&](int length) { return std::min(length, std::max(kLeastSide, length / divisor)); };
+PixelRegion middle(const PixelRegion& region, double divisor) {
+    const auto side = [&](int length) { return std::min(length, std::max(kLeastSide, int(length / divisor))); };
     const int width = side(region.width()), height = side(region.height());
     const int x = region.x0 + (region.width() - width) / 2, y = region.y0 + (region.height() - height) / 2;
     return {x, y, x + width, y + height};
@@ -41,26 +42,31 @@ double PictureFinisher::secondsFor(const Session& session, const PixelRegion& pa
     return secondsSince(start);
 }
 
-double PictureFinisher::estimate(const Session& session, double budget) const {
+double PictureFinisher::estimate(const Session& session, double budget) {
     const PixelRegion& whole = session.film().region();
-    // A first, unmeasured run, because it takes longer than all that follow.
-    secondsFor(session, middle(whole, 16));
-    double fixed = 0, perPixel = 0, lastPixels = 0, lastSeconds = 0;
-    for (const int divisor : {16, 8, 4, 2, 1}) {
-        const PixelRegion part = middle(whole, divisor);
-        const double pixels = double(part.count());
-        if (lastPixels > 0) {
-            if (pixels <= lastPixels) continue;
-            if (fixed + perPixel * pixels > kMostToMeasure * budget) break;
-        }
+    const auto timed = [&](const PixelRegion& part) {
         const double seconds = secondsFor(session, part);
-        if (lastPixels > 0) perPixel = std::max(0.0, (seconds - lastSeconds) / (pixels - lastPixels));
-        if (lastPixels == 0 || perPixel == 0) perPixel = seconds / pixels;
-        fixed = std::max(0.0, seconds - perPixel * pixels);
-        lastPixels = pixels;
-        lastSeconds = seconds;
-    }
-    return kMargin * (fixed + perPixel * double(whole.count()));
+        logDebug(fmt::format("to finish {} x {} pixels takes {:.3f} s", part.width(), part.height(), seconds));
+        return seconds;
+    };
+    // Later on, whether the machine is as fast as it was.
+    if (last_.seconds > 0) return last_.estimate * timed(last_.part) / last_.seconds;
+    // A first, unmeasured run, because it takes longer than all that follow.
+    const double smallest = std::max(1.0, double(std::min(whole.width(), whole.height())) / kLeastSide);
+    const PixelRegion small = middle(whole, smallest);
+    secondsFor(session, small);
+    const double smallPixels = double(small.count()), all = double(whole.count());
+    const double smallSeconds = timed(small), estimated = smallSeconds / smallPixels * all;
+    last_ = {small, smallSeconds, estimated};
+    // Then as large a part as there is time for, since large ones are filtered more efficiently than small ones.
+    const double share = kMostToMeasure * budget / estimated;
+    if (estimated < kNegligible * budget || share * all < 1.5 * smallPixels) return last_.estimate;
+    const PixelRegion large = middle(whole, std::sqrt(std::max(1.0, 1 / share)));
+    const double seconds = timed(large), pixels = double(large.count());
+    double perPixel = pixels > smallPixels ? (seconds - smallSeconds) / (pixels - smallPixels) : 0;
+    if (!(perPixel > 0)) perPixel = seconds / pixels;
+    last_ = {large, seconds, std::max(0.0, seconds - perPixel * pixels) + perPixel * all};
+    return last_.estimate;
 }
 
 void PictureFinisher::finish(LayeredPicture picture, const ExrMetadata& metadata) {
@@ -74,15 +80,18 @@ void PictureFinisher::finish(LayeredPicture picture, const ExrMetadata& metadata
 
 void PictureFinisher::measure(Session& session) {
     Schedule& schedule = session.schedule();
+    const bool first = last_.seconds == 0;
     for (;;) {
-        schedule.reserve(estimate(session, schedule.budget()));
+        schedule.reserve(kMargin * estimate(session, schedule.budget()));
         schedule.reserveMeasured();
-        if (schedule.reserved() <= kMostOfBudget * schedule.budget() || candidates_.size() == 1) return;
-        logWarning(fmt::format("--time {:g}: '{}' alone would take {:.1f} s; {}", schedule.budget(),
-                               filters().front()->name(), schedule.reserved(),
+        const double most = std::min(kMostOfBudget * schedule.budget(), schedule.secondsLeft());
+        if (!first || schedule.reserved() <= most || candidates_.size() == 1) return;
+        logWarning(fmt::format("--time {:g}: '{}' would take {:.1f} s; {}", schedule.budget(), filters().back()->name(),
+                               schedule.reserved(),
                                candidates_[1].empty() ? "the picture is left as it is"
-                                                      : "'" + candidates_[1].front()->name() + "' is used"));
+                                                      : "'" + candidates_[1].back()->name() + "' is used"));
         candidates_.erase(candidates_.begin());
+        last_ = {};
     }
 }
 

@@ -25,10 +25,16 @@ class PictureFinisher {
 
   private:
     // Seconds for the whole picture, extrapolated from parts.
-    double estimate(const Session& session, double budget) const;
+    double estimate(const Session& session, double budget);
     double secondsFor(const Session& session, const PixelRegion& part) const;
     const PictureFilters& filters() const { return candidates_.front(); }
 
+    // The last part that was measured, and the estimate by it, seconds.
+    struct Measured {
+        PixelRegion part{};
+        double seconds = 0, estimate = 0;
+    };
+    Measured last_;
     std::vector<PictureFilters> candidates_;
     PictureWriter& writer_;
     Stats& stats_;

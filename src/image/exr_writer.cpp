@@ -6,6 +6,7 @@
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfThreading.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/parallel.h"
 
 namespace drc {
 namespace {
@@ -82,7 +84,8 @@ std::string encodeLayers(const std::vector<ExrLayer>& layers, const ExrMetadata&
     }
     MemoryStream stream;
     {
-        Imf::OutputFile file(stream, header);
+        if (Imf::globalThreadCount() != threadCount()) Imf::setGlobalThreadCount(threadCount());
+        Imf::OutputFile file(stream, header, threadCount());
         file.setFrameBuffer(frame);
         file.writePixels(first.height());
     }

@@ -10,7 +10,7 @@ class SurfacePictureFilter final : public PictureFilter {
     SurfacePictureFilter(bool smooth, bool correct) : smooth_(smooth), correct_(correct) {}
     // picture: from an integrator with map passes.
     void apply(LayeredPicture& picture) const override;
-    std::string name() const override { return "surface"; }
+    std::string name() const override { return smooth_ ? "surface" : "correction of the maps"; }
 
   private:
     bool smooth_, correct_;
