@@ -46,6 +46,35 @@ TEST_F(RenderCommandTest, DenoisesUnlessToldNotTo) {
     EXPECT_NE(picture({"--denoise", "off"}), standard);
 }
 
+// However little time there is: a picture, if a coarse one.
+TEST_F(RenderCommandTest, AShortTimeGivesAPicture) {
+    for (const char* integrator : {"path", "drc"}) {
+        run({"--integrator", integrator, "--time", "0.001", "--resolution", "160x90"});
+        const Image picture = readLinearRgb(path("out.exr"));
+        EXPECT_EQ(picture.width(), 160);
+        int black = 0;
+        for (int y = 0; y < 90; ++y)
+            for (int x = 0; x < 160; ++x) black += isBlack(picture.rgb(x, y));
+        EXPECT_LT(black, 160 * 90 / 10) << integrator;
+    }
+}
+
+TEST_F(RenderCommandTest, CropWindowsAreTheFilms) {
+    run({"--crop", "1", "0", "0", "1"});  // in either order, as in the file
+    EXPECT_EQ(readImage(path("out.exr")).width(), 24);
+    for (const char* bad : {".5", "nan"})
+        EXPECT_THAT(errorOf([&] {
+                        run({"--crop", bad, ".5", "0", "1"});
+                    }),
+                    testing::AllOf(HasSubstr("--crop: "), testing::Not(HasSubstr("\n"))));
+}
+
+TEST_F(RenderCommandTest, ParametersOfTheFileCanBeOverridden) {
+    run({"-D", "film.xresolution=12"});
+    EXPECT_EQ(readImage(path("out.exr")).width(), 12);
+    EXPECT_THAT(errorOf([&] { run({"-D", "film.nonsense=12"}); }), HasSubstr("nonsense"));
+}
+
 // Before the scene is read, let alone rendered.
 TEST_F(RenderCommandTest, FoldersThatAreMissingAreSaidFirst) {
     folder_.write("scene.pbrt", "Nonsense");
