@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
 #include "cache/network_map_denoiser.h"
@@ -202,6 +203,33 @@ TEST(Invariant4, APassOfManyBandsDoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(one.maps, three.maps);
     EXPECT_EQ(one.values, three.values);
     EXPECT_GT(one.maps, 3 * PassMaps::kBandMaps);
+}
+
+// A first look at a large picture: of every fourth pixel in either direction, each as often as in a whole pass.
+TEST(IndirectPasses, OfALatticeLightItsPixelsAlone) {
+    const Pipeline pipeline(test::room(test::allMaterials()[0].second, 45, 31));
+    IndirectSettings settings;
+    settings.capture.layout = MapLayout(Projection::EqualArea, 8);
+    const auto identity = makeIdentityMapDenoiser();
+    const PixelRegion region = pipeline.scene->settings.region();
+    std::vector<int> added(region.count());
+    std::atomic<int> lit{0};
+    IndirectPass pass(pipeline.tracer, *identity, settings, nullptr);
+    EXPECT_TRUE(pass.run(
+        0, 9,
+        [&](int x, int y, int, const Rgb& value, float) {
+            ++added[region.index(x, y)];
+            lit += !isBlack(value);
+        },
+        nullptr, 4));
+    int pixels = 0;
+    for (int y = 0; y < 31; ++y)
+        for (int x = 0; x < 45; ++x) {
+            const bool onLattice = x % 4 == 0 && y % 4 == 0;
+            EXPECT_EQ(added[region.index(x, y)], onLattice ? settings.primarySamples : 0) << x << " " << y;
+            pixels += onLattice;
+        }
+    EXPECT_GT(lit, pixels * settings.primarySamples * 9 / 10);
 }
 
 TEST(Invariant4, AnotherSeedIsAnotherImage) {

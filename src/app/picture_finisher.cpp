@@ -14,6 +14,9 @@ using Clock = std::chrono::steady_clock;
 
 // If finishing takes more than this share of the budget, cheaper filters are used.
 constexpr double kMostOfBudget = 0.7;
+// A filter is kept if it takes up to this many times the time that is left: estimates from parts tend to be too long, and
+// a noisy picture in time is worth less than a clean one that is a little late.
+constexpr double kLateIsBetter = 1.3;
 // The share of the budget that may be taken to measure the larger part, unless finishing takes less than the second
 // share.
 constexpr double kMostToMeasure = 0.03, kNegligible = 0.01;
@@ -84,7 +87,7 @@ void PictureFinisher::measure(Session& session) {
     for (;;) {
         schedule.reserve(kMargin * estimate(session, schedule.budget()));
         schedule.reserveMeasured();
-        const double most = std::min(kMostOfBudget * schedule.budget(), schedule.secondsLeft());
+        const double most = std::min(kMostOfBudget * schedule.budget(), kLateIsBetter * schedule.secondsLeft());
         if (!first || schedule.reserved() <= most || candidates_.size() == 1) return;
         logWarning(fmt::format("--time {:g}: '{}' would take {:.1f} s; {}", schedule.budget(), filters().back()->name(),
                                schedule.reserved(),

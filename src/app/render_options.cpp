@@ -1,7 +1,5 @@
 #include "app/render_options.h"
 
-#include <fmt/ranges.h>
-
 #include "app/option_checks.h"
 #include "render/integrator.h"
 

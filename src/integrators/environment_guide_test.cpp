@@ -128,7 +128,7 @@ TEST_F(Guide, ManyTriesDoNotOverflow) {
         }
 }
 
-TEST_F(Guide, NorDoManySweeps) {
+TEST_F(Guide, NorDoManyPasses) {
     // Eight blocks in a row, every other one with sixteen times the rate of the rest.
     const auto rateOf = [](int block) { return block / 8 != 3 ? 0.f : block % 2 ? 0.04f : 0.64f; };
     for (int i = 0; i < 64; ++i) samplePass(20000, rateOf);

@@ -31,7 +31,8 @@ size_t FilmLayerSpec::bytesPerPixel() const {
     return values * (storage == Storage::Exact ? sizeof(int64_t) : sizeof(float));
 }
 
-FilmLayer::FilmLayer(const PixelRegion& region, const FilmLayerSpec& spec) : region_(region), spec_(spec) {
+FilmLayer::FilmLayer(const PixelRegion& region, const FilmLayerSpec& spec)
+    : perQuantum_(1 / spec.quantum), region_(region), spec_(spec) {
     const size_t values = region.count() * size_t(spec.groups) * recordSize();
     if (exact())
         exact_.resize(values);
@@ -43,11 +44,10 @@ void FilmLayer::add(int x, int y, int group, std::span<const float> values, floa
     const size_t at = record(x, y, group), n = size_t(spec_.channels);
     if (exact()) {
         int64_t* r = &exact_[at];
-        const double perQuantum = 1 / spec_.quantum;
         for (size_t c = 0; c < n; ++c)
-            r[c] = saturatingSum(r[c], quanta(double(values[c]) * double(weight), perQuantum));
+            r[c] = saturatingSum(r[c], quanta(double(values[c]) * double(weight), perQuantum_));
         if (!spec_.weighted) return;
-        r[n] = saturatingSum(r[n], quanta(double(weight), perQuantum));
+        r[n] = saturatingSum(r[n], quanta(double(weight), perQuantum_));
         r[n + 1] += 1;
         return;
     }
@@ -62,7 +62,7 @@ void FilmLayer::add(int x, int y, int group, std::span<const float> values, floa
 void FilmLayer::splat(int x, int y, const Rgb& value) {
     int64_t* r = &exact_[record(x, y, 0)];
     for (int c = 0; c < 3; ++c)
-        std::atomic_ref(r[c]).fetch_add(quanta(double(value[c]), 1 / spec_.quantum), std::memory_order_relaxed);
+        std::atomic_ref(r[c]).fetch_add(quanta(double(value[c]), perQuantum_), std::memory_order_relaxed);
 }
 
 double FilmLayer::value(int x, int y, int group, size_t i) const {

@@ -87,6 +87,8 @@ class FilmLayer {
     size_t record(int x, int y, int group) const {
         return (region_.index(x, y) * size_t(spec_.groups) + size_t(group)) * recordSize();
     }
+    // Quanta in 1.
+    double perQuantum_ = 1;
     bool exact() const { return spec_.storage == FilmLayerSpec::Storage::Exact; }
     // Value `i` of a group's record: the channels, then the sum of the weights, then that of the importance.
     double value(int x, int y, int group, size_t i) const;

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "base/parallel.h"
+#include "render/sample_pass.h"
 
 namespace drc {
 namespace {
@@ -75,6 +76,9 @@ Rgb notBlack(Rgb albedo) {
     return albedo;
 }
 
+// In the first plane of variances: at this scale no sample is near enough to tell anything of the pixel.
+constexpr float kUnknown = -1;
+
 // The mean of the independent groups in the first three planes, and the variance of this mean in the other three.
 // groups: three planes for each group, one group after the other; then, unless all groups are known everywhere, one
 // plane for each group with its share.
@@ -88,7 +92,10 @@ Planes estimates(const SurfaceFilter& filter, const Planes& groups, size_t pixel
             perShare[g] = share > kLeastShare ? 1 / share : 0;
             n += perShare[g] > 0 ? 1 : 0;
         }
-        if (n == 0) return;
+        if (n == 0) {
+            result.plane(3)[i] = kUnknown;
+            return;
+        }
         for (int c = 0; c < 3; ++c) {
             const auto value = [&](int g) { return groups.plane(3 * g + c)[i] * perShare[g]; };
             float mean = 0, variance = 0;
@@ -128,9 +135,10 @@ void spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimates
                  Spread& result) {
     auto& [spread, wider] = result;
     forEachCovered(filter, pixels, [&](size_t i) {
+        const bool known = estimates.plane(3)[i] != kUnknown;
         for (int c = 0; c < 3; ++c) {
-            spread.plane(c)[i] = sqr(estimates.plane(c)[i] - coarser.plane(c)[i]);
-            spread.plane(3 + c)[i] = estimates.plane(3 + c)[i];
+            spread.plane(c)[i] = known ? sqr(estimates.plane(c)[i] - coarser.plane(c)[i]) : 0;
+            spread.plane(3 + c)[i] = known ? estimates.plane(3 + c)[i] : 0;
         }
     });
     // Averaged first at steps of the level's own width: wider steps alone would skip pixels, and their lattice would
@@ -166,6 +174,7 @@ void addWithoutNoise(const SurfaceFilter& filter, const std::vector<Planes>& lev
         const Planes& estimates = levels[size_t(level)];
         spreadAbout(filter, level, estimates, sum, pixels, spread);
         forEachCovered(filter, pixels, [&](size_t i) {
+            if (estimates.plane(3)[i] == kUnknown) return;
             for (int c = 0; c < 3; ++c) {
                 const float squares = spread.planes.plane(c)[i];
                 const float noise = noisy[size_t(level)] * spread.planes.plane(3 + c)[i];
@@ -257,6 +266,7 @@ Planes LayerFilter::withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales
 Image LayerFilter::smooth(const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
     Image result = samples.image();
+    fillUnsampled(result, samples);
     // Many scenes have no glossy lobes.
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
     const bool whole = isWhole(samples);
@@ -272,10 +282,14 @@ Image LayerFilter::smooth(const FilmLayer& samples) const {
         const int column = int(i) % region.width(), row = int(i) / region.width();
         const int x = region.x0 + column, y = region.y0 + row;
         const Rgb scatters = albedo(column, row);
-        if (!filter_.covers(i) || samples.groupsWithSamples(x, y) == 0 || maxComponent(scatters) <= kBlack) return;
+        if (!filter_.covers(i) || maxComponent(scatters) <= kBlack) return;
         Rgb value = result.rgb(column, row);
         const Rgb scale = notBlack(scatters);
-        const float surface = trust_[i], edge = whole ? (1 - surface) * trustAmongEdgePixels_[i] : 0;
+        // A pixel without samples takes all from its surface, if the pixels around it have any.
+        const bool sampled = samples.groupsWithSamples(x, y) > 0;
+        const bool known = ofSurfaces.plane(0)[i] > 0 || ofSurfaces.plane(1)[i] > 0 || ofSurfaces.plane(2)[i] > 0;
+        const float surface = sampled ? trust_[i] : known ? 1.f : 0.f;
+        const float edge = whole ? (1 - surface) * trustAmongEdgePixels_[i] : 0;
         for (int c = 0; c < 3; ++c)
             value[c] += surface * (ofSurfaces.plane(c)[i] * scale[c] - value[c]) +
                         edge * (ofEdgePixels.plane(c)[i] * scale[c] - value[c]);

@@ -106,6 +106,19 @@ TEST(LayerFilter, CorrectionRemovesASmoothErrorWithoutNoiseOrLeaks) {
     EXPECT_LT(relativeError(image), 0.03);
 }
 
+// Samples on every fourth row and column alone, as a first look has them: the others are lit as their surface is, with
+// their own albedo, and not as their neighbour on the lattice.
+TEST(LayerFilter, PixelsWithoutSamplesAreLitAsTheirSurface) {
+    FilteredFilm film = traced(1);
+    film.samples = FilmLayer(kRegion, film.samples.spec());
+    forEachPixel([&](int x, int y) {
+        if ((x - kRegion.x0) % 4 == 0 && (y - kRegion.y0) % 4 == 0)
+            for (int g = 0; g < LayerFilter::kGroups; ++g)
+                film.samples.add(x, y, g, Scene::albedo(x, y) * Scene::light(x), 1);
+    });
+    EXPECT_LT(relativeError(LayerFilter(LobeGBuffer(*film.film), LobeKind::Broad).smooth(film.samples)), 0.02);
+}
+
 TEST(LayerFilter, CorrectionLeavesARightLayerNearlyAsItIs) {
     Image image = layer(1);
     traced(16).correct(image);

@@ -48,6 +48,8 @@ class Schedule {
     double progress(int samplePasses, int mapPasses) const;
 
   private:
+    // The estimated time for a map pass to light all pixels, without capturing its maps.
+    double gatherSeconds() const;
     // With a deadline: the spacing of the next map pass in pixels, from the cost of the last one. 0: there is no time
     // for another.
     float spacingInTime(int mapPasses) const;

@@ -10,7 +10,6 @@ void SurfacePictureFilter::apply(LayeredPicture& picture) const {
     const LobeGBuffer surfaces(film);
     const auto set = [&](const char* name, Image mean) {
         for (float& v : mean.data()) v *= picture.scale;
-        fillUnsampled(mean, film.layer(name));
         picture.layer(name).mean = std::move(mean);
     };
     if (smooth_) set("lit", LayerFilter(surfaces, LobeKind::All).smooth(film.layer("lit")));
@@ -19,6 +18,7 @@ void SurfacePictureFilter::apply(LayeredPicture& picture) const {
         const LayerFilter broad(surfaces, LobeKind::Broad);
         const FilmLayer& maps = film.layer("maps");
         Image indirect = smooth_ ? broad.smooth(maps) : maps.image();
+        if (!smooth_) fillUnsampled(indirect, maps);
         if (correct) broad.correct(indirect, film.layer("broad"));
         set("maps", std::move(indirect));
     }
