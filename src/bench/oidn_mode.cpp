@@ -8,13 +8,13 @@ namespace drc {
 namespace {
 
 constexpr double kNotMeasuredCost = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMostShare = 0.2;
+constexpr double kMostShare = 0.25;
 
-constexpr OidnMode kModes[] = {{"high", "high", true, 19},
+constexpr OidnMode kModes[] = {{"high", "high", true, 30},
                                {"balanced", "balanced", true, kNotMeasuredCost},
                                {"high-raw", "high", false, kNotMeasuredCost},
-                               {"balanced-raw", "balanced", false, 3},
-                               {"fast-raw", "fast", false, kNotMeasuredCost}};
+                               {"balanced-raw", "balanced", false, 4.4},
+                               {"fast-raw", "fast", false, 2.5}};
 
 }  // namespace
 
