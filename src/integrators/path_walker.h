@@ -28,14 +28,14 @@ inline Rgb clampedSample(const Rgb& radiance, float clamp) {
 
 // The state of a path after its latest vertex.
 struct PathState {
-    PathState(const Ray& r, float spaceBefore = 0) : ray(r), from(r.o), distance(spaceBefore) {}
+    explicit PathState(const Ray& r) : ray(r), from(r.o) {}
 
     Ray ray;
     Vec3 from;  // the vertex that the ray leaves, on the surface, not offset from it
     Rgb throughput{1.f};
     float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
     float etaScale = 1;                     // undoes the scaling of radiance by refraction, for Russian roulette
-    float distance;                         // length of the path, world units
+    float distance = 0;                     // length of the path, world units
     int depth = 0, chain = 0;               // non-specular vertices; specular ones and surfaces passed through
     int group = DirectLighting::kNoGroup;   // of the guide, for the vertex that the ray leaves
 };
