@@ -26,7 +26,10 @@ class Schedule {
     // The next pass after so many complete ones; none if the render is done.
     std::optional<Work> next(int samplePasses, int mapPasses) const;
     // Whether there has been a pass of each kind that the picture needs.
-    bool hasPicture(int samplePasses, int mapPasses) const { return samplePasses > 0 && (!maps_ || mapPasses > 0); }
+    bool hasPicture(int samplePasses, int mapPasses) const {
+        const bool wantsMaps = maps_ && (end_ || *params_.mapPasses > 0);
+        return samplePasses > 0 && (!wantsMaps || mapPasses > 0);
+    }
     // Records the time that a pass took. whole: the pass was not cancelled.
     void finished(const Work& work, Clock::duration took, bool whole);
 

@@ -55,6 +55,13 @@ TEST(Schedule, WithABudgetThereIsAPictureFirst) {
     EXPECT_EQ(runOut(path), std::pair(1, 0));
 }
 
+// Whoever asks for no map passes has a picture without them, which an interrupt saves.
+TEST(Schedule, APictureWithoutMapPassesIsWholeIfNoneAreWanted) {
+    EXPECT_TRUE(Schedule(params("drc", 5, 0), Clock::now(), 100, 10000).hasPicture(1, 0));
+    EXPECT_FALSE(Schedule(params("drc", 5, 1), Clock::now(), 100, 10000).hasPicture(1, 0));
+    EXPECT_FALSE(Schedule(params("drc", 5, 0, 10), Clock::now(), 100, 10000).hasPicture(1, 0));
+}
+
 TEST(Schedule, TimeIsSetAsideToFinish) {
     Schedule schedule(params("path", 5, 0, 100), Clock::now(), 100, 10000);
     EXPECT_FALSE(schedule.wantsReserve(0, 0));
