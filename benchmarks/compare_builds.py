@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Whether two builds of drc have the same expectation, and which is faster.
 
-    benchmarks/compare_builds.py OLD_DRC NEW_DRC SCENE... [--integrator path,drc,bdpt,direct] [--resolution 160x90]
-                                 [--spp 16] [--seeds 4] [--nthreads 0] [--speed]
+    benchmarks/compare_builds.py OLD_DRC NEW_DRC SCENE... [--integrator path,drc,drc-maps,bdpt,direct]
+                                 [--resolution 160x90] [--spp 16] [--seeds 4] [--nthreads 0] [--speed]
 
 Renders each scene with each integrator, --seeds pictures a build, no two of the same seed, in the order old new new old,
-and compares the means of blocks of 8x8 pixels, each channel for itself. Nothing is denoised; drc's correction of its maps
-by path-traced samples is left on, so its rows compare what a user gets.
+and compares the means of blocks of 8x8 pixels, each channel for itself. Nothing is denoised; the correction of
+maps by path-traced samples is left on, so the rows of drc-maps compare what a user gets.
 
 z is the difference of both builds' means over its standard error, which the scatter among the pictures of each build
 gives. It follows Student's t with the degrees of freedom of Welch and Satterthwaite; Wallace's approximation (1959)
@@ -375,7 +375,7 @@ def main():
     parser.add_argument("old", metavar="OLD_DRC", nargs="?")
     parser.add_argument("new", metavar="NEW_DRC", nargs="?")
     parser.add_argument("scenes", metavar="SCENE", nargs="*")
-    parser.add_argument("--integrator", default="path,drc,bdpt,direct", help="one or more, with commas between")
+    parser.add_argument("--integrator", default="path,drc,drc-maps,bdpt,direct", help="one or more, with commas between")
     parser.add_argument("--resolution", default="160x90")
     parser.add_argument("--spp", type=int, default=16)
     parser.add_argument("--seeds", type=int, default=4, help="pictures of each build, 2 to 1000")

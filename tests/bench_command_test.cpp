@@ -42,7 +42,7 @@ class BenchCommand : public FolderTest {
 
 TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
     const std::vector<std::string> arguments{"--methods",
-                                             "path,bdpt,drc:gaussian,drc",
+                                             "path,bdpt,drc,drc-maps:gaussian,drc-maps",
                                              "--spp",
                                              "2..4",
                                              "--tasks",
@@ -50,7 +50,7 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
                                              "--direct-spp",
                                              "2",
                                              "--method",
-                                             "fine=--spacing 4",
+                                             "fine=--integrator drc-maps --spacing 4",
                                              "--reference-error",
                                              "0.01",
                                              "--resolution",
@@ -64,7 +64,7 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
     EXPECT_EQ(report["scenes"][0]["width"], 24);
     EXPECT_THAT(report["scenes"][0]["reference_origin"].get<std::string>(), HasSubstr("path, 2 x "));
     ASSERT_EQ(report["scenes"][0]["reference_pair"].size(), 2u);
-    EXPECT_EQ(report["runs"].size(), 2u * (2 * 2 + 3));
+    EXPECT_EQ(report["runs"].size(), 2u * (3 * 2 + 3));
     for (const auto& run : report["runs"]) {
         EXPECT_FALSE(run.contains("failure")) << run;
         EXPECT_LT(run["error"], 1);
@@ -72,7 +72,7 @@ TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
         EXPECT_LT(run["block_error"], run["error"]);
         EXPECT_GT(run["spp"], 0);
         // Of the layers of radiance maps; the others have no denoiser here.
-        const bool maps = run["method"] != "path" && run["method"] != "bdpt";
+        const bool maps = run["budget"]["unit"] == "tasks";
         EXPECT_EQ(run["denoise_seconds"].get<double>() > 0.0005, maps) << run;
         for (const double ratio : run["mean_ratio"]) EXPECT_NEAR(ratio, 1, 0.2) << run;
         EXPECT_GT(run["seconds"], run["render_seconds"]);
@@ -106,7 +106,8 @@ TEST_F(BenchCommand, BadRequestsGetOneLine) {
     EXPECT_THAT(error({"--methods", "path", "--spp", "1.5"}), HasSubstr("whole"));
     EXPECT_THAT(error({"--methods", "pathe"}), HasSubstr("'pathe'"));
     EXPECT_THAT(error({"--methods", "path,path"}), HasSubstr("two methods"));
-    EXPECT_THAT(error({"--methods", "drc", "--spp", "4"}), HasSubstr("drc keeps none"));
+    EXPECT_THAT(error({"--methods", "drc-maps", "--spp", "4"}), HasSubstr("drc-maps keeps none"));
+    EXPECT_THAT(error({"--methods", "drc", "--tasks", "4"}), HasSubstr("drc keeps none"));
     EXPECT_THAT(error({"--method", "--spacing 4"}), HasSubstr("NAME=OPTIONS"));
     EXPECT_THAT(error({"--adapter", path("none")}), HasSubstr("none"));
     EXPECT_THAT(error({"--resolution", "64"}), HasSubstr("1280x720"));

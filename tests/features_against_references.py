@@ -84,7 +84,7 @@ def main():
     parser.add_argument("scenes", help="folder of scenes NAME.pbrt")
     parser.add_argument("references", help="folder of reference pictures NAME.exr")
     parser.add_argument("--spp", type=int, default=256)
-    parser.add_argument("--integrator", default="path", choices=("path", "bdpt", "drc"))
+    parser.add_argument("--integrator", default="path", choices=("path", "bdpt", "drc", "drc-maps"))
     parser.add_argument("--seeds", type=int, default=1, help="pictures per scene; with two, their difference is printed")
     parser.add_argument("--only", help="comma-separated words; only scenes whose name contains one of them")
     parser.add_argument("--output", default="out/features", help="folder for pictures and difference images")

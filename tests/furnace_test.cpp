@@ -97,7 +97,7 @@ TEST_P(BallInFurnace, IsNotSeenByPaths) { expectConstant(pictures(text(), "path"
 TEST_P(BallInFurnace, IsNotSeenByBidirectionalPaths) { expectConstant(pictures(text(), "bdpt", 16, 16), 1); }
 
 TEST_P(BallInFurnace, IsNotSeenByRadianceMaps) {
-    expectConstant(pictures(text(), "drc", 8, 16), 1, GetParam().emits ? 0 : 0.01);
+    expectConstant(pictures(text(), "drc-maps", 8, 16), 1, GetParam().emits ? 0 : 0.01);
 }
 
 // For balls that do not emit, direct light is not uniform, so they are left out here.
@@ -122,7 +122,7 @@ TEST_P(DepthOfFurnace, IsTheSeriesCutShort) {
     // Enough pictures to estimate the standard deviation that the bound is based on.
     expectConstant(pictures(text, "path", 64, 16), expected);
     expectConstant(pictures(text, "bdpt", 64, 16), expected);
-    expectConstant(pictures(text, "drc", 32, 16), expected);
+    expectConstant(pictures(text, "drc-maps", 32, 16), expected);
     expectConstant(pictures(text, "direct", 64, 16), 0.75);
 }
 

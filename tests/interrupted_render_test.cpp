@@ -34,13 +34,31 @@ class InterruptedRender : public FolderTest {
     InterruptedRender() { folder_.write("room.pbrt", kRoom); }
 
     // Renders the room without an end, with a signal after so many seconds, and returns the exit status.
-    int interrupted(int signal, double seconds, const std::string& integrator) const {
-        const std::string scene = path("room.pbrt"), exr = path("out.exr"), png = path("out.png");
+    int interrupted(int signal, double seconds, const std::string& integrator,
+                    const std::vector<std::string>& options = {}) const {
+        std::vector<std::string> words{DRC_PROGRAM,
+                                       "render",
+                                       path("room.pbrt"),
+                                       "--integrator",
+                                       integrator,
+                                       "--spp",
+                                       "1000000",
+                                       "--resolution",
+                                       "32x32",
+                                       "--nthreads",
+                                       "1",
+                                       "--quiet",
+                                       "-o",
+                                       path("out.exr"),
+                                       "-o",
+                                       path("out.png")};
+        words.insert(words.end(), options.begin(), options.end());
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
         const pid_t child = fork();
         if (child == 0) {
-            execl(DRC_PROGRAM, DRC_PROGRAM, "render", scene.c_str(), "--integrator", integrator.c_str(), "--spp",
-                  "1000000", "--map-denoiser", "oracle", "--oracle-spp", "1000000", "--resolution", "32x32",
-                  "--nthreads", "1", "--quiet", "-o", exr.c_str(), "-o", png.c_str(), static_cast<char*>(nullptr));
+            execv(DRC_PROGRAM, arguments.data());
             _exit(99);
         }
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -55,7 +73,8 @@ class InterruptedRender : public FolderTest {
 TEST_F(InterruptedRender, BeforeThereIsAPictureNothingIsWritten) {
     folder_.write("out.png", "an older picture");
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        EXPECT_EQ(interrupted(signal, 0.5, "drc"), 128 + signal);
+        EXPECT_EQ(interrupted(signal, 0.5, "drc-maps", {"--map-denoiser", "oracle", "--oracle-spp", "1000000"}),
+                  128 + signal);
         EXPECT_EQ(readFile(path("out.png")), "an older picture");
         EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
     }

@@ -142,7 +142,7 @@ std::vector<float> renderWith(int threads, const std::string& integrator,
     while (session.step()) {
     }
     LayeredPicture picture = session.picture();
-    if (integrator == "drc") SurfacePictureFilter(true, true).apply(picture);
+    if (usesMaps(integrator)) SurfacePictureFilter(true, true).apply(picture);
     const std::vector<float> pixels = picture.beauty.data();
     setThreadCount(0);
     return pixels;
@@ -156,11 +156,11 @@ TEST(Invariant4, TheImageDoesNotDependOnTheNumberOfThreads) {
                                    MapLayout(Projection::EqualArea, 32), Precision::Fp32));
     };
     for (const auto& mapDenoiser : {gaussian, network(kPlainPlanes), network(kGuidedPlanes)}) {
-        const std::vector<float> one = renderWith(1, "drc", mapDenoiser);
-        EXPECT_EQ(one, renderWith(2, "drc", mapDenoiser));
-        EXPECT_EQ(one, renderWith(5, "drc", mapDenoiser));
+        const std::vector<float> one = renderWith(1, "drc-maps", mapDenoiser);
+        EXPECT_EQ(one, renderWith(2, "drc-maps", mapDenoiser));
+        EXPECT_EQ(one, renderWith(5, "drc-maps", mapDenoiser));
     }
-    for (const std::string integrator : {"path", "bdpt"})
+    for (const std::string integrator : {"drc", "path", "bdpt"})
         EXPECT_EQ(renderWith(1, integrator, gaussian), renderWith(3, integrator, gaussian));
 }
 
@@ -244,6 +244,7 @@ TEST(Invariant4, AnotherSeedIsAnotherImage) {
 TEST(Invariant5, MemoryDoesNotGrowWithPasses) {
     const auto scene = pbrt::loadPbrtString(test::room(test::allMaterials()[0].second, 60, 40));
     RenderParams params;
+    params.integrator = "drc-maps";
     params.spp = 30;
     params.mapPasses = 30;
     params.firstSpacing = 0.3f;

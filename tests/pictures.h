@@ -43,7 +43,7 @@ inline std::vector<std::vector<Rgb>> pictures(const std::string& text, const std
         }
         EXPECT_EQ(session.samplesDone(), spp);
         LayeredPicture picture = session.picture();
-        if (integrator == "drc") SurfacePictureFilter(true, true).apply(picture);
+        if (usesMaps(integrator)) SurfacePictureFilter(true, true).apply(picture);
         result.push_back(blocksOf(picture.beauty));
     }
     return result;

@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -16,6 +16,7 @@
 #include "bench/bench_json.h"
 #include "bench/bench_page.h"
 #include "bench/bench_table.h"
+#include "render/integrator.h"
 
 namespace drc {
 namespace {
@@ -155,11 +156,13 @@ void addBenchCommand(CLI::App& app) {
     command
         ->add_option(
             "--methods", o->methods,
-            "With commas between: path, bdpt, direct, drc, drc:MAP-DENOISER (none, gaussian, oracle), drc:NETWORK, or "
-            "the name of an adapter (cycles, mitsuba3, pbrt-v3, pbrt-v4); each with +DENOISER, as path+oidn: Open "
-            "Image "
-            "Denoise in its best mode for the budget, or in one that is named: path+oidn:high, :balanced, :high-raw, "
-            ":balanced-raw, :fast-raw; raw: albedo and normal are not filtered first")
+            fmt::format(
+                "With commas between: {}, drc-maps:MAP-DENOISER (none, gaussian, oracle), drc-maps:NETWORK, or the "
+                "name "
+                "of an adapter (cycles, mitsuba3, pbrt-v3, pbrt-v4); each with +DENOISER, as path+oidn: Open Image "
+                "Denoise in its best mode for the budget, or in one that is named: path+oidn:high, :balanced, "
+                ":high-raw, :balanced-raw, :fast-raw; raw: albedo and normal are not filtered first",
+                fmt::join(integratorNames(), ", ")))
         ->delimiter(',')
         ->capture_default_str();
     command->add_option("--method", o->namedMethods,
@@ -168,9 +171,10 @@ void addBenchCommand(CLI::App& app) {
         "--adapter", o->adapters,
         "Adapter file of another program, or its folder; may be repeated. The adapter's name is then a method");
     command->add_option("--seconds", o->seconds, "Wall-clock budgets of the whole process, as 10,30")->delimiter(',');
-    command->add_option("--spp", o->spp, "Budgets in samples a pixel, as 1..256: path, bdpt, direct and adapters")
+    command
+        ->add_option("--spp", o->spp, "Budgets in samples a pixel, as 1..256: adapters and ours without radiance maps")
         ->delimiter(',');
-    command->add_option("--tasks", o->tasks, "Budgets in indirect tasks, as 1..256: drc")->delimiter(',');
+    command->add_option("--tasks", o->tasks, "Budgets in indirect tasks, as 1..256: drc-maps")->delimiter(',');
     command->add_option("--direct-spp", o->directSpp, "Samples a pixel of direct light where the budget is in tasks")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);

@@ -4,6 +4,7 @@
 #include "app/command.h"
 #include "base/folder_testing.h"
 #include "image/image_io.h"
+#include "render/integrator.h"
 #include "render/open_image_denoise.h"
 
 namespace drc {
@@ -26,11 +27,14 @@ class RenderCommandTest : public FolderTest {
             WorldEnd)");
     }
 
+    // Radiance maps without a network, in one pass, where there are any.
     void run(std::vector<std::string> arguments) const {
         CLI::App app;
         addRenderCommand(app);
-        arguments.insert(arguments.begin(), {"render", path("scene.pbrt"), "--quiet", "-o", path("out.exr"),
-                                             "--map-denoiser", "none", "--spp", "8", "--passes", "1", "--seed", "3"});
+        if (std::find(arguments.begin(), arguments.end(), "drc-maps") != arguments.end())
+            arguments.insert(arguments.begin(), {"--map-denoiser", "none", "--passes", "1"});
+        arguments.insert(arguments.begin(),
+                         {"render", path("scene.pbrt"), "--quiet", "-o", path("out.exr"), "--spp", "8", "--seed", "3"});
         std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
         app.parse(std::move(arguments));
     }
@@ -41,14 +45,14 @@ class RenderCommandTest : public FolderTest {
 };
 
 TEST_F(RenderCommandTest, DenoisesUnlessToldNotTo) {
-    const std::vector<float> standard = picture({});
-    EXPECT_EQ(picture({"--denoise", "surface"}), standard);
-    EXPECT_NE(picture({"--denoise", "off"}), standard);
+    const std::vector<float> standard = picture({"--integrator", "drc-maps"});
+    EXPECT_EQ(picture({"--integrator", "drc-maps", "--denoise", "surface"}), standard);
+    EXPECT_NE(picture({"--integrator", "drc-maps", "--denoise", "off"}), standard);
 }
 
 // However little time there is: a picture, if a coarse one.
 TEST_F(RenderCommandTest, AShortTimeGivesAPicture) {
-    for (const char* integrator : {"path", "drc"}) {
+    for (const char* integrator : {"path", "drc", "drc-maps"}) {
         run({"--integrator", integrator, "--time", "0.001", "--resolution", "160x90"});
         const Image picture = readLinearRgb(path("out.exr"));
         EXPECT_EQ(picture.width(), 160);
@@ -86,17 +90,17 @@ TEST_F(RenderCommandTest, FoldersThatAreMissingAreSaidFirst) {
             testing::AllOf(HasSubstr(option + (" " + path("nowhere/file.exr"))), HasSubstr("there is no folder")));
 }
 
-TEST_F(RenderCommandTest, OnlyLayersOfDrcAreDenoised) {
+TEST_F(RenderCommandTest, OnlyLayersOfRadianceMapsAreDenoised) {
     EXPECT_NO_THROW(run({"--integrator", "path", "--denoise", "off"}));
     EXPECT_THAT(errorOf([&] {
                     run({"--integrator", "path", "--denoise", "surface"});
                 }),
-                HasSubstr("--denoise surface: it filters the layers of --integrator drc"));
+                HasSubstr("--denoise surface: it filters the layers of --integrator drc-maps"));
     EXPECT_THROW(run({"--denoise", "much"}), CLI::ValidationError);
 }
 
 TEST_F(RenderCommandTest, ShowsWhatDenoisersWantAndChangesNothingElse) {
-    for (const char* integrator : {"drc", "path", "bdpt", "direct"}) {
+    for (const std::string& integrator : integratorNames()) {
         run({"--integrator", integrator});
         const Image plain = readImage(path("out.exr"));
         run({"--integrator", integrator, "--aovs"});
@@ -132,7 +136,7 @@ TEST_F(RenderCommandTest, SaysWhatItLacksOfOpenImageDenoise) {
     EXPECT_THAT(errorOf([&] {
                     run({"--integrator", "path", "--denoise", "oidn-direct"});
                 }),
-                HasSubstr("--denoise oidn-direct: it filters the layers of --integrator drc"));
+                HasSubstr("--denoise oidn-direct: it filters the layers of --integrator drc-maps"));
     EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
 }
 
@@ -159,10 +163,10 @@ TEST_F(RenderCommandTest, DenoisesByOpenImageDenoise) {
             for (int x = 1; x < 24; ++x) sum += std::abs(double(image.at(x, y, c)) - double(image.at(x - 1, y, c)));
         return sum;
     };
-    for (const char* integrator : {"path", "bdpt", "drc"})
+    for (const char* integrator : {"path", "bdpt", "drc", "drc-maps"})
         EXPECT_LT(roughness(denoised(integrator, "oidn"), "G"), 0.5 * roughness(denoised(integrator, "off"), "G"))
             << integrator;
-    const Image direct = denoised("drc", "oidn-direct"), off = denoised("drc", "off");
+    const Image direct = denoised("drc-maps", "oidn-direct"), off = denoised("drc-maps", "off");
     EXPECT_NE(roughness(direct, "direct.G"), roughness(off, "direct.G"));
     EXPECT_EQ(roughness(direct, "indirect.G"), roughness(off, "indirect.G"));
 }

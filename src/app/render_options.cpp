@@ -1,5 +1,7 @@
 #include "app/render_options.h"
 
+#include <fmt/ranges.h>
+
 #include "app/option_checks.h"
 #include "render/integrator.h"
 
@@ -27,7 +29,7 @@ void addAmounts(CLI::App& command, RenderOptions& o) {
     addChoice<Quality>(
         command, "--quality", o.params.quality,
         {{"draft", Quality::Draft}, {"standard", Quality::Standard}, {"high", Quality::High}},
-        "draft, standard or high: sets the camera samples a pixel and the map passes. Default: standard");
+        "draft, standard or high: sets the camera samples a pixel, and the map passes of drc-maps. Default: standard");
     command.add_flag_callback(
         "--quick", [&o] { o.params.quality = Quality::Draft; }, "The same as --quality draft, under pbrt's name");
     command
@@ -119,7 +121,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     command
         .add_option(
             "--integrator", o.params.integrator,
-            "What renders the picture: drc, path, bdpt, direct, or scene, which takes what the scene file asks for")
+            fmt::format("What renders the picture: {}, or scene, which takes what the scene file asks for",
+                        fmt::join(integratorNames(), ", ")))
         ->capture_default_str()
         ->check(CLI::IsMember(integrators));
     addFilm(command, o);
@@ -131,9 +134,9 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
          {"surface", Denoise::Surface},
          {"oidn", Denoise::Oidn},
          {"oidn-direct", Denoise::OidnDirect}},
-        "surface: averages the layers of drc along surfaces, as far as their noise requires; oidn: Intel's "
+        "surface: averages the layers of drc-maps along surfaces, as far as their noise requires; oidn: Intel's "
         "Open Image Denoise on the whole picture; oidn-direct: the same on direct light alone; off: "
-        "nothing. Default: surface with drc, else off");
+        "nothing. Default: surface with drc-maps, else off");
     addChoice<OidnQuality>(
         command, "--oidn-quality", o.params.oidn.quality,
         {{"high", OidnQuality::High}, {"balanced", OidnQuality::Balanced}, {"fast", OidnQuality::Fast}},

@@ -10,7 +10,7 @@ namespace {
 
 BenchRun someRun() {
     BenchRun run;
-    run.scene = "room", run.method = "drc:gaussian+oidn";
+    run.scene = "room", run.method = "drc-maps:gaussian+oidn";
     run.budget = {BudgetUnit::Tasks, 16};
     run.repeat = 2;
     run.picture = "runs/a.exr";
@@ -55,7 +55,7 @@ TEST(BenchJson, AnotherKeyAndDamageAreNoRun) {
 
 TEST(BenchJson, ReportsHaveMediansOfRepeats) {
     BenchReport report;
-    report.methods = {"drc:gaussian+oidn", "path"};
+    report.methods = {"drc-maps:gaussian+oidn", "path"};
     report.budgets = {{BudgetUnit::Tasks, 16}};
     report.scenes.resize(1);
     report.scenes[0].name = "room";

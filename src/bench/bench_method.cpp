@@ -1,6 +1,6 @@
 #include "bench/bench_method.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "render/integrator.h"
 
 namespace drc {
 namespace {
 
-constexpr std::array kIntegrators{"path", "bdpt", "direct", "drc"};
 constexpr std::array kMapDenoisers{"none", "gaussian", "oracle"};
 constexpr std::array kDenoisers{"off", "surface", "oidn", "oidn-direct"};
 
@@ -28,10 +28,10 @@ std::vector<std::string> words(const std::string& text) {
     return found;
 }
 
-// The last --integrator among options; drc if there is none.
+// The last --integrator among options; the default one if there is none.
 std::string integratorAmong(const std::vector<std::string>& options) {
     constexpr std::string_view kOption = "--integrator";
-    std::string integrator = "drc";
+    std::string integrator = RenderParams().integrator;
     for (size_t i = 0; i < options.size(); ++i) {
         if (options[i] == kOption && i + 1 < options.size()) integrator = options[i + 1];
         if (options[i].starts_with(std::string(kOption) + "=")) integrator = options[i].substr(kOption.size() + 1);
@@ -48,7 +48,8 @@ BenchMethod::BenchMethod(const std::string& text,
         name_ = text.substr(0, equals);
         options_ = words(text.substr(equals + 1));
         if (name_.empty()) throw Error(fmt::format("method '{}': has no name before the =", text));
-        hasMaps_ = integratorAmong(options_) == "drc";
+        const std::string integrator = integratorAmong(options_);
+        hasMaps_ = integrator != "scene" && usesMaps(integrator);
         return;
     }
     name_ = text;
@@ -57,23 +58,25 @@ BenchMethod::BenchMethod(const std::string& text,
     const std::string way = text.substr(0, plus);
     const size_t colon = way.find(':');
     const std::string integrator = way.substr(0, colon);
-    if (!isOneOf(integrator, kIntegrators)) {
+    const std::vector<std::string> integrators = integratorNames();
+    if (!isOneOf(integrator, integrators)) {
         if (colon == std::string::npos) adapter_ = findAdapter(way);
         if (!adapter_)
-            throw Error(
-                fmt::format("method '{}': there are path, bdpt, direct, drc, drc:MAP-DENOISER, drc:NETWORK, "
-                            "NAME=OPTIONS, and what --adapter names",
-                            text));
+            throw Error(fmt::format(
+                "method '{}': there are {}, drc-maps:MAP-DENOISER, drc-maps:NETWORK, NAME=OPTIONS, and what "
+                "--adapter names",
+                text, fmt::join(integrators, ", ")));
         if (plus != std::string::npos && !adapter_->denoises(denoiser_))
             throw Error(fmt::format("method '{}': {} does not denoise by '{}'", text, way, denoiser_));
         return;
     }
-    hasMaps_ = integrator == "drc";
+    hasMaps_ = usesMaps(integrator);
     options_ = {"--integrator", integrator};
     if (colon != std::string::npos) {
         const std::string mapDenoiser = way.substr(colon + 1);
         if (!hasMaps_ || mapDenoiser.empty())
-            throw Error(fmt::format("method '{}': only drc takes an mapDenoiser or a network, as drc:gaussian", text));
+            throw Error(fmt::format(
+                "method '{}': only drc-maps takes a map denoiser or a network, as drc-maps:gaussian", text));
         options_.insert(options_.end(),
                         {isOneOf(mapDenoiser, kMapDenoisers) ? "--map-denoiser" : "--weights", mapDenoiser});
     }
@@ -90,7 +93,7 @@ BenchMethod::BenchMethod(const std::string& text,
     if (!isOneOf(denoiser_, kDenoisers))
         throw Error(fmt::format("method '{}': denoisers are off, surface, oidn and oidn-direct", text));
     if (!hasMaps_ && (denoiser_ == "surface" || denoiser_ == "oidn-direct"))
-        throw Error(fmt::format("method '{}': {} filters the layers that only drc has", text, denoiser_));
+        throw Error(fmt::format("method '{}': {} filters the layers that only drc-maps has", text, denoiser_));
     options_.insert(options_.end(), {"--denoise", denoiser_});
 }
 

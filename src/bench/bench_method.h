@@ -26,12 +26,12 @@ struct OwnProgram {
 
 class BenchMethod {
   public:
-    // Makes the method that `text` names: INTEGRATOR (path, bdpt, direct, drc), drc:MAP-DENOISER (none, gaussian,
-    // oracle), drc:WEIGHTS (a network's name, or a file), or the name of an adapter; each with +DENOISER (off, surface,
-    // oidn, oidn-direct; an adapter's own). Ours take oidn and oidn-direct with a mode of oidn_mode.h, as
-    // path+oidn:balanced-raw; without one they take the best mode for the budget. Or NAME=OPTIONS, with options of `drc
-    // render` separated by blanks. findAdapter: returns the adapter of a name, if there is one. Throws Error that says
-    // what would be right.
+    // Makes the method that `text` names: INTEGRATOR (one of integratorNames()), drc-maps:MAP-DENOISER (none, gaussian,
+    // oracle), drc-maps:WEIGHTS (a network's name, or a file), or the name of an adapter; each with +DENOISER (off,
+    // oidn, of drc-maps also surface and oidn-direct; an adapter's own). Ours take oidn and oidn-direct with a mode of
+    // oidn_mode.h, as path+oidn:balanced-raw; without one they take the best mode for the budget. Or NAME=OPTIONS, with
+    // options of `drc render` separated by blanks. findAdapter: returns the adapter of a name, if there is one. Throws
+    // Error that says what would be right.
     BenchMethod(const std::string& text, const std::function<std::optional<Adapter>(const std::string&)>& findAdapter);
 
     const std::string& name() const { return name_; }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/folder_testing.h"
+#include "render/integrator.h"
 
 namespace drc {
 namespace {
@@ -37,13 +38,14 @@ TEST(BenchMethod, OurIntegratorsGetTheirBudget) {
               "drc render s.pbrt --integrator path --time 2.5 --resolution 32x16 --nthreads 2 --seed 5 "
               "--timing t.json --quiet -o o.exr ");
     EXPECT_THAT(line("bdpt", {BudgetUnit::Spp, 64}), HasSubstr("--integrator bdpt --spp 64 "));
-    EXPECT_THAT(line("drc", {BudgetUnit::Tasks, 256}, {"drc", 8, ""}), HasSubstr("--indirect-tasks 256 --spp 8 "));
+    EXPECT_THAT(line("drc", {BudgetUnit::Spp, 64}), HasSubstr("--integrator drc --spp 64 "));
+    EXPECT_THAT(line("drc-maps", {BudgetUnit::Tasks, 256}, {"drc", 8, ""}), HasSubstr("--indirect-tasks 256 --spp 8 "));
 }
 
 TEST(BenchMethod, MapDenoisersNetworksAndDenoisers) {
     const Budget budget{BudgetUnit::Seconds, 1};
-    EXPECT_THAT(line("drc:gaussian", budget), HasSubstr("--map-denoiser gaussian "));
-    EXPECT_THAT(line("drc:paper-k64+off", budget),
+    EXPECT_THAT(line("drc-maps:gaussian", budget), HasSubstr("--integrator drc-maps --map-denoiser gaussian "));
+    EXPECT_THAT(line("drc-maps:paper-k64+off", budget),
                 AllOf(HasSubstr("--weights paper-k64 "), HasSubstr("--denoise off ")));
     EXPECT_THAT(line("path+oidn", budget, {"drc", 16, "lib.so"}),
                 AllOf(HasSubstr("--denoise oidn "), HasSubstr("--oidn-library lib.so ")));
@@ -57,12 +59,13 @@ TEST(BenchMethod, OpenImageDenoiseIsAskedForAMode) {
                *quick = "--denoise oidn --oidn-quality balanced --oidn-prefilter off ";
     EXPECT_THAT(line("path+oidn", second), HasSubstr(best));
     EXPECT_THAT(line("path+oidn", samples), HasSubstr(best));
+    EXPECT_THAT(line("drc+oidn", second), HasSubstr(best));
     EXPECT_THAT(line("path+oidn", little), HasSubstr("--denoise oidn --oidn-quality fast --oidn-prefilter off "));
     EXPECT_THAT(line("path+oidn:balanced-raw", second), HasSubstr(quick));
     EXPECT_THAT(line("path+oidn:high", little), HasSubstr(best));
     EXPECT_THAT(line("path+oidn:high-raw", second), HasSubstr("--oidn-quality high --oidn-prefilter off "));
     EXPECT_THAT(line("path+oidn:balanced", second), HasSubstr("--oidn-quality balanced --oidn-prefilter on "));
-    EXPECT_THAT(line("drc+oidn-direct:fast-raw", second),
+    EXPECT_THAT(line("drc-maps+oidn-direct:fast-raw", second),
                 HasSubstr("--denoise oidn-direct --oidn-quality fast --oidn-prefilter off "));
     EXPECT_THAT(line("drc+off", second), Not(HasSubstr("--oidn")));
     BenchJob job;
@@ -73,11 +76,14 @@ TEST(BenchMethod, OpenImageDenoiseIsAskedForAMode) {
 }
 
 TEST(BenchMethod, OptionsOfOnesOwn) {
-    EXPECT_EQ(BenchMethod("many maps=--spacing 2", onlyOther).name(), "many maps");
-    EXPECT_THAT(line("many maps=--spacing 2", {BudgetUnit::Tasks, 4}), HasSubstr("render s.pbrt --spacing 2 "));
-    EXPECT_TRUE(BenchMethod("a=--spacing 2", onlyOther).keeps(BudgetUnit::Tasks));
-    EXPECT_FALSE(BenchMethod("a=--integrator path", onlyOther).keeps(BudgetUnit::Tasks));
-    EXPECT_TRUE(BenchMethod("a=--integrator=bdpt", onlyOther).keeps(BudgetUnit::Spp));
+    const std::string many = "many maps=--integrator drc-maps --spacing 2";
+    EXPECT_EQ(BenchMethod(many, onlyOther).name(), "many maps");
+    EXPECT_THAT(line(many, {BudgetUnit::Tasks, 4}), HasSubstr("render s.pbrt --integrator drc-maps --spacing 2 "));
+    EXPECT_TRUE(BenchMethod(many, onlyOther).keeps(BudgetUnit::Tasks));
+    for (const char* samples : {"a=--integrator path", "a=--integrator=bdpt", "a=--integrator scene", "a=--clamp 2"}) {
+        EXPECT_FALSE(BenchMethod(samples, onlyOther).keeps(BudgetUnit::Tasks)) << samples;
+        EXPECT_TRUE(BenchMethod(samples, onlyOther).keeps(BudgetUnit::Spp)) << samples;
+    }
 }
 
 TEST(BenchMethod, OtherProgramsByTheirAdapter) {
@@ -88,21 +94,26 @@ TEST(BenchMethod, OtherProgramsByTheirAdapter) {
 }
 
 TEST(BenchMethod, UnitsThatOursKeep) {
-    const BenchMethod path("path", onlyOther), drc("drc", onlyOther);
-    EXPECT_TRUE(path.keeps(BudgetUnit::Seconds) && path.keeps(BudgetUnit::Spp) && !path.keeps(BudgetUnit::Tasks));
-    EXPECT_TRUE(drc.keeps(BudgetUnit::Seconds) && !drc.keeps(BudgetUnit::Spp) && drc.keeps(BudgetUnit::Tasks));
+    for (const std::string& name : integratorNames()) {
+        const BenchMethod method(name, onlyOther);
+        EXPECT_TRUE(method.keeps(BudgetUnit::Seconds)) << name;
+        EXPECT_EQ(method.keeps(BudgetUnit::Spp), name != "drc-maps") << name;
+        EXPECT_EQ(method.keeps(BudgetUnit::Tasks), name == "drc-maps") << name;
+    }
 }
 
 TEST(BenchMethod, ErrorsSayWhatWouldBeRight) {
     const auto error = [](const std::string& text) { return errorOf([&] { BenchMethod(text, onlyOther); }); };
     EXPECT_THAT(error("pathh"), AllOf(HasSubstr("'pathh'"), HasSubstr("bdpt")));
-    EXPECT_THAT(error("path:gaussian"), HasSubstr("only drc"));
-    EXPECT_THAT(error("drc:"), HasSubstr("drc:gaussian"));
+    for (const char* method : {"path:gaussian", "drc:gaussian", "drc:paper-k64", "drc-maps:"})
+        EXPECT_THAT(error(method), HasSubstr("only drc-maps takes a map denoiser or a network, as drc-maps:gaussian"));
     EXPECT_THAT(error("drc+nlm"), HasSubstr("oidn-direct"));
-    EXPECT_THAT(error("path+surface"), HasSubstr("only drc"));
+    for (const char* method : {"path+surface", "drc+surface", "drc+oidn-direct"})
+        EXPECT_THAT(error(method), HasSubstr("only drc-maps has"));
+    EXPECT_THAT(error("a=--integrator photon"), HasSubstr("no integrator 'photon'"));
     EXPECT_THAT(error("other+optix"), HasSubstr("'optix'"));
     EXPECT_THAT(error("path+oidn:best"), AllOf(HasSubstr("'path+oidn:best'"), HasSubstr("balanced-raw, fast-raw")));
-    EXPECT_THAT(error("drc+surface:high"), HasSubstr("oidn and oidn-direct have the modes"));
+    EXPECT_THAT(error("drc-maps+surface:high"), HasSubstr("oidn and oidn-direct have the modes"));
     EXPECT_THAT(error("=--spacing 2"), HasSubstr("no name"));
 }
 

@@ -14,10 +14,10 @@ class BenchPageTest : public testing::Test {
     std::string page() const { return benchPage(b.report, b.folder.path()); }
     // Something for every section.
     void addAll(const std::string& scene = "box") {
-        for (const char* method : {"drc", "path & <i>", "bdpt"})
+        for (const char* method : {"drc-maps", "path & <i>", "bdpt"})
             for (const double amount : {2., 8.}) b.add(scene, method, seconds(amount), 0.1 / amount);
         for (const double amount : {1., 16., 64.}) {
-            b.add(scene, "drc", tasks(amount), 0.1 / amount).seconds = amount;
+            b.add(scene, "drc-maps", tasks(amount), 0.1 / amount).seconds = amount;
             b.add(scene, "bdpt", spp(amount), 0.2 / amount).seconds = amount;
         }
     }
@@ -74,7 +74,7 @@ TEST_F(BenchPageTest, EscapesNames) {
 }
 
 TEST_F(BenchPageTest, LeavesOutSectionsWithoutData) {
-    b.add("box", "drc", seconds(2), 0.1);
+    b.add("box", "drc-maps", seconds(2), 0.1);
     const std::string html = page();
     for (const char* there : {"equal-time", "pictures", "made"})
         EXPECT_NE(html.find("<section id=\"" + std::string(there)), std::string::npos) << there;
@@ -84,7 +84,7 @@ TEST_F(BenchPageTest, LeavesOutSectionsWithoutData) {
 }
 
 TEST_F(BenchPageTest, AllFailedHasNoPicturesAndNoScript) {
-    b.addFailure("box", "drc", seconds(2), "out of memory");
+    b.addFailure("box", "drc-maps", seconds(2), "out of memory");
     const std::string html = page();
     EXPECT_EQ(brokenNesting(html), "");
     EXPECT_NE(html.find("out of memory"), std::string::npos);
@@ -102,7 +102,7 @@ TEST_F(BenchPageTest, NothingAtAllIsAPageToo) {
 
 TEST_F(BenchPageTest, SaysHowItWasMade) {
     addAll();
-    b.add("box", "drc", seconds(2), 0.3);
+    b.add("box", "drc-maps", seconds(2), 0.3);
     b.report.scenes[0].referenceOrigin = "path tracing, 60 s";
     const std::string html = page(), made = between(html, "<section id=\"made\"", "</section>");
     for (const char* part :
@@ -116,7 +116,7 @@ TEST_F(BenchPageTest, SaysHowItWasMade) {
 // The script asks for what the page has, by the names that it has.
 TEST_F(BenchPageTest, TheViewerOffersAllScenesMethodsAndBudgets) {
     addAll();
-    b.add("hall", "drc", seconds(2), 0.1);
+    b.add("hall", "drc-maps", seconds(2), 0.1);
     const std::string html = page(), choices = between(html, "<div class=\"viewer\"", "<div class=\"details\"");
     EXPECT_NE(choices.find("<option value=\"1\">hall</option>"), std::string::npos);
     EXPECT_EQ(occurrences(choices, "<option value=\"1\">path &amp; &lt;i&gt;</option>"), 2);

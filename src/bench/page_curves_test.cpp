@@ -60,9 +60,9 @@ TEST(PageCurves, NoLineNoPlot) {
 
 TEST(PageCurves, MemoryStandsOverTasks) {
     ReportBuilder b;
-    b.add("<box>", "drc", tasks(1), 0.1).peakMegabytes = 200;
-    b.add("<box>", "drc", tasks(4), 0.1).peakMegabytes = 210;
-    b.add("<box>", "drc", tasks(16), 0.1).peakMegabytes = 250;
+    b.add("<box>", "drc-maps", tasks(1), 0.1).peakMegabytes = 200;
+    b.add("<box>", "drc-maps", tasks(4), 0.1).peakMegabytes = 210;
+    b.add("<box>", "drc-maps", tasks(16), 0.1).peakMegabytes = 250;
     b.add("<box>", "path", seconds(2), 0.1);
     const std::string html = memoryCurves(b.report);
     EXPECT_EQ(brokenNesting(html), "");
@@ -75,8 +75,8 @@ TEST(PageCurves, MemoryStandsOverTasks) {
 
 TEST(PageCurves, NoMemoryCurveOfOneNumberOfTasks) {
     ReportBuilder b;
-    b.add("box", "drc", tasks(4), 0.1);
-    b.add("box", "drc", tasks(8), 0.1).peakMegabytes = kNotMeasured;
+    b.add("box", "drc-maps", tasks(4), 0.1);
+    b.add("box", "drc-maps", tasks(8), 0.1).peakMegabytes = kNotMeasured;
     EXPECT_EQ(memoryCurves(b.report), "");
 }
 

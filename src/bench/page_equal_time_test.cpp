@@ -13,7 +13,7 @@ TEST(PageEqualTime, HasATableABudgetAndABlockAScene) {
     for (const double amount : {30., 2.})
         for (const char* scene : {"box", "hall"})
             for (const char* method : {"drc", "path"}) b.add(scene, method, seconds(amount), 0.1);
-    b.add("box", "drc", tasks(4), 0.1);
+    b.add("box", "drc-maps", tasks(4), 0.1);
     const std::string html = equalTimeTables(b.report);
     EXPECT_EQ(brokenNesting(html), "");
     EXPECT_EQ(occurrences(html, "<table"), 2);

@@ -17,9 +17,9 @@ class PagePaperTableTest : public testing::Test {
         run.seconds = time, run.pngKb = pngKb;
     }
     void addAll() {
-        add("drc", tasks(1), 2, 0.7, 50.5);
-        add("drc", tasks(16), 10, 0.93, 40.5);
-        add("drc", tasks(256), 90, 0.96, 30.5);
+        add("drc-maps", tasks(1), 2, 0.7, 50.5);
+        add("drc-maps", tasks(16), 10, 0.93, 40.5);
+        add("drc-maps", tasks(256), 90, 0.96, 30.5);
         add("bdpt", spp(1), 1, 0.3, 90.5);
         add("bdpt", spp(16), 20, 0.6, 80.5);
         add("bdpt", spp(64), 80, 0.84, 70.5);
@@ -34,7 +34,7 @@ TEST_F(PagePaperTableTest, HasARowAnAmountAndAllMethodsBesideEachOther) {
     const std::string html = paperTables(b.report);
     EXPECT_EQ(brokenNesting(html), "");
     EXPECT_NE(html.find("a PNG of 12.3 KB, entropy 6.79 bits"), std::string::npos);
-    EXPECT_NE(html.find(">drc, tasks</th>"), std::string::npos);
+    EXPECT_NE(html.find(">drc-maps, tasks</th>"), std::string::npos);
     EXPECT_NE(html.find(">bdpt, spp</th>"), std::string::npos);
     EXPECT_NE(html.find("<tr><th>16</th><td class=\"gap\">10.00</td><td>0.9300</td><td>40.5</td>"
                         "<td class=\"gap\">20.00</td><td>0.6000</td><td>80.5</td></tr>"),
@@ -53,7 +53,7 @@ TEST_F(PagePaperTableTest, StandsBesideThePaper) {
     EXPECT_EQ(rows.find("path"), std::string::npos);
     EXPECT_NE(rows.find("0.89</td><td>0.91</td><td class=\"gap\">0.82</td><td>0.90</td>"), std::string::npos);
     // After 10 s: 0.3 + 0.3 log(10) / log(20); after 40 s half way from 0.6 to 0.84.
-    EXPECT_NE(rows.find("drc &#183; bdpt</th><td class=\"gap\">0.93</td><td>0.96<small>at 256 tasks</small></td>"
+    EXPECT_NE(rows.find("drc-maps &#183; bdpt</th><td class=\"gap\">0.93</td><td>0.96<small>at 256 tasks</small></td>"
                         "<td class=\"gap\">0.53</td><td>0.72</td>"),
               std::string::npos)
         << rows;
@@ -71,7 +71,7 @@ TEST_F(PagePaperTableTest, SsimBetweenRunsIsLinearInTheLogarithmOfTime) {
 }
 
 TEST_F(PagePaperTableTest, WhatIsUnknownIsADash) {
-    add("drc", tasks(1), 2, kNotMeasured, kNotMeasured);
+    add("drc-maps", tasks(1), 2, kNotMeasured, kNotMeasured);
     add("bdpt", spp(1), 1, 0.3, 90.5);
     const std::string html = paperTables(b.report);
     EXPECT_EQ(html.find("nan"), std::string::npos);
@@ -80,14 +80,14 @@ TEST_F(PagePaperTableTest, WhatIsUnknownIsADash) {
 
 TEST_F(PagePaperTableTest, FailuresStandWhereTheNumbersWould) {
     addAll();
-    b.addFailure("box", "drc", tasks(4), "out & over");
+    b.addFailure("box", "drc-maps", tasks(4), "out & over");
     const std::string html = paperTables(b.report);
     EXPECT_NE(html.find("<tr><th>4</th><td class=\"text failure gap\" colspan=\"3\">out &amp; over</td>"),
               std::string::npos);
 }
 
 TEST_F(PagePaperTableTest, ScenesWithoutTasksOrSamplesAreLeftOut) {
-    b.add("hall", "drc", seconds(2), 0.1);
+    b.add("hall", "drc-maps", seconds(2), 0.1);
     EXPECT_EQ(paperTables(b.report), "");
     addAll();
     const std::string html = paperTables(b.report);

@@ -6,10 +6,11 @@
 
 // One line for each integrator: its name, the function that makes it, which its own file defines, and whether it has
 // map passes.
-#define DRC_INTEGRATORS(X)               \
-    X("drc", makeMapsIntegrator, true)   \
-    X("path", makePathIntegrator, false) \
-    X("bdpt", makeBdptIntegrator, false) \
+#define DRC_INTEGRATORS(X)                     \
+    X("drc", makeFinalGatherIntegrator, false) \
+    X("drc-maps", makeMapsIntegrator, true)    \
+    X("path", makePathIntegrator, false)       \
+    X("bdpt", makeBdptIntegrator, false)       \
     X("direct", makeDirectIntegrator, false)
 
 namespace drc {

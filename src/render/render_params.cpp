@@ -56,7 +56,7 @@ RenderParams resolved(RenderParams p, const Scene& scene) {
     if (p.denoise == Denoise::Automatic) p.denoise = maps ? Denoise::Surface : Denoise::Off;
     if (!maps && (p.denoise == Denoise::Surface || p.denoise == Denoise::OidnDirect))
         throw Error("--denoise " + std::string(p.denoise == Denoise::Surface ? "surface" : "oidn-direct") +
-                    ": it filters the layers of --integrator drc, which others do not have");
+                    ": it filters the layers of --integrator drc-maps, which others do not have");
     if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect) p.gBuffer = true;
     return p;
 }

@@ -35,11 +35,12 @@ std::pair<int, int> runOut(const Schedule& schedule) {
 
 TEST(Schedule, WithoutABudgetTakesWhatWasAskedFor) {
     EXPECT_EQ(runOut(Schedule(params("path", 5, 0), Clock::now(), 100, 10000)), std::pair(SamplePass::passesFor(5), 0));
-    EXPECT_EQ(runOut(Schedule(params("drc", 5, 3), Clock::now(), 100, 10000)), std::pair(SamplePass::passesFor(5), 3));
+    EXPECT_EQ(runOut(Schedule(params("drc-maps", 5, 3), Clock::now(), 100, 10000)),
+              std::pair(SamplePass::passesFor(5), 3));
 }
 
 TEST(Schedule, PassesAndSamplesGrowInProportion) {
-    const Schedule schedule(params("drc", 40, 4), Clock::now(), 100, 10000);
+    const Schedule schedule(params("drc-maps", 40, 4), Clock::now(), 100, 10000);
     int samples = 0, maps = 0;
     while (const auto work = schedule.next(samples, maps)) {
         ++(work->kind == Kind::Maps ? maps : samples);
@@ -49,7 +50,7 @@ TEST(Schedule, PassesAndSamplesGrowInProportion) {
 
 TEST(Schedule, WithABudgetThereIsAPictureFirst) {
     // The budget is already over.
-    const Schedule late(params("drc", 5, 3, 1), Clock::now() - seconds(2), 100, 10000);
+    const Schedule late(params("drc-maps", 5, 3, 1), Clock::now() - seconds(2), 100, 10000);
     EXPECT_EQ(runOut(late), std::pair(1, 1));
     const Schedule path(params("path", 5, 0, 1), Clock::now() - seconds(2), 100, 10000);
     EXPECT_EQ(runOut(path), std::pair(1, 0));
@@ -57,9 +58,9 @@ TEST(Schedule, WithABudgetThereIsAPictureFirst) {
 
 // Whoever asks for no map passes has a picture without them, which an interrupt saves.
 TEST(Schedule, APictureWithoutMapPassesIsWholeIfNoneAreWanted) {
-    EXPECT_TRUE(Schedule(params("drc", 5, 0), Clock::now(), 100, 10000).hasPicture(1, 0));
-    EXPECT_FALSE(Schedule(params("drc", 5, 1), Clock::now(), 100, 10000).hasPicture(1, 0));
-    EXPECT_FALSE(Schedule(params("drc", 5, 0, 10), Clock::now(), 100, 10000).hasPicture(1, 0));
+    EXPECT_TRUE(Schedule(params("drc-maps", 5, 0), Clock::now(), 100, 10000).hasPicture(1, 0));
+    EXPECT_FALSE(Schedule(params("drc-maps", 5, 1), Clock::now(), 100, 10000).hasPicture(1, 0));
+    EXPECT_FALSE(Schedule(params("drc-maps", 5, 0, 10), Clock::now(), 100, 10000).hasPicture(1, 0));
 }
 
 TEST(Schedule, TimeIsSetAsideToFinish) {
@@ -84,18 +85,18 @@ TEST(Schedule, TimeIsSetAsideToFinish) {
 
 // A first map pass that would take long lights a lattice of pixels, and its cost is extrapolated for the next ones.
 TEST(Schedule, TheFirstMapPassFitsIntoTheTime) {
-    Schedule schedule(params("drc", 5, 3, 10), Clock::now(), 2160, 8000000);
+    Schedule schedule(params("drc-maps", 5, 3, 10), Clock::now(), 2160, 8000000);
     schedule.finished({Kind::Samples, 0}, milliseconds(500), true);
     const auto work = schedule.next(1, 0);
     ASSERT_TRUE(work && work->kind == Kind::Maps);
     EXPECT_EQ(work->stride, 4);
-    Schedule quick(params("drc", 5, 3, 10), Clock::now(), 180, 57600);
+    Schedule quick(params("drc-maps", 5, 3, 10), Clock::now(), 180, 57600);
     quick.finished({Kind::Samples, 0}, milliseconds(4), true);
     EXPECT_EQ(quick.next(1, 0)->stride, 1);
 }
 
 TEST(Schedule, ProgressGrowsFromNothingToAll) {
-    const Schedule schedule(params("drc", 5, 3), Clock::now(), 100, 10000);
+    const Schedule schedule(params("drc-maps", 5, 3), Clock::now(), 100, 10000);
     double last = -1;
     int samples = 0, maps = 0;
     while (const auto work = schedule.next(samples, maps)) {

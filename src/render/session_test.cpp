@@ -8,6 +8,7 @@
 #include "base/folder_testing.h"
 #include "cache/map_denoiser.h"
 #include "pbrt/scene_file.h"
+#include "render/integrator.h"
 #include "render/sample_pass.h"
 #include "render/surface_picture_filter.h"
 
@@ -18,7 +19,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr const char* kIntegrators[] = {"path", "bdpt", "direct", "drc"};
+const std::vector<std::string> kIntegrators = integratorNames();
 
 constexpr const char* kLitRoom = R"(
         Film "image" "integer xresolution" 24 "integer yresolution" 16
@@ -99,7 +100,7 @@ TEST(Session, PicturesHaveNoLightBelowZero) {
 // Tracing indirect light along with the samples does not change them, nor their stratification.
 TEST(Session, TheDirectLayerIsWhatTheDirectIntegratorGives) {
     const Image direct = Rendered(paramsOf("direct", 12)).finish().session.picture().beauty;
-    Rendered maps(paramsOf("drc", 12));
+    Rendered maps(paramsOf("drc-maps", 12));
     LayeredPicture picture = maps.finish().session.picture();
     const Image layer = picture.part("direct");
     for (size_t i = 0; i < direct.data().size(); ++i)
@@ -109,7 +110,7 @@ TEST(Session, TheDirectLayerIsWhatTheDirectIntegratorGives) {
 }
 
 TEST(Session, LayersSumToThePicture) {
-    Rendered r(paramsOf("drc", 4));
+    Rendered r(paramsOf("drc-maps", 4));
     const LayeredPicture picture = r.finish().session.picture();
     const Image direct = picture.part("direct"), indirect = picture.part("indirect");
     for (size_t i = 0; i < direct.data().size(); ++i)
@@ -118,7 +119,7 @@ TEST(Session, LayersSumToThePicture) {
 
 // Even if the time is over, every part of a picture has direct and indirect light.
 TEST(Session, ABudgetThatIsOverLeavesAPicture) {
-    for (const std::string integrator : {"drc", "path", "bdpt"}) {
+    for (const std::string integrator : {"drc", "drc-maps", "path", "bdpt"}) {
         RenderParams params = paramsOf(integrator, 5);
         params.seconds = 1e-9;
         Rendered r(params);
@@ -127,11 +128,11 @@ TEST(Session, ABudgetThatIsOverLeavesAPicture) {
         EXPECT_TRUE(r.session.hasPicture());
         EXPECT_EQ(r.session.samplesDone(), 0);
         const LayeredPicture picture = r.session.picture();
-        const Image light = integrator == "drc" ? picture.part("indirect") : picture.beauty;
+        const Image light = usesMaps(integrator) ? picture.part("indirect") : picture.beauty;
         int lit = 0;
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 24; ++x) lit += luminance(light.rgb(x, y)) > 0;
-        EXPECT_GT(lit, integrator == "drc" ? 24 * 16 - 1 : 24 * 16 / 2) << integrator;
+        EXPECT_GT(lit, usesMaps(integrator) ? 24 * 16 - 1 : 24 * 16 / 2) << integrator;
     }
 }
 
@@ -152,7 +153,7 @@ TEST(Session, ACancelledPassIsNotCounted) {
 // A render that is stopped anywhere and continued from a saved film has the same bits.
 TEST(Session, GoesOnWhereItWas) {
     const TemporaryFolder folder;
-    for (const std::string integrator : kIntegrators) {
+    for (const std::string& integrator : kIntegrators) {
         const RenderParams params = paramsOf(integrator, 4, 2);
         Rendered whole(params), first(params), second(params);
         whole.finish();
@@ -185,7 +186,7 @@ TEST(Session, ACameraChangeIsAsIfItHadBeenTheFirst) {
         text.replace(text.find("LookAt 0 0 -3"), 13, "LookAt 1 0 -2");
         return pbrt::loadPbrtString(text, ".", {}, "s.pbrt");
     };
-    for (const std::string integrator : kIntegrators) {
+    for (const std::string& integrator : kIntegrators) {
         Rendered there(paramsOf(integrator, 3), elsewhere()), moved(paramsOf(integrator, 3));
         moved.finish();
         const Accel* accel = &moved.session.accel();
@@ -209,7 +210,7 @@ TEST(Session, ACameraChangeMayChangeTheSize) {
 }
 
 TEST(Session, PicturesCanBeTakenBesideSteps) {
-    for (const std::string integrator : kIntegrators) {
+    for (const std::string& integrator : kIntegrators) {
         Rendered r(paramsOf(integrator, 40, 2));
         std::atomic<bool> done{false};
         std::jthread steps([&] {
@@ -256,12 +257,12 @@ TEST(Session, KnowsHowNoisyItIs) {
         EXPECT_LT(measured, 1.5 * variance(few));
         EXPECT_GT(measured, 0.1 * variance(few));
     }
-    EXPECT_GT(variance(noisy("drc", 16, 1)), 0);
+    EXPECT_GT(variance(noisy("drc-maps", 16, 1)), 0);
 }
 
 // The G-buffer is recorded by the samples themselves, which are the same with and without it.
 TEST(Session, TheGBufferChangesNothing) {
-    for (const std::string integrator : kIntegrators) {
+    for (const std::string& integrator : kIntegrators) {
         RenderParams params = paramsOf(integrator, 8);
         const Image plain = Rendered(params).finish().session.picture().beauty;
         params.gBuffer = true;
@@ -293,7 +294,7 @@ TEST(Session, EmissionThatOverflowsTakesNothingFromOtherLight) {
             lamp + "Translate 0 0 .1\n" + lamp +
             "AttributeEnd\nMaterial \"matte\"\nTranslate 0 0 2\nScale 100 100 100\n" + lamp + "WorldEnd\n");
     };
-    Rendered r(paramsOf("drc", 4), scene());
+    Rendered r(paramsOf("drc-maps", 4), scene());
     const LayeredPicture picture = r.finish().session.picture();
     EXPECT_EQ(meanOf(r.session.picture().layers[0].mean), 0);  // emission
     const Image direct = picture.part("direct");
@@ -304,7 +305,7 @@ TEST(Session, EmissionThatOverflowsTakesNothingFromOtherLight) {
 // --clamp, and the film's maxsampleluminance, hold for every integrator.
 TEST(Session, NoSampleIsBrighterThanTheClamp) {
     constexpr float kClamp = 0.5f;
-    for (const std::string integrator : kIntegrators)
+    for (const std::string& integrator : kIntegrators)
         for (const bool byFile : {false, true}) {
             RenderParams params = paramsOf(integrator, 1);
             if (!byFile) params.clamp = kClamp;
@@ -317,7 +318,7 @@ TEST(Session, NoSampleIsBrighterThanTheClamp) {
                 for (int y = 0; y < 16; ++y)
                     for (int x = 0; x < 24; ++x) most = std::max(most, luminance(image.rgb(x, y)));
             };
-            if (integrator == "drc")
+            if (usesMaps(integrator))
                 look(picture.part("direct"));
             else if (integrator == "bdpt")
                 look(picture.layers[0].mean);  // without splats, each of which is bounded by itself
@@ -330,10 +331,11 @@ TEST(Session, NoSampleIsBrighterThanTheClamp) {
 
 // A film takes at most 64 bytes a pixel for paths, without the G-buffer and variance.
 TEST(Session, FilmsAreSmall) {
-    EXPECT_LE(Rendered(paramsOf("path", 1)).session.film().bytesPerPixel(), 64u);
-    EXPECT_LE(Rendered(paramsOf("direct", 1)).session.film().bytesPerPixel(), 64u);
-    EXPECT_LE(Rendered(paramsOf("bdpt", 1)).session.film().bytesPerPixel(), 64u);
-    EXPECT_LE(Rendered(paramsOf("drc", 1)).session.film().bytesPerPixel(), 624u);
+    for (const std::string& integrator : kIntegrators) {
+        if (usesMaps(integrator)) continue;
+        EXPECT_LE(Rendered(paramsOf(integrator, 1)).session.film().bytesPerPixel(), 64u) << integrator;
+    }
+    EXPECT_LE(Rendered(paramsOf("drc-maps", 1)).session.film().bytesPerPixel(), 624u);
 }
 
 // A film of the largest size that a file may ask for: no machine has terabytes for all of it, and every machine has
@@ -360,7 +362,7 @@ TEST(Session, PicturesBeyondTheMemoryAreRefused) {
 
 TEST(Session, UnknownIntegratorsAreNamed) {
     EXPECT_THAT(drc::errorOf([&] { Rendered r(paramsOf("photon", 1)); }),
-                AllOf(HasSubstr("no integrator 'photon'"), HasSubstr("drc, path, bdpt, direct")));
+                AllOf(HasSubstr("no integrator 'photon'"), HasSubstr("drc, drc-maps, path, bdpt, direct")));
 }
 
 }  // namespace
