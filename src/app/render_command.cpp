@@ -111,7 +111,7 @@ void run(Session& session, PictureFinisher& finisher, const RenderOptions& o) {
     if (!interruptToken().cancelled()) progress.set(1000);
 }
 
-void render(RenderOptions o) {
+void render(RenderOptions o, const CLI::App& command) {
     const auto start = processInfo().start;
     setLogLevel(o.quiet ? LogLevel::Quiet : o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
@@ -131,6 +131,7 @@ void render(RenderOptions o) {
     if (o.aovs) o.params.gBuffer = o.params.variance = true;
     if (!o.oidnLibrary.empty() && !o.usesOidn()) throw Error("--oidn-library: needs --denoise oidn or oidn-direct");
     RenderParams params = resolved(o.params, *scene);
+    requireMaps(command, params.integrator);
     std::optional<OpenImageDenoise> oidn;
     if (o.usesOidn()) oidn.emplace(o.oidnLibrary);
     ChosenMapDenoiser chosen;
@@ -173,7 +174,7 @@ void addRenderCommand(CLI::App& app) {
     auto* command = app.add_subcommand("render", "Render a scene");
     auto o = std::make_shared<RenderOptions>();
     addRenderOptions(*command, *o);
-    command->callback([o] { render(*o); });
+    command->callback([o, command] { render(*o, *command); });
 }
 
 }  // namespace drc

@@ -27,11 +27,14 @@ class RenderCommandTest : public FolderTest {
             WorldEnd)");
     }
 
-    // Radiance maps without a network, in one pass, where there are any.
+    // Radiance maps, where there are any, without a network and in one pass, unless the arguments say otherwise.
     void run(std::vector<std::string> arguments) const {
         CLI::App app;
         addRenderCommand(app);
-        if (std::find(arguments.begin(), arguments.end(), "drc-maps") != arguments.end())
+        const auto has = [&](const char* word) {
+            return std::find(arguments.begin(), arguments.end(), word) != arguments.end();
+        };
+        if (has("drc-maps") && !has("--map-denoiser"))
             arguments.insert(arguments.begin(), {"--map-denoiser", "none", "--passes", "1"});
         arguments.insert(arguments.begin(),
                          {"render", path("scene.pbrt"), "--quiet", "-o", path("out.exr"), "--spp", "8", "--seed", "3"});
@@ -97,6 +100,35 @@ TEST_F(RenderCommandTest, OnlyLayersOfRadianceMapsAreDenoised) {
                 }),
                 HasSubstr("--denoise surface: it filters the layers of --integrator drc-maps"));
     EXPECT_THROW(run({"--denoise", "much"}), CLI::ValidationError);
+}
+
+TEST_F(RenderCommandTest, OptionsOfRadianceMapsAreRefusedWhereThereAreNone) {
+    std::vector<std::string> all;
+    for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--passes", "1"},
+                                                                                        {"--indirect-tasks", "4"},
+                                                                                        {"--map-denoiser", "none"},
+                                                                                        {"--oracle-spp", "8"},
+                                                                                        {"--weights", "drc"},
+                                                                                        {"--precision", "fp32"},
+                                                                                        {"--projection", "latlong"},
+                                                                                        {"--spacing", "4"},
+                                                                                        {"--interpolation", "distance"},
+                                                                                        {"--gather-samples", "2"},
+                                                                                        {"--uncorrected", ""}}) {
+        std::vector<std::string> given{option};
+        if (!value.empty()) given.push_back(value);
+        all.insert(all.end(), given.begin(), given.end());
+        EXPECT_EQ(errorOf([&] { run(given); }),
+                  option + ": integrator drc has no radiance maps; only --integrator drc-maps has");
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
+    // Under their other names, as others write them, and of the integrator that the file names.
+    EXPECT_THAT(errorOf([&] {
+                    run({"--integrator", "scene", "--enhancer=none", "--passes=2"});
+                }),
+                HasSubstr("--passes, --map-denoiser: integrator path has no radiance maps"));
+    all.insert(all.end(), {"--integrator", "drc-maps"});
+    EXPECT_NO_THROW(run(all));
 }
 
 TEST_F(RenderCommandTest, ShowsWhatDenoisersWantAndChangesNothingElse) {

@@ -3,10 +3,14 @@
 #include <fmt/ranges.h>
 
 #include "app/option_checks.h"
+#include "base/error.h"
 #include "render/integrator.h"
 
 namespace drc {
 namespace {
+
+// The heading in --help of the options that only integrators with map passes have.
+constexpr const char* kMapGroup = "Radiance maps, with --integrator drc-maps alone";
 
 // An option that takes one of a few words, each of which stands for a value.
 template <class T>
@@ -33,16 +37,11 @@ void addAmounts(CLI::App& command, RenderOptions& o) {
     command.add_flag_callback(
         "--quick", [&o] { o.params.quality = Quality::Draft; }, "The same as --quality draft, under pbrt's name");
     command
-        .add_option("--time", o.params.seconds,
-                    "Seconds for the whole run, including reading and writing; replaces --spp and --passes")
+        .add_option(
+            "--time", o.params.seconds,
+            "Seconds for the whole run, including reading and writing; replaces --spp, --passes and --indirect-tasks")
         ->check(numberAbove(0));
     command.add_option("--spp", o.params.spp, "Camera samples a pixel")->check(wholeNumberFrom(1));
-    command.add_option("--passes", o.params.mapPasses, "Number of map passes, which trace radiance maps")
-        ->check(wholeNumberFrom(0));
-    command
-        .add_option("--indirect-tasks", o.params.mapTasks,
-                    "The same in the paper's unit: squares of ten by ten cells of the grid of maps")
-        ->check(wholeNumberFrom(0));
     command.add_option("--max-depth", o.params.maxDepth, "Maximum length of paths, in non-specular bounces")
         ->check(wholeNumberFrom(1));
     command
@@ -73,6 +72,14 @@ void addFilm(CLI::App& command, RenderOptions& o) {
 }
 
 void addMaps(CLI::App& command, RenderOptions& o) {
+    const std::string group = command.option_defaults()->get_group();
+    command.option_defaults()->group(kMapGroup);
+    command.add_option("--passes", o.params.mapPasses, "Number of map passes, which trace radiance maps")
+        ->check(wholeNumberFrom(0));
+    command
+        .add_option("--indirect-tasks", o.params.mapTasks,
+                    "The same in the paper's unit: squares of ten by ten cells of the grid of maps")
+        ->check(wholeNumberFrom(0));
     command
         .add_option(
             "--map-denoiser,--enhancer", o.mapDenoiser,
@@ -110,6 +117,7 @@ void addMaps(CLI::App& command, RenderOptions& o) {
     command.add_flag(
         "--uncorrected", [&o](int64_t) { o.params.correct = false; },
         "Do not correct the maps' errors by path-traced samples");
+    command.option_defaults()->group(group);
 }
 
 }  // namespace
@@ -119,15 +127,13 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     std::vector<std::string> integrators = integratorNames();
     integrators.push_back("scene");
     command
-        .add_option(
-            "--integrator", o.params.integrator,
-            fmt::format("What renders the picture: {}, or scene, which takes what the scene file asks for",
-                        fmt::join(integratorNames(), ", ")))
+        .add_option("--integrator", o.params.integrator,
+                    fmt::format("What renders the picture: {}, or scene, which takes what the scene file asks for",
+                                fmt::join(integratorNames(), ", ")))
         ->capture_default_str()
         ->check(CLI::IsMember(integrators));
     addFilm(command, o);
     addAmounts(command, o);
-    addMaps(command, o);
     addChoice<Denoise>(
         command, "--denoise", o.params.denoise,
         {{"off", Denoise::Off},
@@ -153,7 +159,18 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     command.add_flag("--stats", o.stats, "Print counts and times at the end");
     command.add_flag("--quiet", o.quiet, "Print only warnings and errors");
     command.add_flag("-v,--verbose", o.verbose, "Print more messages");
+    addMaps(command, o);
     command.footer("Example: drc render scene.pbrt --time 30 -o picture.png -o picture.exr");
+}
+
+void requireMaps(const CLI::App& command, const std::string& integrator) {
+    if (usesMaps(integrator)) return;
+    std::vector<std::string> given;
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_group() == kMapGroup && option->count() > 0) given.push_back(option->get_name());
+    if (given.empty()) return;
+    throw Error(fmt::format("{}: integrator {} has no radiance maps; only --integrator drc-maps has",
+                            fmt::join(given, ", "), integrator));
 }
 
 }  // namespace drc

@@ -31,4 +31,8 @@ struct RenderOptions {
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 
+// Throws Error that names the options about radiance maps that were given to the parsed `command`, if `integrator` has
+// none and they would do nothing.
+void requireMaps(const CLI::App& command, const std::string& integrator);
+
 }  // namespace drc
