@@ -131,7 +131,7 @@ void render(RenderOptions o, const CLI::App& command) {
     if (o.aovs) o.params.gBuffer = o.params.variance = true;
     if (!o.oidnLibrary.empty() && !o.usesOidn()) throw Error("--oidn-library: needs --denoise oidn or oidn-direct");
     RenderParams params = resolved(o.params, *scene);
-    requireMaps(command, params.integrator);
+    refuseIdleOptions(command, params.integrator);
     std::optional<OpenImageDenoise> oidn;
     if (o.usesOidn()) oidn.emplace(o.oidnLibrary);
     ChosenMapDenoiser chosen;

@@ -122,6 +122,10 @@ TEST_F(RenderCommandTest, OptionsOfRadianceMapsAreRefusedWhereThereAreNone) {
                   option + ": integrator drc has no radiance maps; only --integrator drc-maps has");
     }
     EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
+    EXPECT_EQ(errorOf([&] {
+                  run({"--integrator", "path", "--cells", "off", "--cell-size", "0.1"});
+              }),
+              "--cells, --cell-size: integrator path has no radiance cells; only --integrator drc has");
     // Under their other names, as others write them, and of the integrator that the file names.
     EXPECT_THAT(errorOf([&] {
                     run({"--integrator", "scene", "--enhancer=none", "--passes=2"});

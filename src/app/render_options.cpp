@@ -9,8 +9,9 @@
 namespace drc {
 namespace {
 
-// The heading in --help of the options that only integrators with map passes have.
+// The headings in --help of the options that only one integrator has.
 constexpr const char* kMapGroup = "Radiance maps, with --integrator drc-maps alone";
+constexpr const char* kCellGroup = "Radiance cells, with --integrator drc alone";
 
 // An option that takes one of a few words, each of which stands for a value.
 template <class T>
@@ -120,6 +121,19 @@ void addMaps(CLI::App& command, RenderOptions& o) {
     command.option_defaults()->group(group);
 }
 
+void addCells(CLI::App& command, RenderOptions& o) {
+    const std::string group = command.option_defaults()->get_group();
+    command.option_defaults()->group(kCellGroup);
+    addChoice<bool>(command, "--cells", o.params.cells, {{"on", true}, {"off", false}},
+                    "on, or off, with which drc is the path tracer. Default: on");
+    command
+        .add_option("--cell-size", o.params.cellSize,
+                    "Edge of the smallest cells at first, in the scene's units. Default: by the distances that the "
+                    "picture shows")
+        ->check(numberAbove(0));
+    command.option_defaults()->group(group);
+}
+
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& o) {
@@ -159,18 +173,23 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     command.add_flag("--stats", o.stats, "Print counts and times at the end");
     command.add_flag("--quiet", o.quiet, "Print only warnings and errors");
     command.add_flag("-v,--verbose", o.verbose, "Print more messages");
+    addCells(command, o);
     addMaps(command, o);
     command.footer("Example: drc render scene.pbrt --time 30 -o picture.png -o picture.exr");
 }
 
-void requireMaps(const CLI::App& command, const std::string& integrator) {
-    if (usesMaps(integrator)) return;
-    std::vector<std::string> given;
-    for (const CLI::Option* option : command.get_options())
-        if (option->get_group() == kMapGroup && option->count() > 0) given.push_back(option->get_name());
-    if (given.empty()) return;
-    throw Error(fmt::format("{}: integrator {} has no radiance maps; only --integrator drc-maps has",
-                            fmt::join(given, ", "), integrator));
+void refuseIdleOptions(const CLI::App& command, const std::string& integrator) {
+    const auto refuse = [&](const char* group, const char* things, const char* owner) {
+        if (integrator == owner) return;
+        std::vector<std::string> given;
+        for (const CLI::Option* option : command.get_options())
+            if (option->get_group() == group && option->count() > 0) given.push_back(option->get_name());
+        if (given.empty()) return;
+        throw Error(fmt::format("{}: integrator {} has no {}; only --integrator {} has", fmt::join(given, ", "),
+                                integrator, things, owner));
+    };
+    refuse(kMapGroup, "radiance maps", "drc-maps");
+    refuse(kCellGroup, "radiance cells", "drc");
 }
 
 }  // namespace drc

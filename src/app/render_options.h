@@ -31,8 +31,8 @@ struct RenderOptions {
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 
-// Throws Error that names the options about radiance maps that were given to the parsed `command`, if `integrator` has
-// none and they would do nothing.
-void requireMaps(const CLI::App& command, const std::string& integrator);
+// Throws Error that names the options given to the parsed `command` that would do nothing: those about radiance maps or
+// radiance cells where `integrator` has none.
+void refuseIdleOptions(const CLI::App& command, const std::string& integrator);
 
 }  // namespace drc

@@ -60,6 +60,8 @@ class Stats {
     Timer& timer(const std::string& name);
 
     void add(const std::string& name, int64_t n = 1) { counter(name).add(n); }
+    // For numbers that are no sums. One thread at a time.
+    void set(const std::string& name, int64_t n) { counter(name).add(n - count(name)); }
     // The counter's value; 0 if there is no such counter.
     int64_t count(const std::string& name) const;
     // The timer's seconds; 0 if there is no such timer.

@@ -87,6 +87,7 @@ class PathTracer {
     // Whether anything in the scene moves, so that a path's time matters.
     bool anythingMoves() const { return lighting_.accel().anythingMoves(); }
     const PathSettings& settings() const { return walker_.settings(); }
+    const DirectLighting& lighting() const { return lighting_; }
     // The broad lobes, whose indirect light comes from radiance maps, and the glossy ones, by the threshold
     // PathSettings::broadAlpha.
     LobeMask broad() const { return broadLobes(settings().broadAlpha); }

@@ -31,7 +31,8 @@ bool PathWalker::scatter(PathState& path, const SurfaceInteraction& hit, const B
                          const VertexNumbers& u) const {
     const auto s = view.sample(u.lobe, u.direction);
     if (!s || !(s->pdf > 0)) return false;
-    path.throughput *= s->f * (absDot(s->wi, view.bsdf().frame().n) / s->pdf);
+    path.weight = s->f * (absDot(s->wi, view.bsdf().frame().n) / s->pdf);
+    path.throughput *= path.weight;
     if (isBlack(path.throughput)) return false;
     path.etaScale *= sqr(s->eta);
     if (s->isSpecular()) {
@@ -48,6 +49,7 @@ bool PathWalker::scatter(PathState& path, const SurfaceInteraction& hit, const B
         const float survival = std::min(0.95f, maxComponent(path.throughput) * path.etaScale);
         if (u.roulette >= survival) return false;
         path.throughput *= 1 / survival;
+        path.weight *= 1 / survival;
     }
     return true;
 }

@@ -33,6 +33,7 @@ struct PathState {
     Ray ray;
     Vec3 from;  // the vertex that the ray leaves, on the surface, not offset from it
     Rgb throughput{1.f};
+    Rgb weight{1.f};  // the factor that the latest vertex has multiplied it by
     float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
     float etaScale = 1;                     // undoes the scaling of radiance by refraction, for Russian roulette
     float distance = 0;                     // length of the path, world units
@@ -126,10 +127,10 @@ class PathWalker {
     const DirectLighting& lighting() const { return lighting_; }
     const PathSettings& settings() const { return settings_; }
 
-  private:
     // Samples the next direction at a vertex. False: the path ends.
     bool scatter(PathState& path, const SurfaceInteraction& hit, const BsdfView& view, const VertexNumbers& u) const;
 
+  private:
     const DirectLighting& lighting_;
     PathSettings settings_;
 };

@@ -46,7 +46,7 @@ class BdptIntegrator final : public SampledIntegrator {
   private:
     static constexpr const char* kSplats = "splats";
 
-    Rgb radiance(const Ray& ray, Sampler& sampler, Film& film, GBufferSample* gBuffer) const override {
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film& film, GBufferSample* gBuffer) override {
         thread_local std::vector<Splat> splats;
         splats.clear();
         const Rgb radiance = tracer_.radiance(ray, sampler, splats, gBuffer);

@@ -9,7 +9,7 @@ class DirectIntegrator final : public SampledIntegrator {
     using SampledIntegrator::SampledIntegrator;
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, Film&, GBufferSample* gBuffer) const override {
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, GBufferSample* gBuffer) override {
         return context_.tracer.direct(ray, sampler, gBuffer);
     }
 };

@@ -23,6 +23,7 @@ struct RenderContext {
     const LightSampler& lights;
     const PathTracer& tracer;
     const RenderParams& params;      // resolved
+    float distance;                  // the median distance that the picture shows, world units; 0: no surface
     const MapDenoiser* mapDenoiser;  // null where the integrator has no radiance maps
     Stats* stats;                    // may be null
 };
@@ -34,7 +35,10 @@ class Integrator {
     // The layers of the film. Every camera sample must add to the first one, which tells how many samples a pixel has.
     virtual std::vector<FilmLayerSpec> layers() const = 0;
     // Adds one camera sample of pixel (x, y) to the film, whose row is locked. index: of the sample within its pixel.
-    virtual void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) const = 0;
+    virtual void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) = 0;
+    // Called when a sample pass over the whole film is complete, while no sample is taken. samples: complete ones in
+    // each pixel.
+    virtual void samplePassDone(int /*samples*/) {}
     // Whether there are map passes. mapPass runs one of them. index: of the pass. spacing: between maps, in pixels.
     // stride: only every so many rows and columns of pixels are lit. False: the pass was cancelled.
     virtual bool hasMapPasses() const { return false; }

@@ -29,7 +29,7 @@ class MapsIntegrator final : public Integrator {
         return layers;
     }
 
-    void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) const override {
+    void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override {
         const RenderParams& params = context_.params;
         const Turn turn = turnOf(index);
         // Each block of 2x2 pixels has all groups, even before each pixel has.

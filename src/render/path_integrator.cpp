@@ -9,7 +9,7 @@ class PathIntegrator final : public SampledIntegrator {
     using SampledIntegrator::SampledIntegrator;
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, Film&, GBufferSample* gBuffer) const override {
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, GBufferSample* gBuffer) override {
         return context_.tracer.radiance(ray, sampler, gBuffer);
     }
 };

@@ -9,13 +9,18 @@ class SampledIntegrator : public Integrator {
   public:
     explicit SampledIntegrator(const RenderContext& context) : context_(context) {}
     std::vector<FilmLayerSpec> layers() const override;
-    void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) const override;
+    void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override;
     LayeredPicture picture(std::shared_ptr<const Film> film) const override;
 
   protected:
     static constexpr const char* kBeauty = "beauty";
+    // The pixel of a sample, and the index of the sample within it.
+    struct Place {
+        int x, y;
+        uint32_t index;
+    };
     // The radiance that arrives along a camera ray of nonzero weight. gBuffer: null if it is not wanted.
-    virtual Rgb radiance(const Ray& ray, Sampler& sampler, Film& film, GBufferSample* gBuffer) const = 0;
+    virtual Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, GBufferSample* gBuffer) = 0;
 
     const RenderContext context_;
 };

@@ -40,8 +40,9 @@ Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const
 Session::~Session() = default;
 
 void Session::begin() {
-    integrator_ =
-        makeIntegrator(params_.integrator, {scene_, accel_, lights_, tracer_, params_, mapDenoiser_.get(), stats_});
+    distance_ = medianDistance();
+    integrator_ = makeIntegrator(params_.integrator,
+                                 {scene_, accel_, lights_, tracer_, params_, distance_, mapDenoiser_.get(), stats_});
     film_ = std::make_unique<Film>(scene_.settings, integrator_->layers());
     guide_.reset();
     tracer_.setGuide(nullptr);
@@ -55,6 +56,25 @@ void Session::setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film
     schedule_ = Schedule(params_, Schedule::Clock::now(), film.height, scene_.settings.region().count());
 }
 
+float Session::medianDistance() const {
+    constexpr int kProbes = 16;
+    std::vector<float> distances;
+    const PixelRegion region = scene_.settings.region();
+    for (uint32_t i = 0; i < kProbes * kProbes; ++i) {
+        Sampler sampler(hashCombine(params_.seed, kProbeStream), i);
+        const Vec2 u = sampler.get2D();
+        const Vec2 film(float(region.x0) + u.x * float(region.width()),
+                        float(region.y0) + u.y * float(region.height()));
+        PrimaryHit hit;
+        const CameraRay camera = cameraRay(scene_, film, sampler);
+        if (camera.weight > 0 && tracer_.primaryHit(camera.ray, sampler, hit)) distances.push_back(hit.distance);
+    }
+    if (distances.empty()) return 0;
+    const auto median = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), median, distances.end());
+    return *median;
+}
+
 void Session::startGuide() {
     const Light* brightest = nullptr;
     float most = 0;
@@ -65,23 +85,8 @@ void Session::startGuide() {
         most = power;
     }
     if (brightest == nullptr) return;
-    // The voxels' size is proportional to the median distance that the picture shows.
-    constexpr int kProbes = 16;
-    std::vector<float> distances;
-    const PixelRegion& region = film_->region();
-    for (uint32_t i = 0; i < kProbes * kProbes; ++i) {
-        Sampler sampler(hashCombine(params_.seed, kProbeStream), i);
-        const Vec2 u = sampler.get2D();
-        const Vec2 film(float(region.x0) + u.x * float(region.width()),
-                        float(region.y0) + u.y * float(region.height()));
-        PrimaryHit hit;
-        const CameraRay camera = cameraRay(scene_, film, sampler);
-        if (camera.weight > 0 && tracer_.primaryHit(camera.ray, sampler, hit)) distances.push_back(hit.distance);
-    }
-    if (distances.empty()) return;
-    const auto median = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-    std::nth_element(distances.begin(), median, distances.end());
-    guide_.emplace(*brightest, *median / kVoxelsInDistance);
+    if (distance_ == 0) return;
+    guide_.emplace(*brightest, distance_ / kVoxelsInDistance);
     tracer_.setGuide(&*guide_);
 }
 
@@ -103,6 +108,7 @@ bool Session::step(const CancelToken* cancel) {
     const auto took = Schedule::Clock::now() - start;
     schedule_.finished(*work, took, whole);
     if (stats_) stats_->timer(work->kind == Schedule::Work::Kind::Maps ? "map passes" : "sample passes").add(took);
+    if (whole && work->kind == Schedule::Work::Kind::Samples) integrator_->samplePassDone(samplesDone());
     if (guide_ && whole && (work->kind == Schedule::Work::Kind::Maps || SamplePass{work->index}.endsSample()))
         guide_->update();
     return whole;

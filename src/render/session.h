@@ -51,6 +51,8 @@ class Session {
   private:
     bool samplePass(int index, const CancelToken* cancel);
     void startGuide();
+    // The median distance that the picture shows, world units; 0 if it shows no surface.
+    float medianDistance() const;
     // Makes the integrator, the film, and all else that depends on the camera.
     void begin();
 
@@ -59,6 +61,7 @@ class Session {
     Accel accel_;
     LightSampler lights_;
     PathTracer tracer_;
+    float distance_ = 0;                     // medianDistance()
     std::optional<EnvironmentGuide> guide_;  // none: there is no environment light to guide
     std::shared_ptr<const MapDenoiser> mapDenoiser_;
     Stats* stats_;

@@ -1,0 +1,124 @@
+// Radiance cells: a hash table over the surfaces of a scene, of the radiance that their broad lobes scatter, divided by
+// their albedo, so that textures stay sharp. Paths of final gather end in it. World-space hash tables of this kind are
+// described by Binder et al., "Massively Parallel Path Space Filtering" (2018).
+//
+// Cells are cubes of a few nested sizes. Each belongs to one of 26 directions that a surface can face, so that the two
+// sides of a thin wall are two cells. A cell keeps sums over deposits, which are unbiased samples: the cells' own
+// answers are never deposited, so that no error builds up. Sums are integers, and look-ups see what earlier calls of
+// commit() have added. The same deposits therefore give the same bits on any number of threads. The memory is bounded:
+// cells that have not been used for long give way to new ones.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/huge_array.h"
+#include "integrators/radiance_cache.h"
+
+namespace drc {
+
+struct RadianceCellSettings {
+    float size = 1;     // edge of the finest cells, world units
+    int sizes = 4;      // number of nested sizes, each twice the one before
+    int deposits = 16;  // that a cell needs before it answers
+    // The relative variance of a mean up to which cells are used that are not of the largest size.
+    float variance = 0.1f;
+    size_t capacity = 1 << 20;  // greatest number of cells, a power of two
+    float lightScale = 1;       // by which radiance is multiplied for display; it sets the unit of the sums
+};
+
+class RadianceCells final : public RadianceCache {
+  public:
+    // Memory for one cell.
+    static constexpr size_t bytesPerCell() { return sizeof(Answer) + sizeof(Sums); }
+
+    explicit RadianceCells(const RadianceCellSettings& settings);
+
+    bool accepts(const CachePoint& at) const override { return at.reach >= reachFor(0); }
+    void prefetch(const CachePoint& at, const Vec2& u) const override;
+    bool lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& answer) const override;
+
+    // Adds all deposits and empties the lists; returns how many there were. Their order matters only for which cells
+    // are kept when memory is short. Not while others look up.
+    size_t commit(std::span<std::vector<CacheDeposit>* const> lists);
+    // Halves the sizes of all cells. What is known about the sizes that remain is kept. Not while others look up.
+    void refine();
+    // The number of commits so far.
+    int commits() const { return int(now_ - 1); }
+
+    const RadianceCellSettings& settings() const { return settings_; }
+    size_t used() const { return used_; }
+    size_t bytes() const { return answers_.size() * bytesPerCell(); }
+
+  private:
+    // What look-ups read: half a cache line. A cell that knows too little itself has the answer of the smallest one
+    // around it that knows enough, so that most look-ups read one cell.
+    struct alignas(32) Answer {
+        uint64_t key = 0;  // hash of size, place and facing; 0: there is no cell
+        float perAlbedo[3]{};
+        int8_t normal[3]{};         // of the surface, in units of 1/127
+        uint8_t source = kUnknown;  // size of the cell whose answer this is: Sums::generation
+        float plane = 0;            // distance of the surface from the world's origin along the normal, world units
+        uint16_t lastUse = 0;       // number of the commit, modulo 2^16
+        uint8_t training = 255;     // probability that a path goes on from here, in units of 1/255
+    };
+    struct Sums {
+        uint64_t parent = 0;  // key of the cell of the next size around this one; 0 at the largest size
+        int64_t light[3]{};
+        int64_t square = 0;   // of the light's luminance divided by the albedo's
+        int64_t between = 0;  // of the means of the cells of the next smaller size within this one, times their counts
+        uint32_t albedo[3]{};
+        int32_t position[3]{};  // relative to the cell's corner
+        int32_t normal[3]{};
+        uint32_t count = 0;
+        Vec3 corner{0.f};        // world units
+        uint8_t generation = 0;  // of the cell's size, see generationOf
+    };
+    static constexpr uint8_t kUnknown = 0;
+    // Halves all sums when there are so many deposits, before 32 bits overflow.
+    static constexpr uint32_t kMostDeposits = 1 << 21;
+    static_assert(sizeof(Answer) == 32);
+    // Cells in a bucket, two cache lines, any of which may hold a key.
+    static constexpr size_t kWays = 4;
+    static constexpr int kMostRefined = 24;
+
+    // Where a point lies in the grid of one size.
+    struct Place {
+        uint64_t key;
+        Vec3 corner;
+    };
+    float sizeOf(int level) const { return settings_.size * float(1 << level); }
+    // Numbers sizes, from small to large, so that a cell keeps its number when all sizes are halved.
+    int generationOf(int level) const { return kMostRefined + level - refined_; }
+    int levelOf(int generation) const { return generation - kMostRefined + refined_; }
+    float reachFor(int level) const;
+    Place placeOf(const Vec3& p, const Vec3& n, int level) const;
+    size_t bucketOf(uint64_t key) const { return size_t(key) & (answers_.size() - kWays); }
+    // A random position near the point, in the plane of its surface.
+    Vec3 jittered(const CachePoint& at, int level, const Vec2& u) const;
+    const Answer* find(uint64_t key) const;
+    void add(const CacheDeposit& deposit, int level, const Place& place, uint64_t parent);
+    void renewAnswer(Answer& answer, const Sums& sums);
+    const Sums& sumsOf(const Answer& cell) const { return sums_[size_t(&cell - answers_.begin())]; }
+    // Whether the means of the cells within this one would be good enough.
+    bool divides(const Sums& sums) const;
+    double meanOf(const Sums& sums) const { return double(luminance(perAlbedo(sums))); }
+    // The age of a cell, in commits.
+    uint16_t age(const Answer& cell) const { return uint16_t(now_ - cell.lastUse); }
+    Rgb perAlbedo(const Sums& sums) const;
+    double perSquare() const { return perQuantum_ * perQuantum_ * 0x1p-32; }
+    void renewAnswers();
+    void grow();
+
+    RadianceCellSettings settings_;
+    double perQuantum_;
+    int refined_ = 0;   // how often
+    uint32_t now_ = 1;  // counts commits
+    size_t used_ = 0;
+    double mean_ = 0;  // of all deposits' luminance, divided by the albedo's
+    HugeArray<Answer> answers_;
+    HugeArray<Sums> sums_;  // by the same indices
+};
+
+}  // namespace drc

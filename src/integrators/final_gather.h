@@ -1,0 +1,49 @@
+// Final gather: paths like those of the path tracer that end in a radiance cache, one bounce or more after the surface
+// that the camera sees. Some of them go on beyond that point, to find out for the cache what the light there is.
+//
+//     camera -> mirrors, smooth glass -> x1 -> x2: answered by the cache, or -> x3, ...
+//
+// A cache is asked where its error is not seen (RadianceCache::accepts). It answers for the broad lobes; the path then
+// continues by the others, if there are any. With a cache that accepts nothing, this is the path tracer, to the bit.
+#pragma once
+#include <vector>
+
+#include "integrators/path_walker.h"
+#include "integrators/radiance_cache.h"
+
+namespace drc {
+
+class FinalGather {
+  public:
+    // Lobes whose alpha is at least this are broad here: their light hardly depends on the direction from which it is
+    // seen, so that paths from all directions can share it.
+    static constexpr float kBroadAlpha = 0.5f;
+
+    // Counts over many samples, for --stats.
+    struct Counts {
+        int64_t asked = 0;     // look-ups at points that the cache accepts
+        int64_t answered = 0;  // of these
+        int64_t refused = 0;   // points with broad lobes that it does not accept
+        void add(const Counts& other) {
+            asked += other.asked;
+            answered += other.answered;
+            refused += other.refused;
+        }
+    };
+
+    // Both must outlive this object.
+    FinalGather(const DirectLighting& lighting, const PathSettings& settings)
+        : lighting_(lighting), walker_(lighting, settings) {}
+
+    // All light that arrives at the ray's origin along it. seed: of the random numbers for look-ups. A path trains the
+    // cache, that is it goes on and makes deposits, if it gets no answer, or with the probability that comes with the
+    // answer. Deposits are appended.
+    Rgb radiance(const Ray& ray, Sampler& sampler, const RadianceCache& cache, uint64_t seed,
+                 std::vector<CacheDeposit>& deposits, Counts& counts, GBufferSample* gBuffer = nullptr) const;
+
+  private:
+    const DirectLighting& lighting_;
+    PathWalker walker_;
+};
+
+}  // namespace drc
