@@ -28,7 +28,7 @@ constexpr double kMostUsed = 0.4;
 constexpr size_t kFirstCapacity = 1 << 14;
 // The probability that a path goes on where the cache has answered, so as to improve the answer: in proportion to the
 // standard error of the answer, divided by the answer or by this share of the mean of all cells, whichever is more.
-constexpr double kTrainingPerError = 0.6, kLeastTraining = 1 / 32.0, kMostTraining = 0.5, kDimmest = 0.25;
+constexpr double kTrainingPerError = 0.25, kLeastTraining = 1 / 64.0, kMostTraining = 0.25, kDimmest = 0.25;
 // The grids are shifted by this share of a cell, because scenes have many surfaces at round coordinates.
 constexpr float kGridShift = 0.3819f;
 
@@ -54,11 +54,20 @@ RadianceCells::RadianceCells(const RadianceCellSettings& settings)
 
 float RadianceCells::reachFor(int level) const { return sizeOf(level) / kSizePerReach; }
 
-RadianceCells::Place RadianceCells::placeOf(const Vec3& p, const Vec3& n, int level) const {
+int RadianceCells::largestLevel(const CachePoint& at) const {
+    int level = settings_.sizes - 1;
+    while (level > 0 && at.reach < reachFor(level)) --level;
+    return level;
+}
+
+RadianceCells::Place RadianceCells::placeOf(const Vec3& p, const Vec3& n, int level, int largest) const {
     const float size = sizeOf(level), perSize = 1 / size;
     const float x = std::floor(p.x * perSize + kGridShift), y = std::floor(p.y * perSize + kGridShift),
                 z = std::floor(p.z * perSize + kGridShift);
-    const auto kind = uint64_t(generationOf(level) * 27 + facing(n));
+    // Points that may not use the largest cells, because they are seen from nearby, have cells of their own: otherwise
+    // the light in corners, and beside lamps, would be mixed into that of open surfaces.
+    const int points = largest == settings_.sizes - 1 ? 0 : generationOf(largest);
+    const auto kind = uint64_t((points * 64 + generationOf(level)) * 27 + facing(n));
     const uint64_t key = mixBits(mixBits(uint64_t(int64_t(x)) + uint64_t(int64_t(y)) * 0x9e3779b97f4a7c15ull) +
                                  uint64_t(int64_t(z)) * 0xd1342543de82ef95ull + kind * 0xaf251af3b0f025b5ull);
     return {key == 0 ? 1 : key, Vec3(x - kGridShift, y - kGridShift, z - kGridShift) * size};
@@ -77,25 +86,25 @@ const RadianceCells::Answer* RadianceCells::find(uint64_t key) const {
 }
 
 void RadianceCells::prefetch(const CachePoint& at, const Vec2& u) const {
-    const auto* bucket = reinterpret_cast<const char*>(&answers_[bucketOf(placeOf(jittered(at, 0, u), at.n, 0).key)]);
+    const auto* bucket =
+        reinterpret_cast<const char*>(&answers_[bucketOf(placeOf(jittered(at, 0, u), at.n, 0, largestLevel(at)).key)]);
     __builtin_prefetch(bucket);
     __builtin_prefetch(bucket + 64);
 }
 
 bool RadianceCells::lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& answer) const {
-    for (int level = 0; level < settings_.sizes && at.reach >= reachFor(level); ++level) {
+    const int largest = largestLevel(at);
+    for (int level = 0; level <= largest; ++level) {
         // At a random position around the point, so that the borders of cells do not show; where that is not on the
         // same surface, at the point.
         for (const Vec3& p : {jittered(at, level, u), at.p}) {
-            const Answer* cell = find(placeOf(p, at.n, level).key);
-            if (cell == nullptr || cell->source == kUnknown) continue;
+            const Answer* cell = find(placeOf(p, at.n, level, largest).key);
+            if (cell == nullptr || !cell->known) continue;
             const Vec3 normal = Vec3(cell->normal[0], cell->normal[1], cell->normal[2]) * (1 / kNormalUnits);
             if (dot(normal, at.n) < kLeastCosine) continue;
             if (std::abs(dot(normal, at.p) - cell->plane) > kPlaneDistance * sizeOf(level)) continue;
-            // The points of larger cells have a larger reach.
-            if (const int source = levelOf(cell->source); source > level && at.reach < reachFor(source)) return false;
-            answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);
             answer.training = float(cell->training) * (1 / 255.f);
+            answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);
             // All threads write the same number, and only if it is another one, so that they share the cache line.
             std::atomic_ref<uint16_t> lastUse(const_cast<Answer*>(cell)->lastUse);
             if (lastUse.load(std::memory_order_relaxed) != uint16_t(now_))
@@ -103,6 +112,7 @@ bool RadianceCells::lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& ans
             return true;
         }
     }
+    answer.training = 1;
     return false;
 }
 
@@ -165,7 +175,7 @@ bool RadianceCells::divides(const Sums& sums) const {
 }
 
 void RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
-    answer.source = kUnknown;
+    answer.known = false;
     // The smallest of the nested cells that knows enough. The one around it decides for all cells within it: if each
     // decided by its own variance, those that happen to lack their brightest samples would be preferred.
     const Sums* sums = &own;
@@ -191,7 +201,7 @@ void RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
     const double variance = std::max(0.0, double(sums->square) / (perSquare() * count) - mean * mean) / count;
     const double error = std::sqrt(variance) / std::max(1e-30, std::max(mean, kDimmest * mean_));
     answer.training = uint8_t(std::lrint(255 * std::clamp(kTrainingPerError * error, kLeastTraining, kMostTraining)));
-    answer.source = sums->generation;
+    answer.known = true;
 }
 
 size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) {
@@ -208,9 +218,9 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
             for (const CacheDeposit& d : *list) {
                 // From the largest cells that may be used on.
                 uint64_t parent = 0;
-                for (int level = settings_.sizes - 1; level >= 0; --level) {
-                    if (d.at.reach < reachFor(level)) continue;
-                    const Place place = placeOf(d.at.p, d.at.n, level);
+                const int largest = largestLevel(d.at);
+                for (int level = largest; level >= 0; --level) {
+                    const Place place = placeOf(d.at.p, d.at.n, level, largest);
                     if (bucketOf(place.key) * size_t(parts) / answers_.size() == size_t(part))
                         add(d, level, place, parent);
                     parent = place.key;

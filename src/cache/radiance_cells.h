@@ -57,11 +57,11 @@ class RadianceCells final : public RadianceCache {
     struct alignas(32) Answer {
         uint64_t key = 0;  // hash of size, place and facing; 0: there is no cell
         float perAlbedo[3]{};
-        int8_t normal[3]{};         // of the surface, in units of 1/127
-        uint8_t source = kUnknown;  // size of the cell whose answer this is: Sums::generation
-        float plane = 0;            // distance of the surface from the world's origin along the normal, world units
-        uint16_t lastUse = 0;       // number of the commit, modulo 2^16
-        uint8_t training = 255;     // probability that a path goes on from here, in units of 1/255
+        int8_t normal[3]{};  // of the surface, in units of 1/127
+        bool known = false;
+        float plane = 0;         // distance of the surface from the world's origin along the normal, world units
+        uint16_t lastUse = 0;    // number of the commit, modulo 2^16
+        uint8_t training = 255;  // probability that a path goes on from here, in units of 1/255
     };
     struct Sums {
         uint64_t parent = 0;  // key of the cell of the next size around this one; 0 at the largest size
@@ -75,7 +75,6 @@ class RadianceCells final : public RadianceCache {
         Vec3 corner{0.f};        // world units
         uint8_t generation = 0;  // of the cell's size, see generationOf
     };
-    static constexpr uint8_t kUnknown = 0;
     // Halves all sums when there are so many deposits, before 32 bits overflow.
     static constexpr uint32_t kMostDeposits = 1 << 21;
     static_assert(sizeof(Answer) == 32);
@@ -93,7 +92,10 @@ class RadianceCells final : public RadianceCache {
     int generationOf(int level) const { return kMostRefined + level - refined_; }
     int levelOf(int generation) const { return generation - kMostRefined + refined_; }
     float reachFor(int level) const;
-    Place placeOf(const Vec3& p, const Vec3& n, int level) const;
+    // The largest size that a point that is accepted may use.
+    int largestLevel(const CachePoint& at) const;
+    // largest: of the point.
+    Place placeOf(const Vec3& p, const Vec3& n, int level, int largest) const;
     size_t bucketOf(uint64_t key) const { return size_t(key) & (answers_.size() - kWays); }
     // A random position near the point, in the plane of its surface.
     Vec3 jittered(const CachePoint& at, int level, const Vec2& u) const;

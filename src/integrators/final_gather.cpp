@@ -10,7 +10,7 @@ namespace {
 constexpr int kLongPaths = 16;
 // The number of vertices of a path that deposit. Later ones have gone through so much Russian roulette that they would
 // add more noise than knowledge.
-constexpr size_t kMaxDeposits = 6;
+constexpr size_t kMaxDeposits = 4;
 // Lobes only estimate their albedos: the others are followed with at least this probability.
 constexpr float kLeastSurvival = 0.05f;
 
@@ -132,11 +132,9 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
                     if (answered) {
                         ++counts.answered;
                         sum += path.throughput * share * albedo * answer.perAlbedo;
-                        trains = trains || random.nextFloat() < answer.training;
                         shown = mixed;
-                    } else {
-                        trains = true;
                     }
+                    trains = trains || random.nextFloat() < answer.training;
                 }
                 trainsHere = trains && trainings.begin(at, albedo, path.depth);
             }

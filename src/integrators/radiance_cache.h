@@ -21,7 +21,8 @@ struct CachePoint {
 struct CacheAnswer {
     Rgb perAlbedo{
         0.f};  // the radiance that broad lobes scatter at the point, without emission, divided by their albedo
-    float training = 0;  // the probability with which the path should go on, so as to improve the answer
+    // The probability with which the path should make a deposit, so as to improve the answer. Also without one.
+    float training = 0;
 };
 
 class RadianceCache {
