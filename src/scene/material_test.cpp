@@ -87,6 +87,14 @@ TEST(Uber, Bsdf) {
     EXPECT_EQ(bsdfOf(makeUber(p)).size(), 5);
 }
 
+TEST(Uber, AnIndexOfOneReflectsNothing) {
+    UberParams p;
+    p.kr = colour(0.5f, 0.5f, 0.5f);
+    EXPECT_EQ(bsdfOf(makeUber(p)).size(), 3);
+    p.eta = number(1);
+    EXPECT_EQ(bsdfOf(makeUber(p)).size(), 1);  // the diffuse base
+}
+
 TEST(Uber, OpacityPassesStraightThrough) {
     UberParams p;
     p.opacity = colour(0.25f, 0.25f, 0.25f);

@@ -24,7 +24,9 @@ class Uber final : public Material {
         if (!isBlack(straight)) bsdf.add(SpecularTransmission(straight, 1, 1), weight);
         const Rgb kd = opacity * evalClamped(*params_.kd, at);
         if (!isBlack(kd)) bsdf.add(LambertReflection(kd), weight);
-        const Rgb ks = opacity * evalClamped(*params_.ks, at);
+        // An index of 1 reflects nothing. A lobe that is always zero would still be sampled now and then.
+        const bool reflects = eta != 1;
+        const Rgb ks = reflects ? opacity * evalClamped(*params_.ks, at) : Rgb(0.f);
         if (!isBlack(ks)) {
             const float u = (params_.uRoughness ? *params_.uRoughness : *params_.roughness).eval(at);
             const float v = params_.vRoughness ? params_.vRoughness->eval(at) : u;
@@ -32,7 +34,7 @@ class Uber final : public Material {
                 MicrofacetReflection(ks, distributionFor(u, v, params_.remapRoughness), Fresnel::dielectric(1, eta)),
                 weight);
         }
-        const Rgb kr = opacity * evalClamped(*params_.kr, at);
+        const Rgb kr = reflects ? opacity * evalClamped(*params_.kr, at) : Rgb(0.f);
         if (!isBlack(kr)) bsdf.add(SpecularReflection(kr, Fresnel::dielectric(1, eta)), weight);
         const Rgb kt = opacity * evalClamped(*params_.kt, at);
         if (!isBlack(kt)) bsdf.add(SpecularTransmission(kt, 1, eta), weight);
