@@ -1,6 +1,7 @@
 #include "render/layered_picture.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 
 #include "base/parallel.h"
@@ -8,6 +9,8 @@
 
 namespace drc {
 namespace {
+
+constexpr int kGBufferChannels = 8;
 
 // Calls f(row) for all rows, in parallel.
 template <class F>
@@ -64,10 +67,13 @@ PictureLayer pictureLayer(const Film& film, const std::string& name, const std::
     return layer;
 }
 
-void addGBufferSpec(std::vector<FilmLayerSpec>& layers) { layers.push_back({.name = kGBufferLayer, .channels = 7}); }
+void addGBufferSpec(std::vector<FilmLayerSpec>& layers) {
+    layers.push_back({.name = kGBufferLayer, .channels = kGBufferChannels});
+}
 
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, float filterWeight) {
-    const float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x, s.normal.y, s.normal.z, s.depth};
+    const float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x,
+                            s.normal.y, s.normal.z, s.depth,    lengthSquared(s.albedo) + lengthSquared(s.normal)};
     layer.add(x, y, 0, values, filterWeight);
 }
 
@@ -86,18 +92,28 @@ void addGBuffer(LayeredPicture& picture) {
     const int width = region.width(), height = region.height();
     const FilmLayer& samples = film.layer(kGBufferLayer);
     GBuffer g{Image(width, height), Image(width, height, {"X", "Y", "Z"}), Image(width, height, {"Z"})};
+    std::atomic<int64_t> sampled = 0, noisy = 0;
     forEachRow(height, [&](int row) {
+        int sampledInRow = 0, noisyInRow = 0;
         for (int column = 0; column < width; ++column) {
             const int x = region.x0 + column, y = region.y0 + row;
             const double expected = samples.expected(x, y);
             if (expected == 0) continue;
-            const double divisor = filterDivisor(samples.sum(x, y, 7), expected);
+            const double divisor = filterDivisor(samples.sum(x, y, kGBufferChannels), expected);
             const auto mean = [&](int c) { return float(samples.sum(x, y, c) / divisor); };
             for (int c = 0; c < 3; ++c) g.albedo.at(column, row, c) = std::clamp(mean(c), 0.f, 1.f);
             for (int c = 0; c < 3; ++c) g.normal.at(column, row, c) = mean(3 + c);
             g.depth.at(column, row, 0) = mean(6);
+            double variance = mean(7);
+            for (int c = 0; c < 6; ++c) variance -= double(mean(c)) * double(mean(c));
+            // Overestimates the variance of the mean of stratified samples.
+            const double most = double(kNoisyGBuffer) * kNoisyGBuffer;
+            ++sampledInRow;
+            noisyInRow += expected < 2 || variance > most * (expected - 1);
         }
+        sampled += sampledInRow, noisy += noisyInRow;
     });
+    if (sampled > 0) g.noisyShare = float(double(noisy) / double(sampled));
     for (Image* image : {&g.albedo, &g.normal, &g.depth}) fillUnsampled(*image, samples);
     picture.gBuffer = std::move(g);
 }

@@ -25,7 +25,13 @@ struct GBuffer {
     Image albedo;  // RGB, in [0, 1]
     Image normal;  // X, Y, Z, world space; shorter than 1 where a pixel shows several surfaces
     Image depth;   // Z, world units
+    // The share of the pixels in which the standard error of albedo and normal, as one vector, exceeds kNoisyGBuffer or
+    // is unknown, because there are fewer than two samples. Edges have a few of them; depth of field, motion blur and
+    // reflections that are not quite alike make it large.
+    float noisyShare = 0;
 };
+// Noise of this size in the G-buffer is seen in what is denoised by it.
+inline constexpr float kNoisyGBuffer = 0.03f;
 
 struct LayeredPicture {
     std::shared_ptr<const Film> film;  // that the picture was made from
@@ -47,7 +53,8 @@ struct LayeredPicture {
 // Makes a picture's layer from a film's layer: means, and the variance of the mean if there are several groups.
 PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale);
 
-// The film's layer that GBufferSamples are added to: seven channels of albedo, normal and depth.
+// The film's layer that GBufferSamples are added to: albedo, normal, depth, and the squared length of albedo and normal
+// as one vector, from which follows how noisy they are.
 inline constexpr const char* kGBufferLayer = "g-buffer";
 void addGBufferSpec(std::vector<FilmLayerSpec>& layers);
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& sample, float filterWeight);
