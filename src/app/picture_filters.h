@@ -30,6 +30,9 @@ struct PictureFilters {
     double mostOfBudget = 0;
     // Whether they were asked for, so that the user is told if cheaper ones replace them.
     bool wanted = true;
+    // The time that one core may be expected to take for a pixel of a large picture, so that what is far too expensive
+    // need not be tried; 0: not known.
+    double secondsPerPixel = 0;
 
     // As "oidn high"; of the last one.
     std::string name() const { return filters.empty() ? "nothing" : filters.back()->name(); }

@@ -119,6 +119,8 @@ TEST_F(PictureFiltersTest, AutoTakesTheLibraryThatIsFound) {
     EXPECT_LE(open[1].mostOfBudget, 0.25);
     EXPECT_FALSE(open[0].wanted || open[1].wanted);
     EXPECT_TRUE(open[2].wanted);
+    EXPECT_GT(open[0].secondsPerPixel, open[1].secondsPerPixel);
+    EXPECT_GT(open[1].secondsPerPixel, open[2].secondsPerPixel);
 
     params.oidnQuality = OidnQuality::Balanced;
     params.oidnPrefilter = false;
@@ -140,7 +142,7 @@ TEST_F(PictureFiltersTest, OnlyNoisyAuxiliariesAreNotTakenAsClean) {
         GTEST_SKIP() << error.what();
     }
     GBuffer clean, noisy;
-    clean.noisyShare = 0.05f, noisy.noisyShare = 0.6f;
+    clean.noise = 0.002f, noisy.noise = 0.2f;
     for (const OidnAuxiliaries asked : {OidnAuxiliaries::Raw, OidnAuxiliaries::Prefiltered}) {
         const OidnSettings settings{OidnQuality::Balanced, asked};
         const OidnPictureFilter open(*oidn, settings, true, false), fixed(*oidn, settings, false, false);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/log.h"
+#include "base/parallel.h"
 
 namespace drc {
 namespace {
@@ -22,6 +23,8 @@ constexpr double kMostToMeasure = 0.03, kNegligible = 0.01;
 constexpr int kLeastSide = 64;
 // The estimate is multiplied by this, because the speed of a machine varies.
 constexpr double kMargin = 1.03;
+// How much faster this machine may be than the one that PictureFilters::secondsPerPixel was measured on.
+constexpr double kFasterMachine = 2;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -84,9 +87,19 @@ void PictureFinisher::finish(LayeredPicture picture, ExrMetadata metadata) {
     stats_.timer("write").add(Clock::now() - filtered);
 }
 
+void PictureFinisher::useCheaper() {
+    candidates_.erase(candidates_.begin());
+    last_ = {};
+}
+
 void PictureFinisher::measure(Session& session) {
     Schedule& schedule = session.schedule();
     const bool first = last_.seconds == 0;
+    // Even a part of the picture takes long to filter in a mode that is too expensive for the whole.
+    const double pixels = double(session.film().region().count()) / threadCount();
+    while (first && !filters().wanted && candidates_.size() > 1 &&
+           filters().secondsPerPixel * pixels > kFasterMachine * filters().mostOfBudget * schedule.budget())
+        useCheaper();
     for (;;) {
         schedule.reserve(kMargin * estimate(session, schedule.budget()));
         schedule.reserveMeasured();
@@ -101,8 +114,7 @@ void PictureFinisher::measure(Session& session) {
             logWarning(text);
         else
             logDebug(text);
-        candidates_.erase(candidates_.begin());
-        last_ = {};
+        useCheaper();
     }
 }
 

@@ -28,6 +28,8 @@ class PictureFinisher {
     double secondsFor(const Session& session, const PixelRegion& part) const;
     const PictureFilters& filters() const { return candidates_.front(); }
     void apply(LayeredPicture& picture) const;
+    // Goes on to the next candidate.
+    void useCheaper();
 
     // The last part that was measured, and the estimate by it, seconds.
     struct Measured {

@@ -1,8 +1,9 @@
 #include "render/layered_picture.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
+#include <cmath>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "render/sample_pass.h"
@@ -92,9 +93,9 @@ void addGBuffer(LayeredPicture& picture) {
     const int width = region.width(), height = region.height();
     const FilmLayer& samples = film.layer(kGBufferLayer);
     GBuffer g{Image(width, height), Image(width, height, {"X", "Y", "Z"}), Image(width, height, {"Z"})};
-    std::atomic<int64_t> sampled = 0, noisy = 0;
+    const auto rows = static_cast<size_t>(height);
+    std::vector<double> noiseOfRow(rows), sampledInRow(rows);
     forEachRow(height, [&](int row) {
-        int sampledInRow = 0, noisyInRow = 0;
         for (int column = 0; column < width; ++column) {
             const int x = region.x0 + column, y = region.y0 + row;
             const double expected = samples.expected(x, y);
@@ -106,14 +107,14 @@ void addGBuffer(LayeredPicture& picture) {
             g.depth.at(column, row, 0) = mean(6);
             double variance = mean(7);
             for (int c = 0; c < 6; ++c) variance -= double(mean(c)) * double(mean(c));
-            // Overestimates the variance of the mean of stratified samples.
-            const double most = double(kNoisyGBuffer) * kNoisyGBuffer;
-            ++sampledInRow;
-            noisyInRow += expected < 2 || variance > most * (expected - 1);
+            // Overestimates the variance of the mean of stratified samples. A single sample tells nothing, so it is
+            // taken for a bad one.
+            noiseOfRow[size_t(row)] += expected < 2 ? 1 : std::max(0.0, variance) / (expected - 1);
+            ++sampledInRow[size_t(row)];
         }
-        sampled += sampledInRow, noisy += noisyInRow;
     });
-    if (sampled > 0) g.noisyShare = float(double(noisy) / double(sampled));
+    const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+    if (const double sampled = sum(sampledInRow); sampled > 0) g.noise = float(std::sqrt(sum(noiseOfRow) / sampled));
     for (Image* image : {&g.albedo, &g.normal, &g.depth}) fillUnsampled(*image, samples);
     picture.gBuffer = std::move(g);
 }

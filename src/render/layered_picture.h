@@ -25,13 +25,10 @@ struct GBuffer {
     Image albedo;  // RGB, in [0, 1]
     Image normal;  // X, Y, Z, world space; shorter than 1 where a pixel shows several surfaces
     Image depth;   // Z, world units
-    // The share of the pixels in which the standard error of albedo and normal, as one vector, exceeds kNoisyGBuffer or
-    // is unknown, because there are fewer than two samples. Edges have a few of them; depth of field, motion blur and
-    // reflections that are not quite alike make it large.
-    float noisyShare = 0;
+    // The root mean square, over the pixels, of the standard error of albedo and normal, taken as one vector. Large
+    // where depth of field, motion, reflections or mere edges meet few samples.
+    float noise = 0;
 };
-// Noise of this size in the G-buffer is seen in what is denoised by it.
-inline constexpr float kNoisyGBuffer = 0.03f;
 
 struct LayeredPicture {
     std::shared_ptr<const Film> film;  // that the picture was made from

@@ -153,6 +153,13 @@ class OpenImageDenoiseTest : public testing::Test {
     Image color_{kSide, kSide}, albedo_{kSide, kSide}, normal_{kSide, kSide};
 };
 
+// The one that scripts/fetch-oidn has put beside the tests can be loaded where it lies.
+TEST_F(OpenImageDenoiseTest, TheFetchedOneIsTaken) {
+    const std::string folder = (OidnSearch::ofProcess("").program / "oidn").string();
+    if (std::getenv("DRC_OIDN") || !std::filesystem::exists(folder)) GTEST_SKIP() << "there is none in " << folder;
+    EXPECT_THAT(oidn_->file(), testing::StartsWith(folder));
+}
+
 TEST_F(OpenImageDenoiseTest, EveryModeRemovesNoiseInItsOwnWay) {
     std::vector<Image> pictures;
     for (const OidnAuxiliaries auxiliaries : {kRaw, kClean, kPrefiltered})
