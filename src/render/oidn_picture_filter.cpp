@@ -9,9 +9,9 @@
 namespace drc {
 namespace {
 
-// Up to this standard error albedo and normal are taken as clean. At 1280x720 with 4 samples a pixel, in four interiors
-// with 0.05 to 0.11 of it, doing so makes the error 7 to 71 % larger than filtering them first; with 24 samples, in two
-// with 0.02 and 0.03, there is no difference, and in one with 0.04 it is 7 % (docs/measuring.md).
+// Up to this standard error albedo and normal are taken as clean. Where it was 0.03 to 0.1, doing so made the error 7
+// to 71 % larger than filtering them first; where it was 0.017, it made no difference
+// (docs/decisions/reconstruction-filters.md).
 constexpr float kCleanNoise = 0.02f;
 
 }  // namespace
