@@ -124,7 +124,7 @@ def run_ours(args, seed, picture):
     """By name: seconds of rendering, of the whole process, and its processor seconds."""
     out, process, cpu = timed([args.drc, "render", args.scene, "-o", picture, "--integrator", "path", "--seed", seed,
                                "--spp", args.spp, "--resolution", args.resolution, "--max-depth", args.depth,
-                               "--nthreads", args.threads, "--quiet", "--stats"])
+                               "--nthreads", args.threads, "--denoise", "off", "--quiet", "--stats"])
     if out is None:
         sys.exit(f"{args.drc} failed")
     (line,) = [line for line in out.splitlines() if line.startswith("path samples")]

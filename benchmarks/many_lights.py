@@ -54,7 +54,7 @@ def hall(count, as_mesh):
 def render(scene, picture, spp, seed, threads):
     """The seconds of all threads that the samples took."""
     out = subprocess.run([DRC, "render", scene, "-o", picture, "--integrator", "path", "--spp", str(spp), "--seed",
-                          str(seed), "--nthreads", str(threads), "--quiet", "--stats"], check=True,
+                          str(seed), "--nthreads", str(threads), "--denoise", "off", "--quiet", "--stats"], check=True,
                          capture_output=True, text=True).stdout
     (line,) = [line for line in out.splitlines() if line.startswith("path samples")]
     return float(line.split()[2]) * threads

@@ -50,7 +50,7 @@ def main():
             picture = os.path.join(args.output, f"{name}-{seed}.exr")
             if not (args.resume and os.path.exists(picture)):
                 render(scene, picture, "--integrator", "path", "--spp", spp, "--seed", seed, "--resolution",
-                       resolution(reference), "-o", picture[:-4] + ".png")
+                       resolution(reference), "-o", picture[:-4] + ".png", "--denoise", "off")
             pictures.append(picture)
         to_reference = [compare(reference, p, "--diff", p[:-4] + "-diff.png") for p in pictures]
         between = [compare(b, a) for a, b in zip(pictures[::2], pictures[1::2])]

@@ -102,7 +102,7 @@ def main():
             picture = os.path.join(args.output, f"{name}-{args.integrator}-{args.spp}-{seed}.exr")
             if not (args.resume and os.path.exists(picture)):
                 render(scene, picture, "--integrator", args.integrator, "--spp", args.spp, "--seed", seed, "--resolution",
-                       resolution(reference), "--nthreads", args.nthreads)
+                       resolution(reference), "--nthreads", args.nthreads, "--denoise", "off")
             pictures.append(picture)
         comparisons = [compare(reference, p, "--diff", p[:-4] + "-diff.png") for p in pictures]
         own = compare(pictures[0], pictures[1])["block_relmse"] if len(pictures) > 1 else None

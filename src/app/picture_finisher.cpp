@@ -6,16 +6,15 @@
 #include <cmath>
 
 #include "base/log.h"
+#include "base/parallel.h"
 
 namespace drc {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// If finishing takes more than this share of the budget, cheaper filters are used.
-constexpr double kMostOfBudget = 0.7;
-// A filter is kept if it takes up to this many times the time that is left: estimates from parts tend to be too long, and
-// a noisy picture in time is worth less than a clean one that is a little late.
+// A filter is kept if it takes up to this many times the time that is left: estimates from parts tend to be too long,
+// and a noisy picture in time is worth less than a clean one that is a little late.
 constexpr double kLateIsBetter = 1.3;
 // The share of the budget that may be taken to measure the larger part, unless finishing takes less than the second
 // share.
@@ -24,6 +23,8 @@ constexpr double kMostToMeasure = 0.03, kNegligible = 0.01;
 constexpr int kLeastSide = 64;
 // The estimate is multiplied by this, because the speed of a machine varies.
 constexpr double kMargin = 1.03;
+// How much faster this machine may be than the one that PictureFilters::secondsPerPixel was measured on.
+constexpr double kFasterMachine = 2;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -37,10 +38,14 @@ PixelRegion middle(const PixelRegion& region, double divisor) {
 
 }  // namespace
 
+void PictureFinisher::apply(LayeredPicture& picture) const {
+    for (const auto& filter : filters().filters) filter->apply(picture);
+}
+
 double PictureFinisher::secondsFor(const Session& session, const PixelRegion& part) const {
     const auto start = Clock::now();
     LayeredPicture picture = session.snapshot(part);
-    for (const auto& filter : filters()) filter->apply(picture);
+    apply(picture);
     writer_.encode(picture, {});
     return secondsSince(start);
 }
@@ -72,29 +77,44 @@ double PictureFinisher::estimate(const Session& session, double budget) {
     return last_.estimate;
 }
 
-void PictureFinisher::finish(LayeredPicture picture, const ExrMetadata& metadata) {
+void PictureFinisher::finish(LayeredPicture picture, ExrMetadata metadata) {
     const auto start = Clock::now();
-    for (const auto& filter : filters()) filter->apply(picture);
+    apply(picture);
+    metadata["drc:denoiser"] = filters().name();
     const auto filtered = Clock::now();
     stats_.timer("denoise").add(filtered - start);
     writer_.write(writer_.encode(picture, metadata));
     stats_.timer("write").add(Clock::now() - filtered);
 }
 
+void PictureFinisher::useCheaper() {
+    candidates_.erase(candidates_.begin());
+    last_ = {};
+}
+
 void PictureFinisher::measure(Session& session) {
     Schedule& schedule = session.schedule();
     const bool first = last_.seconds == 0;
+    // Even a part of the picture takes long to filter in a mode that is too expensive for the whole.
+    const double pixels = double(session.film().region().count()) / threadCount();
+    while (first && !filters().wanted && candidates_.size() > 1 &&
+           filters().secondsPerPixel * pixels > kFasterMachine * filters().mostOfBudget * schedule.budget())
+        useCheaper();
     for (;;) {
         schedule.reserve(kMargin * estimate(session, schedule.budget()));
         schedule.reserveMeasured();
-        const double most = std::min(kMostOfBudget * schedule.budget(), kLateIsBetter * schedule.secondsLeft());
+        const double most =
+            std::min(filters().mostOfBudget * schedule.budget(), kLateIsBetter * schedule.secondsLeft());
         if (!first || schedule.reserved() <= most || candidates_.size() == 1) return;
-        logWarning(fmt::format("--time {:g}: '{}' would take {:.1f} s; {}", schedule.budget(), filters().back()->name(),
-                               schedule.reserved(),
-                               candidates_[1].empty() ? "the picture is left as it is"
-                                                      : "'" + candidates_[1].back()->name() + "' is used"));
-        candidates_.erase(candidates_.begin());
-        last_ = {};
+        const std::string text = fmt::format(
+            "--time {:g}: '{}' would take {:.1f} s; {}", schedule.budget(), filters().name(), schedule.reserved(),
+            candidates_[1].filters.empty() ? "the picture is left as it is"
+                                           : "'" + candidates_[1].name() + "' is used");
+        if (filters().wanted)
+            logWarning(text);
+        else
+            logDebug(text);
+        useCheaper();
     }
 }
 

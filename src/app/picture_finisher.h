@@ -3,13 +3,11 @@
 #pragma once
 #include <memory>
 
+#include "app/picture_filters.h"
 #include "app/picture_writer.h"
-#include "render/picture_filter.h"
 #include "render/session.h"
 
 namespace drc {
-
-using PictureFilters = std::vector<std::shared_ptr<const PictureFilter>>;
 
 class PictureFinisher {
   public:
@@ -18,16 +16,20 @@ class PictureFinisher {
         : candidates_(std::move(candidates)), writer_(writer), stats_(stats) {}
 
     // Measures on parts of the unfinished picture how long finishing all of it will take, and reserves that time in the
-    // session's schedule. Changes to cheaper filters, with a warning, if these would take most of the budget.
+    // session's schedule. Changes to cheaper filters if these would take too much of the budget, with a warning if they
+    // were asked for.
     void measure(Session& session);
-    // Filters, encodes and writes the picture.
-    void finish(LayeredPicture picture, const ExrMetadata& metadata);
+    // Filters, encodes and writes the picture; adds to the metadata what filtered it.
+    void finish(LayeredPicture picture, ExrMetadata metadata);
 
   private:
     // Seconds for the whole picture, extrapolated from parts.
     double estimate(const Session& session, double budget);
     double secondsFor(const Session& session, const PixelRegion& part) const;
     const PictureFilters& filters() const { return candidates_.front(); }
+    void apply(LayeredPicture& picture) const;
+    // Goes on to the next candidate.
+    void useCheaper();
 
     // The last part that was measured, and the estimate by it, seconds.
     struct Measured {

@@ -13,8 +13,6 @@
 #include "base/progress.h"
 #include "cache/network_map_denoiser.h"
 #include "pbrt/scene_file.h"
-#include "render/oidn_picture_filter.h"
-#include "render/surface_picture_filter.h"
 #include "scene/crop_window.h"
 #include "scene/film_output.h"
 
@@ -48,29 +46,6 @@ ChosenMapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& in
     std::optional<Precision> precision;
     if (o.precision != "auto") precision = o.precision == "fp32" ? Precision::Fp32 : Precision::Bf16;
     return {makeNetworkMapDenoiser(weights, indirect.capture.layout, precision), weights->hash()};
-}
-
-// The wanted filters, then cheaper ones that replace them when time is short.
-std::vector<PictureFilters> filtersFor(const RenderParams& params, const std::optional<OpenImageDenoise>& oidn) {
-    const bool maps = usesMaps(params.integrator);
-    const auto correction = std::make_shared<SurfacePictureFilter>(false, params.correct);
-    std::vector<PictureFilters> candidates;
-    if (oidn) {
-        std::vector<OidnSettings> modes{params.oidn};
-        for (const OidnQuality quality : {OidnQuality::Balanced, OidnQuality::Fast})
-            if (params.oidn.prefilter || quality > params.oidn.quality) modes.push_back({quality, false});
-        for (const OidnSettings& mode : modes) {
-            PictureFilters filters;
-            if (maps) filters.push_back(correction);
-            filters.push_back(std::make_shared<OidnPictureFilter>(*oidn, mode, params.denoise == Denoise::OidnDirect));
-            candidates.push_back(std::move(filters));
-        }
-    }
-    if (params.denoise == Denoise::Surface)
-        candidates.push_back({std::make_shared<SurfacePictureFilter>(true, params.correct)});
-    if (maps && params.correct) candidates.push_back({correction});
-    candidates.push_back({});
-    return candidates;
 }
 
 std::unique_ptr<Scene> loadScene(RenderOptions& o) {
@@ -129,18 +104,20 @@ void render(RenderOptions o, const CLI::App& command) {
     for (const std::string& path : o.outputs) checkOutput("-o", path);
     if (o.spacing) o.params.firstSpacing = *o.spacing / float(scene->settings.film.height);
     if (o.aovs) o.params.gBuffer = o.params.variance = true;
-    if (!o.oidnLibrary.empty() && !o.usesOidn()) throw Error("--oidn-library: needs --denoise oidn or oidn-direct");
     RenderParams params = resolved(o.params, *scene);
     refuseIdleOptions(command, params.integrator);
-    std::optional<OpenImageDenoise> oidn;
-    if (o.usesOidn()) oidn.emplace(o.oidnLibrary);
+    const ChosenDenoiser denoiser =
+        chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
+    if (!o.oidnLibrary.empty() && !denoiser.oidn)
+        throw Error("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
+    params.denoise = denoiser.denoise;
     ChosenMapDenoiser chosen;
     if (usesMaps(params.integrator)) chosen = chooseMapDenoiser(o, params.indirect);
 
     const auto build = Clock::now();
     Session session(*scene, params, chosen.mapDenoiser, &stats, start);
     PictureWriter writer(scene->settings, o.outputs, o.aovs);
-    PictureFinisher finisher(filtersFor(params, oidn), writer, stats);
+    PictureFinisher finisher(filtersFor(params, denoiser), writer, stats);
     const auto rendering = Clock::now();
     stats.timer("build").add(rendering - build);
     run(session, finisher, o);

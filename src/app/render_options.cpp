@@ -150,21 +150,28 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     addAmounts(command, o);
     addChoice<Denoise>(
         command, "--denoise", o.params.denoise,
-        {{"off", Denoise::Off},
+        {{"auto", Denoise::Automatic},
+         {"off", Denoise::Off},
          {"surface", Denoise::Surface},
          {"oidn", Denoise::Oidn},
          {"oidn-direct", Denoise::OidnDirect}},
-        "surface: averages the layers of drc-maps along surfaces, as far as their noise requires; oidn: Intel's "
-        "Open Image Denoise on the whole picture; oidn-direct: the same on direct light alone; off: "
-        "nothing. Default: surface with drc-maps, else off");
-    addChoice<OidnQuality>(
-        command, "--oidn-quality", o.params.oidn.quality,
-        {{"high", OidnQuality::High}, {"balanced", OidnQuality::Balanced}, {"fast", OidnQuality::Fast}},
-        "Quality of Open Image Denoise: high, balanced or fast. Default: high");
-    addChoice<bool>(command, "--oidn-prefilter", o.params.oidn.prefilter, {{"on", true}, {"off", false}},
-                    "Whether Open Image Denoise filters albedo and normal first, on or off. Default: on");
+        "auto: surface with drc-maps, else oidn if it is found, else off; oidn: Intel's Open Image Denoise on the whole "
+        "picture; oidn-direct: the same on the direct light of drc-maps alone; surface: averages the layers of drc-maps along "
+        "surfaces, as far as their noise requires; off: nothing. Default: auto");
+    addChoice<std::optional<OidnQuality>>(command, "--oidn-quality", o.params.oidnQuality,
+                                          {{"auto", std::nullopt},
+                                           {"high", OidnQuality::High},
+                                           {"balanced", OidnQuality::Balanced},
+                                           {"fast", OidnQuality::Fast}},
+                                          "Quality of Open Image Denoise: high, balanced, fast, or auto: high, or "
+                                          "what --time leaves time for. Default: auto");
+    addChoice<std::optional<bool>>(
+        command, "--oidn-prefilter", o.params.oidnPrefilter, {{"auto", std::nullopt}, {"on", true}, {"off", false}},
+        "Whether Open Image Denoise filters albedo and normal first: on, off, or auto: where they are noisy and there "
+        "is time for it. Default: auto");
     command.add_option("--oidn-library", o.oidnLibrary,
-                       "Path of libOpenImageDenoise.so, if the system does not find it by itself");
+                       "libOpenImageDenoise.so, or a folder that has it. Default: $DRC_OIDN, else the one that "
+                       "scripts/quickstart fetched, the system's, or that of a Python package (pip install pyoidn)");
     command.add_option("--nthreads", o.threads, "Number of threads; 0: one for each core")
         ->capture_default_str()
         ->check(wholeNumberFrom(0));

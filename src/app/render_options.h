@@ -25,8 +25,6 @@ struct RenderOptions {
     std::string oidnLibrary;
     std::string timing;
     bool aovs = false, stats = false, quiet = false, verbose = false;
-
-    bool usesOidn() const { return params.denoise == Denoise::Oidn || params.denoise == Denoise::OidnDirect; }
 };
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);

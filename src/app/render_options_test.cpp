@@ -38,11 +38,22 @@ TEST(RenderOptions, BindToTheParameters) {
     EXPECT_EQ(o.params.spp, 7);
     EXPECT_EQ(o.params.seconds, 2.5);
     EXPECT_EQ(o.params.denoise, Denoise::Oidn);
-    EXPECT_EQ(o.params.oidn, (OidnSettings{OidnQuality::Fast, false}));
+    EXPECT_EQ(o.params.oidnQuality, OidnQuality::Fast);
+    EXPECT_EQ(o.params.oidnPrefilter, false);
     EXPECT_EQ(o.params.quality, Quality::High);
     EXPECT_EQ(o.params.clamp, 3);
     EXPECT_FALSE(o.params.correct);
     EXPECT_EQ(o.params.seed, 9u);
+}
+
+TEST(RenderOptions, LeaveTheDenoiserOpen) {
+    for (const auto& arguments :
+         {std::vector<std::string>{}, {"--denoise", "auto", "--oidn-quality", "auto", "--oidn-prefilter", "auto"}}) {
+        const RenderOptions o = parsed(arguments);
+        EXPECT_EQ(o.params.denoise, Denoise::Automatic);
+        EXPECT_FALSE(o.params.oidnQuality);
+        EXPECT_FALSE(o.params.oidnPrefilter);
+    }
 }
 
 // As pbrt spells them.

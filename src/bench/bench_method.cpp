@@ -80,7 +80,11 @@ BenchMethod::BenchMethod(const std::string& text,
         options_.insert(options_.end(),
                         {isOneOf(mapDenoiser, kMapDenoisers) ? "--map-denoiser" : "--weights", mapDenoiser});
     }
-    if (plus == std::string::npos) return;
+    if (plus == std::string::npos) {
+        // drc is what a user of it gets; the others are there to be compared with, and only with +DENOISER denoised.
+        if (integrator != "drc" && !hasMaps_) options_.insert(options_.end(), {"--denoise", "off"});
+        return;
+    }
     if (const size_t mode = denoiser_.find(':'); mode != std::string::npos) {
         oidnMode_ = findOidnMode(denoiser_.substr(mode + 1));
         denoiser_.resize(mode);

@@ -28,10 +28,11 @@ class BenchMethod {
   public:
     // Makes the method that `text` names: INTEGRATOR (one of integratorNames()), drc-maps:MAP-DENOISER (none, gaussian,
     // oracle), drc-maps:WEIGHTS (a network's name, or a file), or the name of an adapter; each with +DENOISER (off,
-    // oidn, of drc-maps also surface and oidn-direct; an adapter's own). Ours take oidn and oidn-direct with a mode of
-    // oidn_mode.h, as path+oidn:balanced-raw; without one they take the best mode for the budget. Or NAME=OPTIONS, with
-    // options of `drc render` separated by blanks. findAdapter: returns the adapter of a name, if there is one. Throws
-    // Error that says what would be right.
+    // oidn, of drc-maps also surface and oidn-direct; an adapter's own). Without one, drc and drc-maps are denoised as
+    // by default, and the others are not. Ours take oidn and oidn-direct with a mode of oidn_mode.h, as
+    // path+oidn:balanced-raw; without one they take the best mode for the budget. Or NAME=OPTIONS, with options of
+    // `drc render` separated by blanks. findAdapter: returns the adapter of a name, if there is one. Throws Error that
+    // says what would be right.
     BenchMethod(const std::string& text, const std::function<std::optional<Adapter>(const std::string&)>& findAdapter);
 
     const std::string& name() const { return name_; }

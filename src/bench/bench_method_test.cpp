@@ -35,11 +35,12 @@ std::string line(const std::string& method, const Budget& budget, const OwnProgr
 
 TEST(BenchMethod, OurIntegratorsGetTheirBudget) {
     EXPECT_EQ(line("path", {BudgetUnit::Seconds, 2.5}),
-              "drc render s.pbrt --integrator path --time 2.5 --resolution 32x16 --nthreads 2 --seed 5 "
+              "drc render s.pbrt --integrator path --denoise off --time 2.5 --resolution 32x16 --nthreads 2 --seed 5 "
               "--timing t.json --quiet -o o.exr ");
-    EXPECT_THAT(line("bdpt", {BudgetUnit::Spp, 64}), HasSubstr("--integrator bdpt --spp 64 "));
+    EXPECT_THAT(line("bdpt", {BudgetUnit::Spp, 64}), HasSubstr("--integrator bdpt --denoise off --spp 64 "));
     EXPECT_THAT(line("drc", {BudgetUnit::Spp, 64}), HasSubstr("--integrator drc --spp 64 "));
-    EXPECT_THAT(line("drc-maps", {BudgetUnit::Tasks, 256}, {"drc", 8, ""}), HasSubstr("--indirect-tasks 256 --spp 8 "));
+    EXPECT_THAT(line("drc-maps", {BudgetUnit::Tasks, 256}, {"drc", 8, ""}),
+                AllOf(HasSubstr("--indirect-tasks 256 --spp 8 "), Not(HasSubstr("--denoise"))));
 }
 
 TEST(BenchMethod, MapDenoisersNetworksAndDenoisers) {

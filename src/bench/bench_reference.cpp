@@ -132,7 +132,7 @@ RenderedReferences renderReferences(const std::string& scene, const std::string&
         const ProcessUse use =
             runMeasured({settings.program, "render", scene, "--integrator", settings.integrator, "--spp",
                          std::to_string(stream->nextSpp()), "--seed", std::to_string(seed), "--resolution", size,
-                         "--nthreads", std::to_string(settings.threads), "--quiet", "-o", raw},
+                         "--nthreads", std::to_string(settings.threads), "--denoise", "off", "--quiet", "-o", raw},
                         {}, cancel);
         if (cancel && cancel->cancelled()) return {};
         if (use.exitCode != 0)

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "render/sample_pass.h"
 
 namespace drc {
 namespace {
+
+constexpr int kGBufferChannels = 8;
 
 // Calls f(row) for all rows, in parallel.
 template <class F>
@@ -64,10 +68,13 @@ PictureLayer pictureLayer(const Film& film, const std::string& name, const std::
     return layer;
 }
 
-void addGBufferSpec(std::vector<FilmLayerSpec>& layers) { layers.push_back({.name = kGBufferLayer, .channels = 7}); }
+void addGBufferSpec(std::vector<FilmLayerSpec>& layers) {
+    layers.push_back({.name = kGBufferLayer, .channels = kGBufferChannels});
+}
 
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, float filterWeight) {
-    const float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x, s.normal.y, s.normal.z, s.depth};
+    const float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x,
+                            s.normal.y, s.normal.z, s.depth,    lengthSquared(s.albedo) + lengthSquared(s.normal)};
     layer.add(x, y, 0, values, filterWeight);
 }
 
@@ -86,18 +93,28 @@ void addGBuffer(LayeredPicture& picture) {
     const int width = region.width(), height = region.height();
     const FilmLayer& samples = film.layer(kGBufferLayer);
     GBuffer g{Image(width, height), Image(width, height, {"X", "Y", "Z"}), Image(width, height, {"Z"})};
+    const auto rows = static_cast<size_t>(height);
+    std::vector<double> noiseOfRow(rows), sampledInRow(rows);
     forEachRow(height, [&](int row) {
         for (int column = 0; column < width; ++column) {
             const int x = region.x0 + column, y = region.y0 + row;
             const double expected = samples.expected(x, y);
             if (expected == 0) continue;
-            const double divisor = filterDivisor(samples.sum(x, y, 7), expected);
+            const double divisor = filterDivisor(samples.sum(x, y, kGBufferChannels), expected);
             const auto mean = [&](int c) { return float(samples.sum(x, y, c) / divisor); };
             for (int c = 0; c < 3; ++c) g.albedo.at(column, row, c) = std::clamp(mean(c), 0.f, 1.f);
             for (int c = 0; c < 3; ++c) g.normal.at(column, row, c) = mean(3 + c);
             g.depth.at(column, row, 0) = mean(6);
+            double variance = mean(7);
+            for (int c = 0; c < 6; ++c) variance -= double(mean(c)) * double(mean(c));
+            // Overestimates the variance of the mean of stratified samples. A single sample tells nothing, so it is
+            // taken for a bad one.
+            noiseOfRow[size_t(row)] += expected < 2 ? 1 : std::max(0.0, variance) / (expected - 1);
+            ++sampledInRow[size_t(row)];
         }
     });
+    const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+    if (const double sampled = sum(sampledInRow); sampled > 0) g.noise = float(std::sqrt(sum(noiseOfRow) / sampled));
     for (Image* image : {&g.albedo, &g.normal, &g.depth}) fillUnsampled(*image, samples);
     picture.gBuffer = std::move(g);
 }

@@ -25,6 +25,9 @@ struct GBuffer {
     Image albedo;  // RGB, in [0, 1]
     Image normal;  // X, Y, Z, world space; shorter than 1 where a pixel shows several surfaces
     Image depth;   // Z, world units
+    // The root mean square, over the pixels, of the standard error of albedo and normal, taken as one vector. Large
+    // where depth of field, motion, reflections or mere edges meet few samples.
+    float noise = 0;
 };
 
 struct LayeredPicture {
@@ -47,7 +50,8 @@ struct LayeredPicture {
 // Makes a picture's layer from a film's layer: means, and the variance of the mean if there are several groups.
 PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale);
 
-// The film's layer that GBufferSamples are added to: seven channels of albedo, normal and depth.
+// The film's layer that GBufferSamples are added to: albedo, normal, depth, and the squared length of albedo and normal
+// as one vector, from which follows how noisy they are.
 inline constexpr const char* kGBufferLayer = "g-buffer";
 void addGBufferSpec(std::vector<FilmLayerSpec>& layers);
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& sample, float filterWeight);

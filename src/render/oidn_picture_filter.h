@@ -7,17 +7,20 @@ namespace drc {
 
 class OidnPictureFilter final : public PictureFilter {
   public:
-    // The library must outlive the filter.
-    OidnPictureFilter(const OpenImageDenoise& library, const OidnSettings& settings, bool directAlone)
-        : library_(library), settings_(settings), directAlone_(directAlone) {}
+    // settings.auxiliaries are those of every picture; with unlessClean, only of pictures whose albedo and normal are
+    // noisy, while others have them taken as clean. The library must outlive the filter.
+    OidnPictureFilter(const OpenImageDenoise& library, const OidnSettings& settings, bool unlessClean, bool directAlone)
+        : library_(library), settings_(settings), unlessClean_(unlessClean), directAlone_(directAlone) {}
     void apply(LayeredPicture& picture) const override;
     // Denoiser and mode, as "oidn high" or "oidn balanced without prefilter".
     std::string name() const override;
+    // The settings for a picture with this G-buffer.
+    OidnSettings settingsFor(const GBuffer& gBuffer) const;
 
   private:
     const OpenImageDenoise& library_;
     OidnSettings settings_;
-    bool directAlone_;
+    bool unlessClean_, directAlone_;
 };
 
 }  // namespace drc

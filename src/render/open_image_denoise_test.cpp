@@ -17,6 +17,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
+constexpr OidnAuxiliaries kRaw = OidnAuxiliaries::Raw, kClean = OidnAuxiliaries::Clean,
+                          kPrefiltered = OidnAuxiliaries::Prefiltered;
+
 // A fake library with the C interface of version 1 or 2 and a given version number: its filter writes the parameters
 // that it was given.
 class FakeLibrary : public FolderTest {
@@ -39,7 +42,7 @@ void* oidnNewFilter(void* d, const char* t) {{ quality = clean = 0; color = 0; r
 void oidnSetSharedFilterImage(void* f, const char* n, void* p, int t, size_t w, size_t h, size_t o, size_t a, size_t b)
 {{ if (!strcmp(n, "color")) color = p; if (!strcmp(n, "output")) output = p; count = 3 * w * h; }}
 void {2}(void* f, const char* n, _Bool v) {{ if (!strcmp(n, "cleanAux")) clean = v; }}
-void {3}(void* f, const char* n, int v) {{ quality = v; }}
+void {3}(void* f, const char* n, int v) {{ if (!strcmp(n, "quality")) quality = v; }}
 void oidnCommitFilter(void* f) {{}}
 void oidnExecuteFilter(void* f) {{
     output[0] = quality; output[1] = clean; output[2] = filters++;
@@ -59,10 +62,14 @@ void oidnReleaseFilter(void* f) {{}}
         float quality, clean, filtersBefore;
     };
     Told told(int version, const OidnSettings& settings, bool oldNames = false) const {
-        const OpenImageDenoise oidn(library(version, oldNames));
+        const std::string file = library(version, oldNames);
+        const OpenImageDenoise oidn(OidnLibraries{"", {path("none.so"), file}});
         EXPECT_EQ(oidn.version(), version);
-        const Image image(4, 4);
-        const Rgb first = oidn.denoised(image, image, image, settings).rgb(0, 0);
+        EXPECT_EQ(oidn.file(), file);
+        Image color(4, 4);
+        const Image guide(4, 4);
+        oidn.denoise(color, guide, guide, settings);
+        const Rgb first = color.rgb(0, 0);
         return {first.x, first.y, first.z};
     }
 };
@@ -73,11 +80,14 @@ TEST_F(FakeLibrary, IsToldQualityAndWhetherAuxiliariesAreClean) {
     EXPECT_EQ(t.quality, 0);  // its default is the best
     EXPECT_EQ(t.clean, 1);
     EXPECT_EQ(t.filtersBefore, 2);
-    t = told(20501, {OidnQuality::Balanced, false});
+    t = told(20501, {OidnQuality::Balanced, kRaw});
     EXPECT_EQ(t.quality, 5);
     EXPECT_EQ(t.clean, 0);
     EXPECT_EQ(t.filtersBefore, 0);
-    EXPECT_EQ(told(20502, {OidnQuality::Fast, false}).quality, 4);
+    EXPECT_EQ(told(20502, {OidnQuality::Fast, kRaw}).quality, 4);
+    t = told(20503, {OidnQuality::High, kClean});
+    EXPECT_EQ(t.clean, 1);
+    EXPECT_EQ(t.filtersBefore, 0);
 }
 
 TEST_F(FakeLibrary, OlderOnesDoWhatTheyCanAndAWarningSaysSo) {
@@ -88,21 +98,33 @@ TEST_F(FakeLibrary, OlderOnesDoWhatTheyCanAndAWarningSaysSo) {
         EXPECT_EQ(told(version, settings, oldNames).quality, quality) << version;
         return testing::internal::GetCapturedStderr();
     };
-    EXPECT_THAT(warning(20200, {OidnQuality::Fast, false}, false, 5),
+    EXPECT_THAT(warning(20200, {OidnQuality::Fast, kRaw}, false, 5),
                 AllOf(HasSubstr("Open Image Denoise 2.2 has no quality 'fast'"), HasSubstr("'balanced' instead")));
-    EXPECT_THAT(warning(10403, {OidnQuality::Fast, false}, true, 0), HasSubstr("'high' instead"));
-    EXPECT_THAT(warning(10404, {OidnQuality::Balanced, true}, true, 0), HasSubstr("1.4 has no quality 'balanced'"));
+    EXPECT_THAT(warning(10403, {OidnQuality::Fast, kRaw}, true, 0), HasSubstr("'high' instead"));
+    EXPECT_THAT(warning(10404, {OidnQuality::Balanced, kPrefiltered}, true, 0),
+                HasSubstr("1.4 has no quality 'balanced'"));
     EXPECT_EQ(warning(10405, {}, true, 0), "");
-    EXPECT_EQ(warning(20000, {OidnQuality::Balanced, true}, false, 5), "");
+    EXPECT_EQ(warning(20000, {OidnQuality::Balanced, kPrefiltered}, false, 5), "");
 }
 
-// The real library: DRC_OIDN_LIBRARY, if the system does not find it by itself.
+TEST(OpenImageDenoise, SaysWhyThereIsNone) {
+    const auto error = [](const OidnLibraries& libraries) {
+        return errorOf([&] { const OpenImageDenoise oidn(libraries); });
+    };
+    EXPECT_EQ(error({"", {"libNone.so.2", "libNone.so"}}),
+              std::string("Open Image Denoise was not found; ") + kHowToGetOidn);
+    EXPECT_THAT(error({"", {"libNone.so.2", "/nowhere/libNone.so"}}),
+                AllOf(HasSubstr("is of no use here (/nowhere/libNone.so: cannot be loaded"), HasSubstr(kHowToGetOidn)));
+    EXPECT_THAT(error({"DRC_OIDN libm.so.6", {"libm.so.6"}}),
+                AllOf(HasSubstr("DRC_OIDN libm.so.6: not Open Image Denoise"), Not(HasSubstr(kHowToGetOidn))));
+}
+
+// The real library, where it is found.
 class OpenImageDenoiseTest : public testing::Test {
   protected:
     void SetUp() override {
-        const char* named = std::getenv("DRC_OIDN_LIBRARY");
         try {
-            oidn_.emplace(named ? named : "");
+            oidn_.emplace(findOidn(OidnSearch::ofProcess("")));
         } catch (const Error& error) {
             GTEST_SKIP() << error.what();
         }
@@ -131,22 +153,31 @@ class OpenImageDenoiseTest : public testing::Test {
     Image color_{kSide, kSide}, albedo_{kSide, kSide}, normal_{kSide, kSide};
 };
 
+// The one that scripts/fetch-oidn has put beside the tests can be loaded where it lies.
+TEST_F(OpenImageDenoiseTest, TheFetchedOneIsTaken) {
+    const std::string folder = (OidnSearch::ofProcess("").program / "oidn").string();
+    if (std::getenv("DRC_OIDN") || !std::filesystem::exists(folder)) GTEST_SKIP() << "there is none in " << folder;
+    EXPECT_THAT(oidn_->file(), testing::StartsWith(folder));
+}
+
 TEST_F(OpenImageDenoiseTest, EveryModeRemovesNoiseInItsOwnWay) {
-    const Image before = color_;
     std::vector<Image> pictures;
-    for (const bool prefilter : {true, false})
-        for (const OidnQuality quality : {OidnQuality::High, OidnQuality::Balanced, OidnQuality::Fast})
-            pictures.push_back(oidn_->denoised(color_, albedo_, normal_, {quality, prefilter}));
-    EXPECT_EQ(color_.data(), before.data());
+    for (const OidnAuxiliaries auxiliaries : {kRaw, kClean, kPrefiltered})
+        for (const OidnQuality quality : {OidnQuality::High, OidnQuality::Balanced, OidnQuality::Fast}) {
+            pictures.push_back(color_);
+            oidn_->denoise(pictures.back(), albedo_, normal_, {quality, auxiliaries});
+        }
     for (size_t i = 0; i < pictures.size(); ++i) {
         EXPECT_LT(deviation(pictures[i]), 0.35 * deviation(color_)) << i << " of " << deviation(color_);
         if (oidn_->version() < 20300) continue;
         for (size_t j = 0; j < i; ++j) {
-            if (i == 4 && j == 3) continue;  // without prefilter, high and balanced are the same filter on a CPU
+            if (i == 1 && j == 0) continue;  // by raw auxiliaries, high and balanced are the same filter on a CPU
             EXPECT_NE(pictures[i].data(), pictures[j].data()) << i << " " << j;
         }
     }
-    EXPECT_EQ(oidn_->denoised(color_, albedo_, normal_).data(), pictures[0].data());
+    Image standard = color_;
+    oidn_->denoise(standard, albedo_, normal_);
+    EXPECT_EQ(standard.data(), pictures[6].data());
 }
 
 }  // namespace

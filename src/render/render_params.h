@@ -13,7 +13,8 @@ namespace drc {
 enum class Quality { Draft, Standard, High };
 
 enum class Denoise {
-    Automatic,   // the surface filter where the integrator has layers for it, else none
+    Automatic,   // the surface filter where the integrator has layers for it, else none; who can load Open Image
+                 // Denoise, asks for Oidn in place of none
     Off,         //
     Surface,     // each layer is averaged along surfaces, as far as its noise requires (LayerFilter)
     Oidn,        // Open Image Denoise on the whole picture
@@ -37,7 +38,9 @@ struct RenderParams {
     // Whether path-traced samples of the broad lobes' indirect light correct the maps' errors.
     bool correct = true;
     Denoise denoise = Denoise::Automatic;
-    OidnSettings oidn;
+    // The mode of Open Image Denoise; what is left open is chosen for the picture and the time that there is.
+    std::optional<OidnQuality> oidnQuality;
+    std::optional<bool> oidnPrefilter;
     bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
     bool variance = false;  // keep half buffers: PictureLayer::variance
     bool cells = true;   // whether paths of integrator drc end in radiance cells; false: it is the path tracer

@@ -1,0 +1,54 @@
+#include "render/layered_picture.h"
+
+#include <gtest/gtest.h>
+
+#include "pbrt/scene_file.h"
+#include "render/session.h"
+
+namespace drc {
+namespace {
+
+// Tiles of two colours on a wall, seen sharply, out of focus, or while they move.
+GBuffer gBufferOf(const std::string& camera, const std::string& motion, int spp) {
+    const auto scene = pbrt::loadPbrtString(
+        "Film \"image\" \"integer xresolution\" 24 \"integer yresolution\" 16\n"
+        "LookAt 0 0 -3  0 0 0  0 1 0\n"
+        "Camera \"perspective\" \"float fov\" 70 " +
+            camera + R"(
+        WorldBegin
+        LightSource "point" "point from" [0 0 -2]
+        Texture "tiles" "spectrum" "checkerboard" "float uscale" 2 "float vscale" 2
+            "rgb tex1" [.1 .1 .1] "rgb tex2" [.9 .6 .3]
+        Material "matte" "texture Kd" "tiles"
+        AttributeBegin
+        )" + motion +
+            R"(
+        Shape "trianglemesh" "integer indices" [0 1 2 0 2 3]
+            "point P" [-4 -4 1  4 -4 1  4 4 1  -4 4 1] "float uv" [0 0 1 0 1 1 0 1]
+        AttributeEnd
+        WorldEnd)",
+        ".", {}, "s.pbrt");
+    RenderParams params;
+    params.integrator = "path";
+    params.spp = spp;
+    params.gBuffer = true;
+    Session session(*scene, params, nullptr, nullptr);
+    while (session.step()) {
+    }
+    return session.picture().gBuffer.value();
+}
+
+TEST(GBuffer, KnowsHowNoisyItIs) {
+    const char *sharp = "", *blurred = "\"float lensradius\" 1.5 \"float focaldistance\" 1.5",
+               *moving = "ActiveTransform EndTime Translate 4 0 0 ActiveTransform All";
+    const float still = gBufferOf(sharp, "", 16).noise, lens = gBufferOf(blurred, "", 16).noise;
+    EXPECT_GT(lens, 2 * still);
+    EXPECT_GT(gBufferOf(sharp, moving, 16).noise, 1.5f * still);
+    // The colours of the tiles, as vectors, are 0.97 apart; where they mix evenly the samples deviate by half of that.
+    EXPECT_NEAR(lens, 0.97f / 2 / std::sqrt(15.f), 0.04f);
+    EXPECT_NEAR(gBufferOf(blurred, "", 64).noise, lens / 2, 0.1f * lens);
+    EXPECT_EQ(gBufferOf(sharp, "", 1).noise, 1);  // nothing is known
+}
+
+}  // namespace
+}  // namespace drc
