@@ -42,7 +42,7 @@ class BenchCommand : public FolderTest {
 
 TEST_F(BenchCommand, ComparesWithAReferenceOfItsOwn) {
     const std::vector<std::string> arguments{"--methods",
-                                             "path,bdpt,drc,drc-maps:gaussian,drc-maps",
+                                             "path,bdpt,drc+off,drc-maps:gaussian,drc-maps",
                                              "--spp",
                                              "2..4",
                                              "--tasks",
