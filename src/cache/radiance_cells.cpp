@@ -1,6 +1,7 @@
 #include "cache/radiance_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -29,8 +30,9 @@ constexpr size_t kFirstCapacity = 1 << 14;
 // The probability that a path goes on where the cache has answered, so as to improve the answer: in proportion to the
 // standard error of the answer, divided by the answer or by this share of the mean of all cells, whichever is more.
 constexpr double kTrainingPerError = 0.6, kLeastTraining = 1 / 32.0, kMostTraining = 0.5, kDimmest = 0.25;
-// The grids are shifted by this share of a cell, because scenes have many surfaces at round coordinates.
-constexpr float kGridShift = 0.3819f;
+// The grids are shifted by this share of the largest cells, because scenes have many surfaces at round coordinates. By
+// the same distance at all sizes, so that cells are nested; a third remains a third or two thirds of all smaller sizes.
+constexpr float kGridShift = 1 / 3.f;
 
 int facing(const Vec3& n) {
     const auto digit = [](float v) { return v > kFacing ? 2 : v < -kFacing ? 0 : 1; };
@@ -47,6 +49,8 @@ int64_t unitsOf(double value, double perUnit) {
 RadianceCells::RadianceCells(const RadianceCellSettings& settings)
     : settings_(settings), perQuantum_(1 / 0x1p-24 * double(settings.lightScale > 0 ? settings.lightScale : 1)) {
     settings_.capacity = std::bit_ceil(std::max(settings.capacity, kWays));
+    settings_.sizes = std::clamp(settings.sizes, 1, int(kMostSizes));
+    shift_ = kGridShift * sizeOf(settings_.sizes - 1);
     const size_t first = std::min(kFirstCapacity, settings_.capacity);
     answers_ = HugeArray<Answer>(first);
     sums_ = HugeArray<Sums>(first);
@@ -54,14 +58,32 @@ RadianceCells::RadianceCells(const RadianceCellSettings& settings)
 
 float RadianceCells::reachFor(int level) const { return sizeOf(level) / kSizePerReach; }
 
+uint64_t RadianceCells::keyOf(const int32_t (&grid)[3], int facing, int generation) {
+    const auto kind = uint64_t(generation * 27 + facing);
+    const uint64_t key = mixBits(mixBits(uint64_t(grid[0]) + uint64_t(grid[1]) * 0x9e3779b97f4a7c15ull) +
+                                 uint64_t(grid[2]) * 0xd1342543de82ef95ull + kind * 0xaf251af3b0f025b5ull);
+    return key == 0 ? 1 : key;
+}
+
 RadianceCells::Place RadianceCells::placeOf(const Vec3& p, const Vec3& n, int level) const {
-    const float size = sizeOf(level), perSize = 1 / size;
-    const float x = std::floor(p.x * perSize + kGridShift), y = std::floor(p.y * perSize + kGridShift),
-                z = std::floor(p.z * perSize + kGridShift);
-    const auto kind = uint64_t(generationOf(level) * 27 + facing(n));
-    const uint64_t key = mixBits(mixBits(uint64_t(int64_t(x)) + uint64_t(int64_t(y)) * 0x9e3779b97f4a7c15ull) +
-                                 uint64_t(int64_t(z)) * 0xd1342543de82ef95ull + kind * 0xaf251af3b0f025b5ull);
-    return {key == 0 ? 1 : key, Vec3(x - kGridShift, y - kGridShift, z - kGridShift) * size};
+    constexpr float kMost = 1 << 30;
+    const float perSize = 1 / sizeOf(level);
+    Place place{};
+    for (int c = 0; c < 3; ++c)
+        place.grid[c] = int32_t(std::clamp(std::floor((p[c] + shift_) * perSize), -kMost, kMost));
+    place.facing = facing(n);
+    place.key = keyOf(place.grid, place.facing, generationOf(level));
+    return place;
+}
+
+Vec3 RadianceCells::cornerOf(const int32_t (&grid)[3], int level) const {
+    return Vec3(float(grid[0]), float(grid[1]), float(grid[2])) * sizeOf(level) - Vec3(shift_);
+}
+
+const RadianceCells::Answer* RadianceCells::around(const Sums& sums) const {
+    const int generation = int(sums.generation) + 1;
+    if (levelOf(generation) >= settings_.sizes) return nullptr;
+    return find(keyOf({sums.grid[0] >> 1, sums.grid[1] >> 1, sums.grid[2] >> 1}, int(sums.facing), generation));
 }
 
 Vec3 RadianceCells::jittered(const CachePoint& at, int level, const Vec2& u) const {
@@ -106,7 +128,7 @@ bool RadianceCells::lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& ans
     return false;
 }
 
-void RadianceCells::add(const CacheDeposit& d, int level, const Place& place, uint64_t parent) {
+void RadianceCells::add(const CacheDeposit& d, int level, const Place& place) {
     const size_t bucket = bucketOf(place.key);
     size_t at = bucket, oldest = bucket;
     for (; at < bucket + kWays; ++at) {
@@ -122,16 +144,17 @@ void RadianceCells::add(const CacheDeposit& d, int level, const Place& place, ui
     if (answers_[at].key != place.key) {
         answers_[at] = Answer{.key = place.key};
         sums = Sums{};
-        sums.corner = place.corner;
-        sums.generation = uint8_t(generationOf(level));
+        std::copy_n(place.grid, 3, sums.grid);
+        sums.generation = uint32_t(generationOf(level));
+        sums.facing = uint32_t(place.facing);
     }
-    sums.parent = parent;
     answers_[at].lastUse = uint16_t(now_);
     const float perSize = 1 / sizeOf(level);
+    const Vec3 corner = cornerOf(place.grid, level);
     for (int c = 0; c < 3; ++c) {
         sums.light[c] += unitsOf(double(d.light[c]), perQuantum_);
         sums.albedo[c] += uint32_t(std::lrint(std::clamp(d.albedo[c], 0.f, 1.f) * kAlbedoUnits));
-        sums.position[c] += int32_t(std::lrint((d.at.p[c] - place.corner[c]) * perSize * kPositionUnits));
+        sums.position[c] += int32_t(std::lrint((d.at.p[c] - corner[c]) * perSize * kPositionUnits));
         sums.normal[c] += int32_t(std::lrint(d.at.n[c] * kNormalUnits));
     }
     const double y = double(luminance(d.light)) / std::max(0.01, double(luminance(d.albedo)));
@@ -144,7 +167,7 @@ void RadianceCells::add(const CacheDeposit& d, int level, const Place& place, ui
         sums.normal[c] /= 2;
     }
     sums.square /= 2;
-    sums.count /= 2;
+    sums.count = sums.count / 2;
 }
 
 Rgb RadianceCells::perAlbedo(const Sums& sums) const {
@@ -158,24 +181,28 @@ Rgb RadianceCells::perAlbedo(const Sums& sums) const {
 // The cells within it share the deposits; their means are compared with the mean of all, which is what viewers see of
 // them together. What the means differ by is no noise, but what smaller cells are there to show.
 bool RadianceCells::divides(const Sums& sums) const {
-    const double count = double(sums.count), mean = meanOf(sums);
-    const double within = std::max(0.0, double(sums.square - sums.between) / (perSquare() * count));
+    const double count = double(sums.countWithin), mean = meanOf(sums);
     constexpr double kCellsWithin = 4;
-    return kCellsWithin * within <= double(settings_.variance) * mean * mean * count;
+    return kCellsWithin * double(sums.within) / perSquare() <= double(settings_.variance) * mean * mean * count * count;
 }
 
 void RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
     answer.source = kUnknown;
-    // The smallest of the nested cells that knows enough. The one around it decides for all cells within it: if each
-    // decided by its own variance, those that happen to lack their brightest samples would be preferred.
-    const Sums* sums = &own;
-    for (;;) {
-        const Answer* around = sums->parent != 0 ? find(sums->parent) : nullptr;
-        const bool trusted = around == nullptr ? sums->parent == 0 : divides(sumsOf(*around));
-        if (trusted && sums->count >= uint32_t(settings_.deposits)) break;
-        if (around == nullptr) return;
-        sums = &sumsOf(*around);
+    // From the largest cell around it on to smaller ones, as long as each may be divided. The larger one decides for
+    // all cells within it: if each decided by its own variance, or by that of a part, those that happen to lack their
+    // brightest samples would be preferred, and light would be lost. Where few points have a reach for the larger one,
+    // it does not know enough to decide.
+    std::array<const Sums*, kMostSizes> nested{&own};
+    size_t count = 1;
+    for (const Answer* larger; count < kMostSizes && (larger = around(*nested[count - 1])) != nullptr;)
+        nested[count++] = &sumsOf(*larger);
+    const Sums* sums = nullptr;
+    while (count-- > 0) {
+        if (!knowsEnough(*nested[count])) continue;
+        if (sums != nullptr && !divides(*sums)) break;
+        sums = nested[count];
     }
+    if (sums == nullptr) return;
     const auto vector = [](const int32_t(&v)[3]) { return Vec3(float(v[0]), float(v[1]), float(v[2])); };
     const float length2 = lengthSquared(vector(sums->normal));
     if (!(length2 > 0)) return;
@@ -183,15 +210,16 @@ void RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
     for (int c = 0; c < 3; ++c) answer.normal[c] = int8_t(std::lrint(normal[c] * kNormalUnits));
     // By the normal that look-ups see.
     const Vec3 seen = Vec3(answer.normal[0], answer.normal[1], answer.normal[2]) * (1 / kNormalUnits);
-    const float perUnit = sizeOf(levelOf(sums->generation)) / (kPositionUnits * float(sums->count));
-    answer.plane = dot(seen, sums->corner + vector(sums->position) * perUnit);
+    const int level = levelOf(int(sums->generation));
+    const float perUnit = sizeOf(level) / (kPositionUnits * float(sums->count));
+    answer.plane = dot(seen, cornerOf(sums->grid, level) + vector(sums->position) * perUnit);
     const Rgb value = perAlbedo(*sums);
     for (int c = 0; c < 3; ++c) answer.perAlbedo[c] = value[c];
-    const double count = double(sums->count), mean = double(luminance(value));
-    const double variance = std::max(0.0, double(sums->square) / (perSquare() * count) - mean * mean) / count;
+    const double deposits = double(sums->count), mean = double(luminance(value));
+    const double variance = std::max(0.0, double(sums->square) / (perSquare() * deposits) - mean * mean) / deposits;
     const double error = std::sqrt(variance) / std::max(1e-30, std::max(mean, kDimmest * mean_));
     answer.training = uint8_t(std::lrint(255 * std::clamp(kTrainingPerError * error, kLeastTraining, kMostTraining)));
-    answer.source = sums->generation;
+    answer.source = uint8_t(sums->generation);
 }
 
 size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) {
@@ -206,14 +234,9 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     parallelFor(0, parts, 1, [&](int part, int) {
         for (const auto* list : lists)
             for (const CacheDeposit& d : *list) {
-                // From the largest cells that may be used on.
-                uint64_t parent = 0;
-                for (int level = settings_.sizes - 1; level >= 0; --level) {
-                    if (d.at.reach < reachFor(level)) continue;
+                for (int level = 0; level < settings_.sizes && d.at.reach >= reachFor(level); ++level) {
                     const Place place = placeOf(d.at.p, d.at.n, level);
-                    if (bucketOf(place.key) * size_t(parts) / answers_.size() == size_t(part))
-                        add(d, level, place, parent);
-                    parent = place.key;
+                    if (bucketOf(place.key) * size_t(parts) / answers_.size() == size_t(part)) add(d, level, place);
                 }
             }
     });
@@ -230,24 +253,28 @@ void RadianceCells::renewAnswers() {
         });
     };
     // Integers, so that the order of additions does not matter.
+    const double perMeanQuantum = perQuantum_ * 0x1p-16;
     std::atomic<int64_t> light = 0, count = 0;
     std::atomic<size_t> used = 0;
-    forEachCell([&](size_t i) { sums_[i].between = 0; });
+    forEachCell([&](size_t i) { sums_[i].within = sums_[i].countWithin = 0; });
     forEachCell([&](size_t i) {
         const Sums& sums = sums_[i];
         const double mean = meanOf(sums);
         used.fetch_add(1, std::memory_order_relaxed);
-        if (sums.parent == 0) {
-            light.fetch_add(unitsOf(mean * double(sums.count), perQuantum_), std::memory_order_relaxed);
+        // All deposits are in cells of the smallest size.
+        if (levelOf(int(sums.generation)) == 0) {
+            light.fetch_add(unitsOf(mean * double(sums.count), perMeanQuantum), std::memory_order_relaxed);
             count.fetch_add(int64_t(sums.count), std::memory_order_relaxed);
-        } else if (const Answer* around = find(sums.parent)) {
-            auto& between = const_cast<Sums&>(sumsOf(*around)).between;
-            std::atomic_ref(between).fetch_add(unitsOf(mean * mean * double(sums.count), perSquare()),
-                                               std::memory_order_relaxed);
+        }
+        if (const Answer* larger = around(sums)) {
+            auto& its = const_cast<Sums&>(sumsOf(*larger));
+            const double square = double(sums.square) - mean * mean * double(sums.count) * perSquare();
+            std::atomic_ref(its.within).fetch_add(int64_t(std::max(0.0, square)), std::memory_order_relaxed);
+            std::atomic_ref(its.countWithin).fetch_add(uint32_t(sums.count), std::memory_order_relaxed);
         }
     });
     used_ = used;
-    mean_ = count > 0 ? double(light) / perQuantum_ / double(count) : 0;
+    mean_ = count > 0 ? double(light) / perMeanQuantum / double(count) : 0;
     forEachCell([&](size_t i) { renewAnswer(answers_[i], sums_[i]); });
 }
 
