@@ -19,6 +19,7 @@ constexpr float kSizePerReach = 1 / 3.f;
 // A component of a unit normal counts for the facing if it is larger than this, the sine of 22.5 degrees: the 26
 // directions then have about equal parts of the sphere.
 constexpr float kFacing = 0.3827f;
+constexpr int kFacings = 27;  // as numbered by facing(), which leaves out the middle one
 // A cell has another surface than a point if the plane of its deposits is farther away than this share of its size, or
 // if the cosine between the normals is below this.
 constexpr float kPlaneDistance = 0.4f, kLeastCosine = 0.7f;
@@ -59,7 +60,7 @@ RadianceCells::RadianceCells(const RadianceCellSettings& settings)
 float RadianceCells::reachFor(int level) const { return sizeOf(level) / kSizePerReach; }
 
 uint64_t RadianceCells::keyOf(const int32_t (&grid)[3], int facing, int generation) {
-    const auto kind = uint64_t(generation * 27 + facing);
+    const auto kind = uint64_t(generation * kFacings + facing);
     const uint64_t key = mixBits(mixBits(uint64_t(grid[0]) + uint64_t(grid[1]) * 0x9e3779b97f4a7c15ull) +
                                  uint64_t(grid[2]) * 0xd1342543de82ef95ull + kind * 0xaf251af3b0f025b5ull);
     return key == 0 ? 1 : key;
@@ -289,6 +290,68 @@ void RadianceCells::grow() {
         answers_[to] = answers[i];
         sums_[to] = sums[i];
     }
+}
+
+// Only what renewAnswers() does not find by itself. Cells come in their order in the table, so that those of a bucket
+// have the same order again.
+void RadianceCells::save(StateWriter& to) const {
+    to.value(int32_t(refined_));
+    to.value(now_);
+    to.value(uint64_t(answers_.size()));
+    to.value(uint64_t(std::ranges::count_if(answers_, [](const Answer& a) { return a.key != 0; })));
+    for (size_t i = 0; i < answers_.size(); ++i) {
+        if (answers_[i].key == 0) continue;
+        const Sums& sums = sums_[i];
+        to.value(uint8_t(sums.generation));
+        to.value(uint8_t(sums.facing));
+        to.value(answers_[i].lastUse);
+        to.value(uint32_t(sums.count));
+        to.values(std::span(sums.grid));
+        to.values(std::span(sums.light));
+        to.value(sums.square);
+        to.values(std::span(sums.albedo));
+        to.values(std::span(sums.position));
+        to.values(std::span(sums.normal));
+    }
+}
+
+void RadianceCells::load(StateReader& from) {
+    const auto refined = from.value<int32_t>();
+    now_ = from.value<uint32_t>();
+    const auto size = from.value<uint64_t>(), cells = from.value<uint64_t>();
+    if (refined < 0 || refined >= kMostRefined || !std::has_single_bit(size) || size < kWays ||
+        size > settings_.capacity || cells > size)
+        from.fail("there cannot be such a table of radiance cells");
+    while (refined_ < refined) refine();
+    answers_ = HugeArray<Answer>(size);
+    sums_ = HugeArray<Sums>(size);
+    for (uint64_t k = 0; k < cells; ++k) {
+        const auto generation = from.value<uint8_t>(), facing = from.value<uint8_t>();
+        Answer answer;
+        Sums sums;
+        answer.lastUse = from.value<uint16_t>();
+        const auto count = from.value<uint32_t>();
+        from.values(std::span(sums.grid));
+        from.values(std::span(sums.light));
+        from.values(std::span(&sums.square, 1));
+        from.values(std::span(sums.albedo));
+        from.values(std::span(sums.position));
+        from.values(std::span(sums.normal));
+        if (levelOf(generation) < 0 || levelOf(generation) >= settings_.sizes + refined_ || facing >= kFacings ||
+            count == 0 || count >= kMostDeposits)
+            from.fail("there cannot be such a radiance cell");
+        sums.generation = generation;
+        sums.facing = facing;
+        sums.count = count;
+        answer.key = keyOf(sums.grid, facing, generation);
+        const size_t bucket = bucketOf(answer.key);
+        size_t at = bucket;
+        while (at < bucket + kWays && answers_[at].key != 0 && answers_[at].key != answer.key) ++at;
+        if (at == bucket + kWays || answers_[at].key != 0) from.fail("it has a radiance cell more than once");
+        answers_[at] = answer;
+        sums_[at] = sums;
+    }
+    renewAnswers();
 }
 
 void RadianceCells::refine() {

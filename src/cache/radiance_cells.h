@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/huge_array.h"
+#include "base/state_file.h"
 #include "integrators/radiance_cache.h"
 
 namespace drc {
@@ -44,6 +45,11 @@ class RadianceCells final : public RadianceCache {
     size_t commit(std::span<std::vector<CacheDeposit>* const> lists);
     // Halves the sizes of all cells. What is known about the sizes that remain is kept. Not while others look up.
     void refine();
+    // Writes all cells as the latest call of commit() left them. load reads them into an object of the settings that
+    // this one was made with, which then goes on as this one would; it throws Error if they contradict each other, and
+    // only the destructor may follow that. Not while others look up.
+    void save(StateWriter& to) const;
+    void load(StateReader& from);
     // The number of commits so far.
     int commits() const { return int(now_ - 1); }
 
