@@ -156,7 +156,7 @@ TEST(RadianceCells, SmallCellsReplaceLargerOnesOnceTheyHaveLittleNoise) {
     // Too noisy for small cells: all points of a large one have the same answer.
     EXPECT_EQ(answerAt(cells, Vec3(inside, inside, 0)), answerAt(cells, Vec3(inside + 2 * kSize, inside + kSize, 0)));
     const double first = spread(cells);
-    for (int i = 0; i < 60; ++i) commit(cells, depositsAt(points, noisy));
+    for (int i = 0; i < 12; ++i) commit(cells, depositsAt(points, noisy));
     EXPECT_LT(spread(cells), 0.25 * first);
     EXPECT_LT(spread(cells), 0.1);
 }
