@@ -53,6 +53,15 @@ FAULTS = [
           "    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);\n"
           "    static std::vector<std::vector<MapSite>> kept;\n"
           "    kept.emplace_back(sites.begin(), sites.end());", "*Invariant5*"),
+    Fault("a cache is asked where it does not accept", "src/integrators/final_gather.cpp",
+          "const bool accepted = mayAsk && cache.accepts(at);", "const bool accepted = mayAsk;", "FinalGather*"),
+    Fault("deposits hold light of paths that are as long as the camera's", "src/integrators/final_gather.cpp",
+          "depth - at_[i].depth < maxDepth - 1;", "depth - at_[i].depth < maxDepth;", "FinalGather*"),
+    Fault("paths that go on by the lobes without an answer are not weighted up", "src/integrators/final_gather.cpp",
+          "            path.throughput *= 1 / survival;\n", "", "FinalGather*"),
+    Fault("deposits hold light of lobes that the cache does not answer for", "src/integrators/final_gather.cpp",
+          "trainings.scatter(path.weight, trainsHere ? part : Rgb(1.f));", "trainings.scatter(path.weight, Rgb(1.f));",
+          "FinalGather*"),
 ]
 
 

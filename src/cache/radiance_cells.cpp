@@ -1,6 +1,7 @@
 #include "cache/radiance_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -18,6 +19,7 @@ constexpr float kSizePerReach = 1 / 3.f;
 // A component of a unit normal counts for the facing if it is larger than this, the sine of 22.5 degrees: the 26
 // directions then have about equal parts of the sphere.
 constexpr float kFacing = 0.3827f;
+constexpr int kFacings = 27;  // as numbered by facing(), which leaves out the middle one
 // A cell has another surface than a point if the plane of its deposits is farther away than this share of its size, or
 // if the cosine between the normals is below this.
 constexpr float kPlaneDistance = 0.4f, kLeastCosine = 0.7f;
@@ -29,8 +31,9 @@ constexpr size_t kFirstCapacity = 1 << 14;
 // The probability that a path goes on where the cache has answered, so as to improve the answer: in proportion to the
 // standard error of the answer, divided by the answer or by this share of the mean of all cells, whichever is more.
 constexpr double kTrainingPerError = 0.25, kLeastTraining = 1 / 64.0, kMostTraining = 0.25, kDimmest = 0.25;
-// The grids are shifted by this share of a cell, because scenes have many surfaces at round coordinates.
-constexpr float kGridShift = 0.3819f;
+// The grids are shifted by this share of the largest cells, because scenes have many surfaces at round coordinates. By
+// the same distance at all sizes, so that cells are nested; a third remains a third or two thirds of all smaller sizes.
+constexpr float kGridShift = 1 / 3.f;
 
 int facing(const Vec3& n) {
     const auto digit = [](float v) { return v > kFacing ? 2 : v < -kFacing ? 0 : 1; };
@@ -47,6 +50,8 @@ int64_t unitsOf(double value, double perUnit) {
 RadianceCells::RadianceCells(const RadianceCellSettings& settings)
     : settings_(settings), perQuantum_(1 / 0x1p-24 * double(settings.lightScale > 0 ? settings.lightScale : 1)) {
     settings_.capacity = std::bit_ceil(std::max(settings.capacity, kWays));
+    settings_.sizes = std::clamp(settings.sizes, 1, int(kMostSizes));
+    shift_ = kGridShift * sizeOf(settings_.sizes - 1);
     const size_t first = std::min(kFirstCapacity, settings_.capacity);
     answers_ = HugeArray<Answer>(first);
     sums_ = HugeArray<Sums>(first);
@@ -60,17 +65,34 @@ int RadianceCells::largestLevel(const CachePoint& at) const {
     return level;
 }
 
-RadianceCells::Place RadianceCells::placeOf(const Vec3& p, const Vec3& n, int level, int largest) const {
-    const float size = sizeOf(level), perSize = 1 / size;
-    const float x = std::floor(p.x * perSize + kGridShift), y = std::floor(p.y * perSize + kGridShift),
-                z = std::floor(p.z * perSize + kGridShift);
-    // Points that may not use the largest cells, because they are seen from nearby, have cells of their own: otherwise
-    // the light in corners, and beside lamps, would be mixed into that of open surfaces.
-    const int points = largest == settings_.sizes - 1 ? 0 : generationOf(largest);
-    const auto kind = uint64_t((points * 64 + generationOf(level)) * 27 + facing(n));
-    const uint64_t key = mixBits(mixBits(uint64_t(int64_t(x)) + uint64_t(int64_t(y)) * 0x9e3779b97f4a7c15ull) +
-                                 uint64_t(int64_t(z)) * 0xd1342543de82ef95ull + kind * 0xaf251af3b0f025b5ull);
-    return {key == 0 ? 1 : key, Vec3(x - kGridShift, y - kGridShift, z - kGridShift) * size};
+uint64_t RadianceCells::keyOf(const int32_t (&grid)[3], int facing, int generation, uint8_t points) {
+    const auto kind = uint64_t((int(points) * 64 + generation) * kFacings + facing);
+    const uint64_t key = mixBits(mixBits(uint64_t(grid[0]) + uint64_t(grid[1]) * 0x9e3779b97f4a7c15ull) +
+                                 uint64_t(grid[2]) * 0xd1342543de82ef95ull + kind * 0xaf251af3b0f025b5ull);
+    return key == 0 ? 1 : key;
+}
+
+RadianceCells::Place RadianceCells::placeOf(const Vec3& p, const Vec3& n, int level, uint8_t points) const {
+    constexpr float kMost = 1 << 30;
+    const float perSize = 1 / sizeOf(level);
+    Place place{};
+    for (int c = 0; c < 3; ++c)
+        place.grid[c] = int32_t(std::clamp(std::floor((p[c] + shift_) * perSize), -kMost, kMost));
+    place.facing = facing(n);
+    place.points = points;
+    place.key = keyOf(place.grid, place.facing, generationOf(level), points);
+    return place;
+}
+
+Vec3 RadianceCells::cornerOf(const int32_t (&grid)[3], int level) const {
+    return Vec3(float(grid[0]), float(grid[1]), float(grid[2])) * sizeOf(level) - Vec3(shift_);
+}
+
+const RadianceCells::Answer* RadianceCells::around(const Sums& sums) const {
+    const int generation = int(sums.generation) + 1;
+    const uint8_t points = answerOf(sums).points;
+    if (levelOf(generation) >= settings_.sizes || (points != 0 && generation > points)) return nullptr;
+    return find(keyOf({sums.grid[0] >> 1, sums.grid[1] >> 1, sums.grid[2] >> 1}, int(sums.facing), generation, points));
 }
 
 Vec3 RadianceCells::jittered(const CachePoint& at, int level, const Vec2& u) const {
@@ -86,8 +108,8 @@ const RadianceCells::Answer* RadianceCells::find(uint64_t key) const {
 }
 
 void RadianceCells::prefetch(const CachePoint& at, const Vec2& u) const {
-    const auto* bucket =
-        reinterpret_cast<const char*>(&answers_[bucketOf(placeOf(jittered(at, 0, u), at.n, 0, largestLevel(at)).key)]);
+    const auto* bucket = reinterpret_cast<const char*>(
+        &answers_[bucketOf(placeOf(jittered(at, 0, u), at.n, 0, pointsOf(largestLevel(at))).key)]);
     __builtin_prefetch(bucket);
     __builtin_prefetch(bucket + 64);
 }
@@ -98,13 +120,13 @@ bool RadianceCells::lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& ans
         // At a random position around the point, so that the borders of cells do not show; where that is not on the
         // same surface, at the point.
         for (const Vec3& p : {jittered(at, level, u), at.p}) {
-            const Answer* cell = find(placeOf(p, at.n, level, largest).key);
+            const Answer* cell = find(placeOf(p, at.n, level, pointsOf(largest)).key);
             if (cell == nullptr || !cell->known) continue;
             const Vec3 normal = Vec3(cell->normal[0], cell->normal[1], cell->normal[2]) * (1 / kNormalUnits);
             if (dot(normal, at.n) < kLeastCosine) continue;
             if (std::abs(dot(normal, at.p) - cell->plane) > kPlaneDistance * sizeOf(level)) continue;
-            answer.training = float(cell->training) * (1 / 255.f);
             answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);
+            answer.training = float(cell->training) * (1 / 255.f);
             // All threads write the same number, and only if it is another one, so that they share the cache line.
             std::atomic_ref<uint16_t> lastUse(const_cast<Answer*>(cell)->lastUse);
             if (lastUse.load(std::memory_order_relaxed) != uint16_t(now_))
@@ -116,7 +138,7 @@ bool RadianceCells::lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& ans
     return false;
 }
 
-void RadianceCells::add(const CacheDeposit& d, int level, const Place& place, uint64_t parent) {
+void RadianceCells::add(const CacheDeposit& d, int level, const Place& place) {
     const size_t bucket = bucketOf(place.key);
     size_t at = bucket, oldest = bucket;
     for (; at < bucket + kWays; ++at) {
@@ -130,18 +152,19 @@ void RadianceCells::add(const CacheDeposit& d, int level, const Place& place, ui
     }
     Sums& sums = sums_[at];
     if (answers_[at].key != place.key) {
-        answers_[at] = Answer{.key = place.key};
+        answers_[at] = Answer{.key = place.key, .points = place.points};
         sums = Sums{};
-        sums.corner = place.corner;
-        sums.generation = uint8_t(generationOf(level));
+        std::copy_n(place.grid, 3, sums.grid);
+        sums.generation = uint32_t(generationOf(level));
+        sums.facing = uint32_t(place.facing);
     }
-    sums.parent = parent;
     answers_[at].lastUse = uint16_t(now_);
     const float perSize = 1 / sizeOf(level);
+    const Vec3 corner = cornerOf(place.grid, level);
     for (int c = 0; c < 3; ++c) {
         sums.light[c] += unitsOf(double(d.light[c]), perQuantum_);
         sums.albedo[c] += uint32_t(std::lrint(std::clamp(d.albedo[c], 0.f, 1.f) * kAlbedoUnits));
-        sums.position[c] += int32_t(std::lrint((d.at.p[c] - place.corner[c]) * perSize * kPositionUnits));
+        sums.position[c] += int32_t(std::lrint((d.at.p[c] - corner[c]) * perSize * kPositionUnits));
         sums.normal[c] += int32_t(std::lrint(d.at.n[c] * kNormalUnits));
     }
     const double y = double(luminance(d.light)) / std::max(0.01, double(luminance(d.albedo)));
@@ -154,7 +177,7 @@ void RadianceCells::add(const CacheDeposit& d, int level, const Place& place, ui
         sums.normal[c] /= 2;
     }
     sums.square /= 2;
-    sums.count /= 2;
+    sums.count = sums.count / 2;
 }
 
 Rgb RadianceCells::perAlbedo(const Sums& sums) const {
@@ -168,24 +191,28 @@ Rgb RadianceCells::perAlbedo(const Sums& sums) const {
 // The cells within it share the deposits; their means are compared with the mean of all, which is what viewers see of
 // them together. What the means differ by is no noise, but what smaller cells are there to show.
 bool RadianceCells::divides(const Sums& sums) const {
-    const double count = double(sums.count), mean = meanOf(sums);
-    const double within = std::max(0.0, double(sums.square - sums.between) / (perSquare() * count));
+    const double count = double(sums.countWithin), mean = meanOf(sums);
     constexpr double kCellsWithin = 4;
-    return kCellsWithin * within <= double(settings_.variance) * mean * mean * count;
+    return kCellsWithin * double(sums.within) / perSquare() <= double(settings_.variance) * mean * mean * count * count;
 }
 
 void RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
     answer.known = false;
-    // The smallest of the nested cells that knows enough. The one around it decides for all cells within it: if each
-    // decided by its own variance, those that happen to lack their brightest samples would be preferred.
-    const Sums* sums = &own;
-    for (;;) {
-        const Answer* around = sums->parent != 0 ? find(sums->parent) : nullptr;
-        const bool trusted = around == nullptr ? sums->parent == 0 : divides(sumsOf(*around));
-        if (trusted && sums->count >= uint32_t(settings_.deposits)) break;
-        if (around == nullptr) return;
-        sums = &sumsOf(*around);
+    // From the largest cell around it on to smaller ones, as long as each may be divided. The larger one decides for
+    // all cells within it: if each decided by its own variance, or by that of a part, those that happen to lack their
+    // brightest samples would be preferred, and light would be lost. Where few points have a reach for the larger one,
+    // it does not know enough to decide.
+    std::array<const Sums*, kMostSizes> nested{&own};
+    size_t count = 1;
+    for (const Answer* larger; count < kMostSizes && (larger = around(*nested[count - 1])) != nullptr;)
+        nested[count++] = &sumsOf(*larger);
+    const Sums* sums = nullptr;
+    while (count-- > 0) {
+        if (!knowsEnough(*nested[count])) continue;
+        if (sums != nullptr && !divides(*sums)) break;
+        sums = nested[count];
     }
+    if (sums == nullptr) return;
     const auto vector = [](const int32_t(&v)[3]) { return Vec3(float(v[0]), float(v[1]), float(v[2])); };
     const float length2 = lengthSquared(vector(sums->normal));
     if (!(length2 > 0)) return;
@@ -193,12 +220,13 @@ void RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
     for (int c = 0; c < 3; ++c) answer.normal[c] = int8_t(std::lrint(normal[c] * kNormalUnits));
     // By the normal that look-ups see.
     const Vec3 seen = Vec3(answer.normal[0], answer.normal[1], answer.normal[2]) * (1 / kNormalUnits);
-    const float perUnit = sizeOf(levelOf(sums->generation)) / (kPositionUnits * float(sums->count));
-    answer.plane = dot(seen, sums->corner + vector(sums->position) * perUnit);
+    const int level = levelOf(int(sums->generation));
+    const float perUnit = sizeOf(level) / (kPositionUnits * float(sums->count));
+    answer.plane = dot(seen, cornerOf(sums->grid, level) + vector(sums->position) * perUnit);
     const Rgb value = perAlbedo(*sums);
     for (int c = 0; c < 3; ++c) answer.perAlbedo[c] = value[c];
-    const double count = double(sums->count), mean = double(luminance(value));
-    const double variance = std::max(0.0, double(sums->square) / (perSquare() * count) - mean * mean) / count;
+    const double deposits = double(sums->count), mean = double(luminance(value));
+    const double variance = std::max(0.0, double(sums->square) / (perSquare() * deposits) - mean * mean) / deposits;
     const double error = std::sqrt(variance) / std::max(1e-30, std::max(mean, kDimmest * mean_));
     answer.training = uint8_t(std::lrint(255 * std::clamp(kTrainingPerError * error, kLeastTraining, kMostTraining)));
     answer.known = true;
@@ -216,14 +244,10 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     parallelFor(0, parts, 1, [&](int part, int) {
         for (const auto* list : lists)
             for (const CacheDeposit& d : *list) {
-                // From the largest cells that may be used on.
-                uint64_t parent = 0;
                 const int largest = largestLevel(d.at);
-                for (int level = largest; level >= 0; --level) {
-                    const Place place = placeOf(d.at.p, d.at.n, level, largest);
-                    if (bucketOf(place.key) * size_t(parts) / answers_.size() == size_t(part))
-                        add(d, level, place, parent);
-                    parent = place.key;
+                for (int level = 0; level <= largest; ++level) {
+                    const Place place = placeOf(d.at.p, d.at.n, level, pointsOf(largest));
+                    if (bucketOf(place.key) * size_t(parts) / answers_.size() == size_t(part)) add(d, level, place);
                 }
             }
     });
@@ -240,24 +264,28 @@ void RadianceCells::renewAnswers() {
         });
     };
     // Integers, so that the order of additions does not matter.
+    const double perMeanQuantum = perQuantum_ * 0x1p-16;
     std::atomic<int64_t> light = 0, count = 0;
     std::atomic<size_t> used = 0;
-    forEachCell([&](size_t i) { sums_[i].between = 0; });
+    forEachCell([&](size_t i) { sums_[i].within = sums_[i].countWithin = 0; });
     forEachCell([&](size_t i) {
         const Sums& sums = sums_[i];
         const double mean = meanOf(sums);
         used.fetch_add(1, std::memory_order_relaxed);
-        if (sums.parent == 0) {
-            light.fetch_add(unitsOf(mean * double(sums.count), perQuantum_), std::memory_order_relaxed);
+        // All deposits are in cells of the smallest size.
+        if (levelOf(int(sums.generation)) == 0) {
+            light.fetch_add(unitsOf(mean * double(sums.count), perMeanQuantum), std::memory_order_relaxed);
             count.fetch_add(int64_t(sums.count), std::memory_order_relaxed);
-        } else if (const Answer* around = find(sums.parent)) {
-            auto& between = const_cast<Sums&>(sumsOf(*around)).between;
-            std::atomic_ref(between).fetch_add(unitsOf(mean * mean * double(sums.count), perSquare()),
-                                               std::memory_order_relaxed);
+        }
+        if (const Answer* larger = around(sums)) {
+            auto& its = const_cast<Sums&>(sumsOf(*larger));
+            const double square = double(sums.square) - mean * mean * double(sums.count) * perSquare();
+            std::atomic_ref(its.within).fetch_add(int64_t(std::max(0.0, square)), std::memory_order_relaxed);
+            std::atomic_ref(its.countWithin).fetch_add(uint32_t(sums.count), std::memory_order_relaxed);
         }
     });
     used_ = used;
-    mean_ = count > 0 ? double(light) / perQuantum_ / double(count) : 0;
+    mean_ = count > 0 ? double(light) / perMeanQuantum / double(count) : 0;
     forEachCell([&](size_t i) { renewAnswer(answers_[i], sums_[i]); });
 }
 
@@ -272,6 +300,70 @@ void RadianceCells::grow() {
         answers_[to] = answers[i];
         sums_[to] = sums[i];
     }
+}
+
+// Only what renewAnswers() does not find by itself. Cells come in their order in the table, so that those of a bucket
+// have the same order again.
+void RadianceCells::save(StateWriter& to) const {
+    to.value(int32_t(refined_));
+    to.value(now_);
+    to.value(uint64_t(answers_.size()));
+    to.value(uint64_t(std::ranges::count_if(answers_, [](const Answer& a) { return a.key != 0; })));
+    for (size_t i = 0; i < answers_.size(); ++i) {
+        if (answers_[i].key == 0) continue;
+        const Sums& sums = sums_[i];
+        to.value(uint8_t(sums.generation));
+        to.value(uint8_t(sums.facing));
+        to.value(answers_[i].points);
+        to.value(answers_[i].lastUse);
+        to.value(uint32_t(sums.count));
+        to.values(std::span(sums.grid));
+        to.values(std::span(sums.light));
+        to.value(sums.square);
+        to.values(std::span(sums.albedo));
+        to.values(std::span(sums.position));
+        to.values(std::span(sums.normal));
+    }
+}
+
+void RadianceCells::load(StateReader& from) {
+    const auto refined = from.value<int32_t>();
+    now_ = from.value<uint32_t>();
+    const auto size = from.value<uint64_t>(), cells = from.value<uint64_t>();
+    if (refined < 0 || refined >= kMostRefined || !std::has_single_bit(size) || size < kWays ||
+        size > settings_.capacity || cells > size)
+        from.fail("there cannot be such a table of radiance cells");
+    while (refined_ < refined) refine();
+    answers_ = HugeArray<Answer>(size);
+    sums_ = HugeArray<Sums>(size);
+    for (uint64_t k = 0; k < cells; ++k) {
+        const auto generation = from.value<uint8_t>(), facing = from.value<uint8_t>(), points = from.value<uint8_t>();
+        Answer answer;
+        Sums sums;
+        answer.lastUse = from.value<uint16_t>();
+        const auto count = from.value<uint32_t>();
+        from.values(std::span(sums.grid));
+        from.values(std::span(sums.light));
+        from.values(std::span(&sums.square, 1));
+        from.values(std::span(sums.albedo));
+        from.values(std::span(sums.position));
+        from.values(std::span(sums.normal));
+        if (levelOf(generation) < 0 || levelOf(generation) >= settings_.sizes + refined_ || facing >= kFacings ||
+            count == 0 || count >= kMostDeposits)
+            from.fail("there cannot be such a radiance cell");
+        sums.generation = generation;
+        sums.facing = facing;
+        sums.count = count;
+        answer.points = points;
+        answer.key = keyOf(sums.grid, facing, generation, points);
+        const size_t bucket = bucketOf(answer.key);
+        size_t at = bucket;
+        while (at < bucket + kWays && answers_[at].key != 0 && answers_[at].key != answer.key) ++at;
+        if (at == bucket + kWays || answers_[at].key != 0) from.fail("it has a radiance cell more than once");
+        answers_[at] = answer;
+        sums_[at] = sums;
+    }
+    renewAnswers();
 }
 
 void RadianceCells::refine() {

@@ -2,11 +2,11 @@
 // their albedo, so that textures stay sharp. Paths of final gather end in it. World-space hash tables of this kind are
 // described by Binder et al., "Massively Parallel Path Space Filtering" (2018).
 //
-// Cells are cubes of a few nested sizes. Each belongs to one of 26 directions that a surface can face, so that the two
-// sides of a thin wall are two cells. A cell keeps sums over deposits, which are unbiased samples: the cells' own
-// answers are never deposited, so that no error builds up. Sums are integers, and look-ups see what earlier calls of
-// commit() have added. The same deposits therefore give the same bits on any number of threads. The memory is bounded:
-// cells that have not been used for long give way to new ones.
+// Cells are cubes of a few nested sizes: each lies within one cell of the next larger size. Each belongs to one of 26
+// directions that a surface can face, so that the two sides of a thin wall are two cells. A cell keeps sums over
+// deposits, which are unbiased samples: the cells' own answers are never deposited, so that no error builds up. Sums
+// are integers, and look-ups see what earlier calls of commit() have added. The same deposits therefore give the same
+// bits on any number of threads. The memory is bounded: cells that have not been used for long give way to new ones.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/huge_array.h"
+#include "base/state_file.h"
 #include "integrators/radiance_cache.h"
 
 namespace drc {
@@ -44,6 +45,11 @@ class RadianceCells final : public RadianceCache {
     size_t commit(std::span<std::vector<CacheDeposit>* const> lists);
     // Halves the sizes of all cells. What is known about the sizes that remain is kept. Not while others look up.
     void refine();
+    // Writes all cells as the latest call of commit() left them. load reads them into an object of the settings that
+    // this one was made with, which then goes on as this one would; it throws Error if they contradict each other, and
+    // only the destructor may follow that. Not while others look up.
+    void save(StateWriter& to) const;
+    void load(StateReader& from);
     // The number of commits so far.
     int commits() const { return int(now_ - 1); }
 
@@ -62,47 +68,62 @@ class RadianceCells final : public RadianceCache {
         float plane = 0;         // distance of the surface from the world's origin along the normal, world units
         uint16_t lastUse = 0;    // number of the commit, modulo 2^16
         uint8_t training = 255;  // probability that a path goes on from here, in units of 1/255
+        uint8_t points = 0;      // whose cell it is, see pointsOf
     };
     struct Sums {
-        uint64_t parent = 0;  // key of the cell of the next size around this one; 0 at the largest size
         int64_t light[3]{};
-        int64_t square = 0;   // of the light's luminance divided by the albedo's
-        int64_t between = 0;  // of the means of the cells of the next smaller size within this one, times their counts
+        int64_t square = 0;  // of the light's luminance divided by the albedo's
+        int64_t within =
+            0;  // as square, but about the means of the cells of the next smaller size, summed up over them
         uint32_t albedo[3]{};
         int32_t position[3]{};  // relative to the cell's corner
         int32_t normal[3]{};
-        uint32_t count = 0;
-        Vec3 corner{0.f};        // world units
-        uint8_t generation = 0;  // of the cell's size, see generationOf
+        int32_t grid[3]{};         // the cell's place in the grid of its size
+        uint32_t countWithin = 0;  // deposits in the cells of the next smaller size
+        uint32_t count : 22 = 0;
+        uint32_t generation : 5 = 0;  // of the cell's size, see generationOf
+        uint32_t facing : 5 = 0;
     };
     // Halves all sums when there are so many deposits, before 32 bits overflow.
     static constexpr uint32_t kMostDeposits = 1 << 21;
-    static_assert(sizeof(Answer) == 32);
+    static_assert(sizeof(Answer) == 32 && sizeof(Sums) == 96);
     // Cells in a bucket, two cache lines, any of which may hold a key.
     static constexpr size_t kWays = 4;
     static constexpr int kMostRefined = 24;
+    static constexpr size_t kMostSizes = 7;
 
     // Where a point lies in the grid of one size.
     struct Place {
         uint64_t key;
-        Vec3 corner;
+        int32_t grid[3];
+        int facing;
+        uint8_t points;
     };
     float sizeOf(int level) const { return settings_.size * float(1 << level); }
     // Numbers sizes, from small to large, so that a cell keeps its number when all sizes are halved.
     int generationOf(int level) const { return kMostRefined + level - refined_; }
     int levelOf(int generation) const { return generation - kMostRefined + refined_; }
     float reachFor(int level) const;
-    // The largest size that a point that is accepted may use.
+    // The largest size that a point may use.
     int largestLevel(const CachePoint& at) const;
-    // largest: of the point.
-    Place placeOf(const Vec3& p, const Vec3& n, int level, int largest) const;
+    // Points that may not use the largest cells, because they are seen from nearby, have cells of their own: otherwise
+    // the light in corners, and beside lamps, would be mixed into that of open surfaces. 0: all sizes, else the largest
+    // one's generation.
+    uint8_t pointsOf(int largest) const { return largest == settings_.sizes - 1 ? 0 : uint8_t(generationOf(largest)); }
+    static uint64_t keyOf(const int32_t (&grid)[3], int facing, int generation, uint8_t points);
+    Place placeOf(const Vec3& p, const Vec3& n, int level, uint8_t points) const;
+    Vec3 cornerOf(const int32_t (&grid)[3], int level) const;
     size_t bucketOf(uint64_t key) const { return size_t(key) & (answers_.size() - kWays); }
     // A random position near the point, in the plane of its surface.
     Vec3 jittered(const CachePoint& at, int level, const Vec2& u) const;
     const Answer* find(uint64_t key) const;
-    void add(const CacheDeposit& deposit, int level, const Place& place, uint64_t parent);
+    // The cell of the next larger size around one; null: there is none.
+    const Answer* around(const Sums& sums) const;
+    void add(const CacheDeposit& deposit, int level, const Place& place);
     void renewAnswer(Answer& answer, const Sums& sums);
+    const Answer& answerOf(const Sums& sums) const { return answers_[size_t(&sums - sums_.begin())]; }
     const Sums& sumsOf(const Answer& cell) const { return sums_[size_t(&cell - answers_.begin())]; }
+    bool knowsEnough(const Sums& sums) const { return sums.count >= uint32_t(settings_.deposits); }
     // Whether the means of the cells within this one would be good enough.
     bool divides(const Sums& sums) const;
     double meanOf(const Sums& sums) const { return double(luminance(perAlbedo(sums))); }
@@ -114,6 +135,7 @@ class RadianceCells final : public RadianceCache {
     void grow();
 
     RadianceCellSettings settings_;
+    float shift_;  // of the grids, world units
     double perQuantum_;
     int refined_ = 0;   // how often
     uint32_t now_ = 1;  // counts commits

@@ -3,13 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
-#include "base/mapped_file.h"
 #include "base/memory.h"
+#include "math/rng.h"
 #include "render/sample_pass.h"
 
 namespace drc {
@@ -34,19 +32,8 @@ void requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSp
     }
 }
 
-// FNV-1a over 64-bit words: it detects damage, not attacks.
-uint64_t checksum(std::span<const std::byte> bytes, uint64_t sum) {
-    size_t i = 0;
-    for (; i + 8 <= bytes.size(); i += 8) {
-        uint64_t word;
-        std::memcpy(&word, bytes.data() + i, 8);
-        sum = (sum ^ word) * 0x100000001b3ull;
-        sum ^= sum >> 29;
-    }
-    for (; i < bytes.size(); ++i) sum = (sum ^ uint64_t(bytes[i])) * 0x100000001b3ull;
-    return sum;
-}
-constexpr uint64_t kChecksumStart = 0xcbf29ce484222325ull;
+// The first words of files that have a film alone, and their version.
+const std::string kKind = "drc film", kHeader = kKind + " 2 ";
 
 }  // namespace
 
@@ -112,72 +99,45 @@ void Film::add(const Film& other) {
     mapPasses += other.mapPasses;
 }
 
-// A line of text, so that a person who opens the file can tell what it is.
-std::string Film::header(const std::string& identity) const {
-    std::string text = fmt::format("drc film 1 {} {} {} {} {:016x}", region_.x0, region_.y0, region_.x1, region_.y1,
-                                   checksum(std::as_bytes(std::span(identity)), kChecksumStart));
+std::string Film::description(const std::string& identity) const {
+    uint64_t sum = identity.size();
+    for (const char c : identity) sum = hash(sum, uint8_t(c));
+    std::string text = fmt::format("{} {} {} {} {:016x}", region_.x0, region_.y0, region_.x1, region_.y1, sum);
     for (const FilmLayer& layer : layers_) {
         const FilmLayerSpec& s = layer.spec();
         text += fmt::format(" {}:{}x{}{}{}:{:a}", s.name, s.groups, s.channels, s.weighted ? "w" : "",
                             s.storage == FilmLayerSpec::Storage::Exact ? "i8" : "f4", s.quantum);
     }
-    return text + "\n";
+    return text;
+}
+
+void Film::save(StateWriter& to) const {
+    const std::shared_ptr<const Film> still = snapshot();
+    to.values(std::span(still->rowPasses_));
+    to.value(int32_t(still->mapPasses));
+    for (const FilmLayer& layer : still->layers_)
+        for (int y = region_.y0; y < region_.y1; ++y) to.bytes(layer.row(y));
+}
+
+void Film::load(StateReader& from) {
+    const size_t size = (rowPasses_.size() + 1) * sizeof(int32_t) + region_.count() * bytesPerPixel();
+    if (from.remaining() != size)
+        from.fail(fmt::format("it has {} bytes for the film, {} were expected", from.remaining(), size));
+    from.values(std::span(rowPasses_));
+    mapPasses = from.value<int32_t>();
+    for (FilmLayer& layer : layers_)
+        for (int y = region_.y0; y < region_.y1; ++y) from.bytes(layer.row(y));
 }
 
 void Film::save(const std::string& path, const std::string& identity) const {
-    AtomicFile file(path);
-    uint64_t sum = kChecksumStart;
-    const auto write = [&](std::span<const std::byte> bytes) {
-        sum = checksum(bytes, sum);
-        file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    };
-    file.write(header(identity));
-    const std::shared_ptr<const Film> still = snapshot();
-    write(std::as_bytes(std::span(still->rowPasses_)));
-    write(std::as_bytes(std::span(&still->mapPasses, 1)));
-    for (const FilmLayer& layer : still->layers_)
-        for (int y = region_.y0; y < region_.y1; ++y) write(layer.row(y));
-    const uint64_t end = sum;
-    file.write({reinterpret_cast<const char*>(&end), sizeof(end)});
+    StateWriter file(path, kHeader + description(identity));
+    save(file);
     file.commit();
 }
 
 void Film::load(const std::string& path, const std::string& identity) {
-    const MappedFile file(path);
-    const std::span<const std::byte> bytes = std::as_bytes(std::span(file.bytes()));
-    const std::string_view text = file.bytes();
-    const std::string expected = header(identity);
-    if (!text.starts_with("drc film ")) throw Error(fmt::format("{}: not a film of drc", path));
-    if (!text.starts_with(expected))
-        throw Error(fmt::format("{}: a film of another scene, other settings or another version", path));
-    size_t size = rowPasses_.size() * sizeof(int32_t) + sizeof(mapPasses);
-    size += region_.count() * bytesPerPixel();
-    if (bytes.size() != expected.size() + size + sizeof(uint64_t))
-        throw Error(fmt::format("{}: the file is damaged: it has {} bytes, {} were expected", path, bytes.size(),
-                                expected.size() + size + sizeof(uint64_t)));
-    std::span<const std::byte> rest = bytes.subspan(expected.size());
-    // The checksum depends on how the bytes are divided, so it must see the same pieces that were written.
-    uint64_t sum = kChecksumStart;
-    const auto verify = [&](size_t count) {
-        sum = checksum(rest.first(count), sum);
-        rest = rest.subspan(count);
-    };
-    verify(rowPasses_.size() * sizeof(int32_t));
-    verify(sizeof(mapPasses));
-    for (const FilmLayer& layer : layers_)
-        for (int y = region_.y0; y < region_.y1; ++y) verify(layer.row(y).size());
-    uint64_t stored = 0;
-    std::memcpy(&stored, rest.data(), sizeof(stored));
-    if (stored != sum) throw Error(fmt::format("{}: the file is damaged: its checksum is wrong", path));
-    rest = bytes.subspan(expected.size());
-    const auto read = [&](std::span<std::byte> to) {
-        std::memcpy(to.data(), rest.data(), to.size());
-        rest = rest.subspan(to.size());
-    };
-    read(std::as_writable_bytes(std::span(rowPasses_)));
-    read(std::as_writable_bytes(std::span(&mapPasses, 1)));
-    for (FilmLayer& layer : layers_)
-        for (int y = region_.y0; y < region_.y1; ++y) read(layer.row(y));
+    StateReader file(path, kKind, kHeader + description(identity));
+    load(file);
 }
 
 }  // namespace drc

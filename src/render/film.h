@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 
+#include "base/state_file.h"
 #include "render/film_layer.h"
 
 namespace drc {
@@ -51,10 +52,14 @@ class Film {
     // it is damaged.
     void save(const std::string& path, const std::string& identity) const;
     void load(const std::string& path, const std::string& identity);
+    // The same as the last part of a larger file, whose header must have the description.
+    void save(StateWriter& to) const;
+    void load(StateReader& from);
+    // Region, layers and identity in words, the latter as a hash.
+    std::string description(const std::string& identity) const;
 
   private:
     Film(const Film& other, const PixelRegion& part);
-    std::string header(const std::string& identity) const;
 
     PixelRegion region_;
     std::vector<FilmLayer> layers_;

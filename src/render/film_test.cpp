@@ -135,11 +135,11 @@ TEST_F(FilmFile, OfSomethingElseIsRefusedAndChangesNothing) {
     sample(other, 1);
     const auto before = other.snapshot();
     EXPECT_THAT(errorOf([&] { other.load(path("a.film"), "another"); }),
-                HasSubstr("a.film: a film of another scene, other settings or another version"));
+                HasSubstr("a.film: a drc film of another scene, other settings or another version"));
     Film smaller(test::filmSettings({10, 20, 26, 31}), layers());
     EXPECT_THAT(errorOf([&] { smaller.load(path("a.film"), "scene"); }), HasSubstr("another scene"));
     folder_.write("b.film", "P6 1 1");
-    EXPECT_THAT(errorOf([&] { other.load(path("b.film"), "scene"); }), HasSubstr("b.film: not a film"));
+    EXPECT_THAT(errorOf([&] { other.load(path("b.film"), "scene"); }), HasSubstr("b.film: not a drc film"));
     EXPECT_THAT(errorOf([&] { other.load(path("none.film"), "scene"); }), HasSubstr("none.film"));
     std::string bytes = readFile(path("a.film"));
     folder_.write("short.film", bytes.substr(0, bytes.size() - 5));

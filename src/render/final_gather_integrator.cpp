@@ -24,7 +24,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
           region_(context.scene.settings.region()),
           gather_(context.tracer.lighting(), context.tracer.settings()) {
         if (!context.params.cells || !(context.distance > 0)) return;
-        RadianceCellSettings settings;
+        RadianceCellSettings& settings = cellSettings_;
         // A power of two, so that the frames of an animation have the same cells.
         settings.size = context.params.cellSize > 0 ? context.params.cellSize
                                                     : std::exp2(std::round(std::log2(kCellSize * context.distance)));
@@ -57,6 +57,48 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         stats.set("cells/bytes", int64_t(cells_->bytes()));
     }
 
+    // The deposits of a pass that is not complete have not been committed yet.
+    void saveState(StateWriter& to) const override {
+        if (!cells_) return;
+        cells_->save(to);
+        to.value(refineAt_);
+        for (const Row& row : rows_) {
+            to.value(uint64_t(row.deposits.size()));
+            for (const CacheDeposit& d : row.deposits) {
+                const auto three = [&](const auto& v) {
+                    for (int c = 0; c < 3; ++c) to.value(v[c]);
+                };
+                three(d.at.p), three(d.at.n), three(d.light), three(d.albedo);
+                to.value(d.at.reach);
+            }
+        }
+    }
+    std::function<void()> loadState(StateReader& from) override {
+        if (!cells_) return [] {};
+        // Shared, because functions can be copied.
+        const auto state = std::make_shared<State>(RadianceCells(cellSettings_));
+        state->cells.load(from);
+        state->refineAt = from.value<double>();
+        for (size_t i = 0; i < rows_.size(); ++i) {
+            const auto count = from.value<uint64_t>();
+            if (count > from.remaining() / kDepositBytes) from.fail("it ends too early");
+            std::vector<CacheDeposit>& deposits = state->deposits.emplace_back();
+            deposits.resize(count);
+            for (CacheDeposit& d : deposits) {
+                const auto three = [&](auto& v) {
+                    for (int c = 0; c < 3; ++c) v[c] = from.value<float>();
+                };
+                three(d.at.p), three(d.at.n), three(d.light), three(d.albedo);
+                d.at.reach = from.value<float>();
+            }
+        }
+        return [this, state] {
+            *cells_ = std::move(state->cells);
+            refineAt_ = state->refineAt;
+            for (size_t i = 0; i < rows_.size(); ++i) rows_[i].deposits = std::move(state->deposits[i]);
+        };
+    }
+
   private:
     Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, GBufferSample* gBuffer) override {
         if (!cells_) return context_.tracer.radiance(ray, sampler, gBuffer);
@@ -73,8 +115,17 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         std::vector<CacheDeposit> deposits;
         FinalGather::Counts counts;
     };
+    // What is read from a file before it is put in its place.
+    struct State {
+        RadianceCells cells;
+        double refineAt = 0;
+        std::vector<std::vector<CacheDeposit>> deposits;
+    };
+    static constexpr size_t kDepositBytes = 13 * sizeof(float);
+
     PixelRegion region_;
     FinalGather gather_;
+    RadianceCellSettings cellSettings_;
     std::optional<RadianceCells> cells_;
     std::vector<Row> rows_;
     double refineAt_ = kRefineAt;

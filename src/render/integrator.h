@@ -1,6 +1,7 @@
 // The interface of integrators: what one samples, what it keeps in the film, and the picture that it makes of that. A
 // new one is a file or a pair of files, and its line in the list of integrator.cpp.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,6 +40,14 @@ class Integrator {
     // Called when a sample pass over the whole film is complete, while no sample is taken. samples: complete ones in
     // each pixel.
     virtual void samplePassDone(int /*samples*/) {}
+    // What the integrator has found out that is not in the film, so that a render can go on later as if it had not
+    // stopped, also within a pass. While no sample is taken. loadState reads what saveState of an integrator of the
+    // same parameters wrote; it changes nothing, and throws Error if the values contradict each other. The function
+    // that it returns puts the state in its place, without failing.
+    virtual void saveState(StateWriter& /*to*/) const {}
+    virtual std::function<void()> loadState(StateReader& /*from*/) {
+        return [] {};
+    }
     // Whether there are map passes. mapPass runs one of them. index: of the pass. spacing: between maps, in pixels.
     // stride: only every so many rows and columns of pixels are lit. False: the pass was cancelled.
     virtual bool hasMapPasses() const { return false; }

@@ -10,6 +10,8 @@
 namespace drc {
 namespace {
 
+// The first words of the files that sessions are saved in.
+constexpr const char* kFileKind = "drc render";
 constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003;
 // The guide's voxels: this many between the camera and what it sees.
 constexpr float kVoxelsInDistance = 8;
@@ -134,6 +136,25 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
         },
         cancel);
     return film_->passes() > index;
+}
+
+std::string Session::fileHeader(const std::string& identity) const {
+    return fmt::format("{} 1 {} {}", kFileKind, params_.integrator, film_->description(identity));
+}
+
+void Session::save(const std::string& path, const std::string& identity) const {
+    StateWriter file(path, fileHeader(identity));
+    integrator_->saveState(file);
+    film_->save(file);
+    file.commit();
+}
+
+void Session::load(const std::string& path, const std::string& identity) {
+    StateReader file(path, kFileKind, fileHeader(identity));
+    const std::function<void()> place = integrator_->loadState(file);
+    // Throws before it changes anything.
+    film_->load(file);
+    place();
 }
 
 LayeredPicture Session::picture() const {

@@ -33,6 +33,13 @@ class Session {
     // calls run.
     void setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film);
 
+    // Writes all that the render has found out to a file, whole or not at all, and goes on from there: a session of the
+    // same scene and parameters that has loaded the file ends with the same bits as one that was never stopped.
+    // identity: describes scene, camera and settings. load throws Error, and changes nothing, if the file is of another
+    // identity, integrator or film, or if it is damaged. Not while step runs.
+    void save(const std::string& path, const std::string& identity) const;
+    void load(const std::string& path, const std::string& identity);
+
     // May be saved, loaded and added to while no step runs.
     Film& film() { return *film_; }
     const Film& film() const { return *film_; }
@@ -49,6 +56,7 @@ class Session {
     const Accel& accel() const { return accel_; }
 
   private:
+    std::string fileHeader(const std::string& identity) const;
     bool samplePass(int index, const CancelToken* cancel);
     void startGuide();
     // The median distance that the picture shows, world units; 0 if it shows no surface.

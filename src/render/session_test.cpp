@@ -5,7 +5,9 @@
 #include <atomic>
 #include <thread>
 
+#include "base/atomic_file.h"
 #include "base/folder_testing.h"
+#include "base/state_file.h"
 #include "cache/map_denoiser.h"
 #include "pbrt/scene_file.h"
 #include "render/integrator.h"
@@ -17,6 +19,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 const std::vector<std::string> kIntegrators = integratorNames();
@@ -63,6 +66,26 @@ double meanOf(const Image& image) {
     double sum = 0;
     for (const float v : image.data()) sum += v;
     return sum / double(image.data().size());
+}
+
+// A sample pass that is cancelled when half of the film's rows have had it, as far as there is another one.
+void stepThroughAPart(Rendered& r) {
+    CancelToken cancel;
+    std::atomic<bool> done{false};
+    Film& film = r.session.film();
+    const int passes = film.passes();
+    std::jthread observer([&] {
+        while (!done) {
+            int rows = 0;
+            for (int y = film.region().y0; y < film.region().y1; ++y) {
+                const auto lock = film.lockRow(y);
+                rows += film.rowPasses(y) > passes;
+            }
+            if (rows > 0) cancel.cancel();
+        }
+    });
+    r.session.step(&cancel);
+    done = true;
 }
 
 bool sameBits(const Film& a, const Film& b) {
@@ -150,19 +173,92 @@ TEST(Session, ACancelledPassIsNotCounted) {
     EXPECT_EQ(r.session.samplesDone(), 2);
 }
 
-// A render that is stopped anywhere and continued from a saved film has the same bits.
+// A render that is stopped anywhere, also within a pass, and continued from a file has the same bits.
 TEST(Session, GoesOnWhereItWas) {
     const TemporaryFolder folder;
+    for (const std::string& integrator : kIntegrators)
+        for (const bool withinAPass : {false, true}) {
+            const RenderParams params = paramsOf(integrator, 8, 2);
+            Rendered whole(params), first(params), second(params);
+            whole.finish();
+            for (int i = 0; i < 7; ++i) first.session.step();
+            if (withinAPass) stepThroughAPart(first);
+            first.session.save(folder.path("render"), "room");
+            second.session.load(folder.path("render"), "room");
+            // The one that was saved goes on, too.
+            EXPECT_TRUE(sameBits(whole.session.film(), first.finish().session.film())) << integrator << withinAPass;
+            EXPECT_TRUE(sameBits(whole.session.film(), second.finish().session.film())) << integrator << withinAPass;
+            EXPECT_EQ(second.session.samplesDone(), 8);
+        }
+}
+
+// What has been loaded replaces everything that a session had found out, and a file that is refused nothing.
+TEST(Session, LoadsAFileWholeOrNotAtAll) {
+    const TemporaryFolder folder;
+    const RenderParams params = paramsOf("drc", 6);
+    Rendered whole(params), saved(params), other(params), path(paramsOf("path", 6));
+    whole.finish();
+    for (int i = 0; i < 5; ++i) saved.session.step();
+    stepThroughAPart(saved);
+    saved.session.save(folder.path("a"), "room");
+    const auto refusal = [&](Rendered& r, const std::string& name, const std::string& identity = "room") {
+        return errorOf([&] { r.session.load(folder.path(name), identity); });
+    };
+    const std::string bytes = readFile(folder.path("a"));
+    folder.write("short", bytes.substr(0, bytes.size() - 8));
+    folder.write("picture", "P6 1 1");
+    for (int i = 0; i < 3; ++i) other.session.step();
+    EXPECT_THAT(refusal(other, "short"), AllOf(HasSubstr("short: the file is damaged"), Not(HasSubstr("\n"))));
+    EXPECT_THAT(refusal(other, "picture"), HasSubstr("picture: not a drc render"));
+    EXPECT_THAT(refusal(other, "none"), HasSubstr("none"));
+    EXPECT_THAT(refusal(other, "a", "another room"), HasSubstr("a: a drc render of another scene, other settings"));
+    EXPECT_THAT(refusal(path, "a"), HasSubstr("a: a drc render of another scene, other settings"));
+    for (size_t at = bytes.find('\n') + 1; at < bytes.size(); at += bytes.size() / 50) {
+        std::string flipped = bytes;
+        flipped[at] = char(flipped[at] ^ 0x10);
+        folder.write("flipped", flipped);
+        EXPECT_THAT(refusal(other, "flipped"), HasSubstr("flipped: the file is damaged: its checksum is wrong")) << at;
+    }
+    // Files of the right checksum whose values are impossible or too few.
+    const std::string header = bytes.substr(0, bytes.find('\n'));
+    for (const uint32_t refined : {0u, 1u, 1000u}) {
+        StateWriter forged(folder.path("forged"), header);
+        forged.value(refined);
+        forged.value(uint32_t(1));
+        forged.value(uint64_t(1 << 14));
+        forged.value(uint64_t(refined == 1 ? 1 : 0));
+        for (int i = 0; i < 12; ++i) forged.value(uint64_t(0));
+        forged.commit();
+        EXPECT_THAT(refusal(other, "forged"), HasSubstr("forged: the file is damaged: ")) << refined;
+    }
+    EXPECT_TRUE(sameBits(whole.session.film(), other.finish().session.film()));
+    EXPECT_EQ(refusal(other, "a"), "");
+    EXPECT_TRUE(sameBits(saved.session.film(), other.session.film()));
+    EXPECT_TRUE(sameBits(whole.session.film(), other.finish().session.film()));
+}
+
+// Cells are written by what they know, not the whole table that has room for a million.
+TEST(Session, FilesHaveUsedCellsAlone) {
+    const TemporaryFolder folder;
+    Rendered drc(paramsOf("drc", 1)), path(paramsOf("path", 1));
+    drc.session.save(folder.path("drc"), "room");
+    path.session.save(folder.path("path"), "room");
+    EXPECT_LT(readFile(folder.path("drc")).size(), readFile(folder.path("path")).size() + 1000);
+}
+
+// 1, 2 or 8 threads.
+TEST(Session, TheNumberOfThreadsMakesNoDifference) {
     for (const std::string& integrator : kIntegrators) {
-        const RenderParams params = paramsOf(integrator, 4, 2);
-        Rendered whole(params), first(params), second(params);
-        whole.finish();
-        for (int i = 0; i < 4; ++i) first.session.step();
-        first.session.film().save(folder.path("film"), "room");
-        second.session.film().load(folder.path("film"), "room");
-        second.finish();
-        EXPECT_TRUE(sameBits(whole.session.film(), second.session.film())) << integrator;
-        EXPECT_EQ(second.session.samplesDone(), 4);
+        setThreadCount(1);
+        const RenderParams params = paramsOf(integrator, 8, 2);
+        Rendered one(params);
+        one.finish();
+        for (const int threads : {2, 8}) {
+            setThreadCount(threads);
+            EXPECT_TRUE(sameBits(one.session.film(), Rendered(params).finish().session.film()))
+                << integrator << ", " << threads << " threads";
+        }
+        setThreadCount(0);
     }
 }
 
