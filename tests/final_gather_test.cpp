@@ -1,5 +1,5 @@
-// Invariant 6, through the whole pipeline: without cells, final gather is the path tracer; with cells, its pictures
-// have the path tracer's block means, up to half a per cent.
+// Invariant 7 of docs/README.md, through the whole pipeline: without cells, final gather is the path tracer; with
+// cells, its pictures have the path tracer's block means, up to half a per cent.
 #include <gtest/gtest.h>
 
 #include "camera_cases.h"
@@ -56,7 +56,7 @@ void expectThePathTracersPicture(const std::string& text) {
 }
 
 class FinalGatherOfMaterials : public testing::TestWithParam<size_t> {};
-INSTANTIATE_TEST_SUITE_P(Invariant6, FinalGatherOfMaterials,
+INSTANTIATE_TEST_SUITE_P(Invariant7, FinalGatherOfMaterials,
                          testing::Range<size_t>(0, test::allMaterials().size() + test::materialsOfV4().size()),
                          [](const auto& i) { return materialName(i.param); });
 
@@ -71,7 +71,7 @@ class FinalGatherOfLights : public testing::TestWithParam<test::LightCase> {
   private:
     const TemporaryFolder folder_;
 };
-INSTANTIATE_TEST_SUITE_P(Invariant6, FinalGatherOfLights, testing::ValuesIn(test::kLightCases),
+INSTANTIATE_TEST_SUITE_P(Invariant7, FinalGatherOfLights, testing::ValuesIn(test::kLightCases),
                          [](const auto& i) { return i.param.name; });
 
 TEST_P(FinalGatherOfLights, IsThePathTracerWithoutCells) { expectThePathTracersPicture(text()); }
@@ -79,7 +79,7 @@ TEST_P(FinalGatherOfLights, IsThePathTracerWithoutCells) { expectThePathTracersP
 TEST_P(FinalGatherOfLights, HasThePathTracersMeans) { expectSameAsPaths(text()); }
 
 class FinalGatherOfCameras : public testing::TestWithParam<test::CameraCase> {};
-INSTANTIATE_TEST_SUITE_P(Invariant6, FinalGatherOfCameras, testing::ValuesIn(test::kCameraCases),
+INSTANTIATE_TEST_SUITE_P(Invariant7, FinalGatherOfCameras, testing::ValuesIn(test::kCameraCases),
                          [](const auto& i) { return i.param.name; });
 
 TEST_P(FinalGatherOfCameras, HasThePathTracersMeans) {
@@ -124,7 +124,7 @@ TEST(FinalGather, HasThePathTracersMeansInHair) {
 
 // The scenes that DRC comes with.
 class FinalGatherOfScenes : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Invariant6, FinalGatherOfScenes,
+INSTANTIATE_TEST_SUITE_P(Invariant7, FinalGatherOfScenes,
                          testing::Values("cornell", "quickstart", "bathroom", "coloured-cubes", "glossy-sphere"),
                          [](const auto& i) { return test::respelt(i.param, "-", "_"); });
 

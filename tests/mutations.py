@@ -53,6 +53,13 @@ FAULTS = [
           "    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);\n"
           "    static std::vector<std::vector<MapSite>> kept;\n"
           "    kept.emplace_back(sites.begin(), sites.end());", "*Invariant5*"),
+    Fault("paths of final gather are one bounce longer", "src/integrators/final_gather.cpp",
+          "if (path.depth >= settings.maxDepth) shown = false;", "if (path.depth > settings.maxDepth) shown = false;",
+          "*IsThePathTracerWithoutCells*"),
+    Fault("answers of radiance cells are too bright", "src/cache/radiance_cells.cpp",
+          "answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);",
+          "answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]) * 1.15f;",
+          "*IsNotSeenByFinalGather*"),
 ]
 
 
