@@ -1,6 +1,7 @@
 // Bidirectional path tracing must give the same result as path tracing, for every material, light and camera.
 #include <gtest/gtest.h>
 
+#include "camera_cases.h"
 #include "light_cases.h"
 #include "pictures.h"
 #include "test_scenes.h"
@@ -85,38 +86,13 @@ TEST(Bidirectional, AgreesWithPathsAboutFacesShadedRound) {
         128, 256);
 }
 
-struct CameraCase {
-    const char *name, *camera, *film;
-};
-void PrintTo(const CameraCase& c, std::ostream* out) { *out << c.name; }
-const CameraCase kCameras[] = {
-    {"ThinLens", "Camera \"perspective\" \"float fov\" 70 \"float lensradius\" 0.2 \"float focaldistance\" 2", ""},
-    {"Scaled", "Scale -2 2 2\nLookAt 0 -1.9 1.5  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 70", ""},
-    {"Orthographic",
-     "Camera \"orthographic\" \"float screenwindow\" [-1.5 1.5 -1 1] \"float lensradius\" 0.1 "
-     "\"float focaldistance\" 2",
-     ""},
-    {"OrthographicWithoutALens", "Camera \"orthographic\" \"float screenwindow\" [-1.5 1.5 -1 1]", ""},
-    {"Panorama", "Camera \"environment\"", ""},
-    {"Moving",
-     "ActiveTransform EndTime\nTranslate 0.5 0 0.2\nActiveTransform All\nCamera \"perspective\" \"float fov\" 70", ""},
-    {"Cropped", "Camera \"perspective\" \"float fov\" 70", " \"float cropwindow\" [0.25 0.75 0 0.5]"},
-};
-
-class BidirectionalCameras : public testing::TestWithParam<CameraCase> {};
-INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalCameras, testing::ValuesIn(kCameras),
+class BidirectionalCameras : public testing::TestWithParam<test::CameraCase> {};
+INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalCameras, testing::ValuesIn(test::kCameraCases),
                          [](const auto& i) { return i.param.name; });
 
 TEST_P(BidirectionalCameras, AgreeWithPaths) {
-    const CameraCase& c = GetParam();
-    const bool cropped = *c.film != 0;
-    std::string text = withoutIntegrator(test::room(R"(Material "matte" "rgb Kd" [0.5 0.6 0.3])",
-                                                    kWidth * (cropped ? 2 : 1), kHeight * (cropped ? 2 : 1)));
-    text = test::respelt(text, "Camera \"perspective\" \"float fov\" 70", c.camera);
-    if (std::string(c.camera).find("LookAt") != std::string::npos)
-        text = text.substr(text.find("Scale"));  // the camera of this case in place of the room's
-    text = test::respelt(text, "\nWorldBegin", std::string(c.film) + "\nWorldBegin");
-    expectSameAsPaths("PixelFilter \"gaussian\" \"float xwidth\" 1.5 \"float ywidth\" 1.5\n" + text);
+    expectSameAsPaths(
+        withoutIntegrator(test::roomSeenBy(GetParam(), R"(Material "matte" "rgb Kd" [0.5 0.6 0.3])", kWidth, kHeight)));
 }
 
 }  // namespace

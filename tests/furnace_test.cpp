@@ -41,6 +41,26 @@ void expectConstant(const std::vector<std::vector<Rgb>>& seen, double value, dou
     EXPECT_LT(z.worst, z.bound);
 }
 
+// Pictures by final gather, with cells so large that they know enough soon after so small a picture has begun. Fails if
+// they hardly answer any look-ups.
+std::vector<std::vector<Rgb>> gathered(Scene& scene, int count, int spp) {
+    Stats stats;
+    auto result = pictures(scene, {.integrator = "drc",
+                                   .count = count,
+                                   .spp = spp,
+                                   .change = [](RenderParams& params) { params.cellSize = 0.25f; },
+                                   .stats = &stats});
+    const int64_t unknown = stats.count("cells/look-ups/refused: too little is known");
+    // Paths of a single bounce end before they could ask.
+    if (scene.settings.maxDepth > 1) {
+        EXPECT_GT(stats.count("cells/look-ups/answered"), unknown / 10);
+    }
+    return result;
+}
+std::vector<std::vector<Rgb>> gathered(const std::string& text, int count, int spp) {
+    return gathered(*pbrt::loadPbrtString(text), count, spp);
+}
+
 constexpr const char* kDeep = "Integrator \"path\" \"integer maxdepth\" 64\n";
 
 // A ball whose albedo is the same from every direction: either 0.5, and it emits 0.5, or 1.
@@ -100,6 +120,10 @@ TEST_P(BallInFurnace, IsNotSeenByRadianceMaps) {
     expectConstant(pictures(text(), "drc-maps", 8, 16), 1, GetParam().emits ? 0 : 0.01);
 }
 
+// Cells hold the light that is reflected, divided by the albedo: 1 in the mean on every surface that emits what it does
+// not reflect.
+TEST_P(BallInFurnace, IsNotSeenByFinalGather) { expectConstant(gathered(text(), 16, 64), 1); }
+
 // For balls that do not emit, direct light is not uniform, so they are left out here.
 class EmissiveBallInFurnace : public BallInFurnace {};
 INSTANTIATE_TEST_SUITE_P(Furnaces, EmissiveBallInFurnace, testing::ValuesIn(kBalls, kBalls + kEmissive),
@@ -122,6 +146,7 @@ TEST_P(DepthOfFurnace, IsTheSeriesCutShort) {
     // Enough pictures to estimate the standard deviation that the bound is based on.
     expectConstant(pictures(text, "path", 64, 16), expected);
     expectConstant(pictures(text, "bdpt", 64, 16), expected);
+    expectConstant(gathered(text, 24, 64), expected);
     expectConstant(pictures(text, "drc-maps", 32, 16), expected);
     expectConstant(pictures(text, "direct", 64, 16), 0.75);
 }
@@ -136,6 +161,14 @@ TEST_P(FilterOfFurnace, ChangesNothing) {
         kDeep + ("PixelFilter \"" + std::string(GetParam()) + "\"\n") + test::furnace(0.5f, kWidth, kHeight);
     expectConstant(pictures(text, "path", 16, 64), 1);
     expectConstant(pictures(text, "bdpt", 16, 64), 1);
+    expectConstant(gathered(text, 12, 64), 1);
+}
+
+// The furnace among the scenes that DRC comes with: surfaces that absorb nothing under a uniform sky.
+TEST(FurnaceOfFinalGather, IsExactUnderAUniformSky) {
+    const auto scene = pbrt::loadPbrtFile(DRC_SOURCE_DIR "/scenes/furnace/scene.pbrt",
+                                          {.overrides = {"film.xresolution=24", "film.yresolution=16"}});
+    expectConstant(gathered(*scene, 12, 32), 1);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Moving objects and cameras, through the whole pipeline.
 #include <gtest/gtest.h>
 
+#include "gathered_pictures.h"
 #include "pipeline.h"
 
 namespace drc {
@@ -16,10 +17,10 @@ std::string film(int width, int height) {
 }
 
 // A flying ball and a rotating ellipsoid on a floor beside a wall, with a lamp above. The camera may move as well.
-std::string scene(bool cameraMoves) {
+std::string scene(bool cameraMoves, int width = 12, int height = 8) {
     return std::string("LookAt 0 -5 1.5  0 0 0.8  0 0 1\n") +
            (cameraMoves ? "ActiveTransform EndTime Translate 0.6 0 0 Rotate 8 0 1 0 ActiveTransform All\n" : "") +
-           "Camera \"perspective\" \"float fov\" 45\n" + film(12, 8) +
+           "Camera \"perspective\" \"float fov\" 45\n" + film(width, height) +
            "WorldBegin\nLightSource \"infinite\" \"rgb L\" [0.3 0.3 0.4]\n"
            "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [12 11 9]\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\n"
            "Translate 0 0 3 ReverseOrientation Shape \"disk\" \"float radius\" 0.6\nAttributeEnd\n"
@@ -51,6 +52,16 @@ TEST_P(Motion, DirectAndIndirectAreThePath) {
     const Estimate narrow = of([&](int p, int i) { return pipeline.glossyIndirect(p, i); });
     const Estimate maps = pipeline.cachedIndirect(*makeIdentityMapDenoiser(), settings, 1, 40);
     expectSame(path, direct + narrow + maps, "direct + maps at every pixel");
+}
+
+// Radiance cells on moving surfaces are of all moments of the exposure together.
+TEST_P(Motion, FinalGatherHasThePathTracersMeans) {
+    const auto moving = pbrt::loadPbrtString(scene(GetParam(), 32, 16));
+    const test::Gathered result = test::gather(*moving, {});
+    const test::ZResult z = result.differencesBeyond(0.005);
+    EXPECT_LT(z.worst, z.bound) << "a block is off by " << result.worstDifference();
+    EXPECT_LT(result.meanError(), 0.02) << "too noisy to tell";
+    EXPECT_GT(result.answered, 0.05) << "the cells are hardly asked";
 }
 
 // Under a uniform sky, objects that absorb nothing are as bright as the sky from everywhere. A shadow ray or bounce at

@@ -62,6 +62,13 @@ FAULTS = [
     Fault("deposits hold light of lobes that the cache does not answer for", "src/integrators/final_gather.cpp",
           "trainings.scatter(path.weight, trainsHere ? part : Rgb(1.f));", "trainings.scatter(path.weight, Rgb(1.f));",
           "FinalGather*"),
+    Fault("paths of final gather are one bounce longer", "src/integrators/final_gather.cpp",
+          "if (path.depth >= settings.maxDepth) shown = false;", "if (path.depth > settings.maxDepth) shown = false;",
+          "*IsThePathTracerWithoutCells*"),
+    Fault("answers of radiance cells are too bright", "src/cache/radiance_cells.cpp",
+          "answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);",
+          "answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]) * 1.15f;",
+          "*IsNotSeenByFinalGather*"),
 ]
 
 

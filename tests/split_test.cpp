@@ -34,12 +34,8 @@ Estimate blocks(const Estimate& pixels) {
 }
 
 // slack: tolerated difference, as a share of b.
-void expectSameBlocks(Estimate a, const Estimate& b, const std::string& what, double slack = 0) {
-    for (size_t i = 0; i < a.mean.size(); ++i) {
-        const double most = slack * b.mean[i];
-        a.mean[i] += std::clamp(b.mean[i] - a.mean[i], -most, most);
-    }
-    const test::ZResult z = test::zTest(a, b);
+void expectSameBlocks(const Estimate& a, const Estimate& b, const std::string& what, double slack = 0) {
+    const test::ZResult z = test::zTest(test::allowing(slack, a, b), b);
     EXPECT_EQ(z.tests, int(a.mean.size())) << what;
     EXPECT_LT(z.worst, z.bound) << what;
     EXPECT_LT(z.meanDifference, 4) << what;

@@ -2,6 +2,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -71,6 +72,15 @@ inline Estimate estimateOfMeans(const std::vector<std::vector<Rgb>>& pictures) {
         for (const Rgb& value : pictures[size_t(i)]) sum += value;
         return sum * (1.f / float(pictures[size_t(i)].size()));
     });
+}
+
+// `a`, moved towards `b` by at most this share of b's mean. Tests with it find differences that are larger than that.
+inline Estimate allowing(double share, Estimate a, const Estimate& b) {
+    for (size_t i = 0; i < a.mean.size(); ++i) {
+        const double most = share * std::abs(b.mean[i]);
+        a.mean[i] += std::clamp(b.mean[i] - a.mean[i], -most, most);
+    }
+    return a;
 }
 
 struct ZResult {

@@ -24,13 +24,14 @@ constexpr int kFacings = 27;  // as numbered by facing(), which leaves out the m
 // if the cosine between the normals is below this.
 constexpr float kPlaneDistance = 0.4f, kLeastCosine = 0.7f;
 // Positions, normals and albedos are summed up in units of these.
-constexpr float kPositionUnits = 512, kNormalUnits = 127, kAlbedoUnits = 1024;
+constexpr float kPositionUnits = 512, kNormalUnits = 127, kAlbedoUnits = 0x1p15f;
 // The table doubles when more than this share of it is used.
 constexpr double kMostUsed = 0.4;
 constexpr size_t kFirstCapacity = 1 << 14;
 // The probability that a path goes on where the cache has answered, so as to improve the answer: in proportion to the
-// standard error of the answer, divided by the answer or by this share of the mean of all cells, whichever is more.
-constexpr double kTrainingPerError = 0.25, kLeastTraining = 1 / 64.0, kMostTraining = 0.25, kDimmest = 0.25;
+// mean over all cells of the answers' standard error, divided by the answer or by this share of the mean of all cells,
+// whichever is more.
+constexpr double kTrainingPerError = 0.25, kLeastTraining = 1 / 32.0, kMostTraining = 0.25, kDimmest = 0.25;
 // The grids are shifted by this share of the largest cells, because scenes have many surfaces at round coordinates. By
 // the same distance at all sizes, so that cells are nested; a third remains a third or two thirds of all smaller sizes.
 constexpr float kGridShift = 1 / 3.f;
@@ -95,11 +96,6 @@ const RadianceCells::Answer* RadianceCells::around(const Sums& sums) const {
     return find(keyOf({sums.grid[0] >> 1, sums.grid[1] >> 1, sums.grid[2] >> 1}, int(sums.facing), generation, points));
 }
 
-Vec3 RadianceCells::jittered(const CachePoint& at, int level, const Vec2& u) const {
-    const Frame frame = Frame::fromNormal(at.n);
-    return at.p + (frame.s * (u.x - 0.5f) + frame.t * (u.y - 0.5f)) * sizeOf(level);
-}
-
 const RadianceCells::Answer* RadianceCells::find(uint64_t key) const {
     const Answer* bucket = &answers_[bucketOf(key)];
     for (size_t way = 0; way < kWays; ++way)
@@ -107,32 +103,28 @@ const RadianceCells::Answer* RadianceCells::find(uint64_t key) const {
     return nullptr;
 }
 
-void RadianceCells::prefetch(const CachePoint& at, const Vec2& u) const {
-    const auto* bucket = reinterpret_cast<const char*>(
-        &answers_[bucketOf(placeOf(jittered(at, 0, u), at.n, 0, pointsOf(largestLevel(at))).key)]);
+void RadianceCells::prefetch(const CachePoint& at) const {
+    const auto* bucket =
+        reinterpret_cast<const char*>(&answers_[bucketOf(placeOf(at.p, at.n, 0, pointsOf(largestLevel(at))).key)]);
     __builtin_prefetch(bucket);
     __builtin_prefetch(bucket + 64);
 }
 
-bool RadianceCells::lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& answer) const {
+bool RadianceCells::lookUp(const CachePoint& at, CacheAnswer& answer) const {
     const int largest = largestLevel(at);
     for (int level = 0; level <= largest; ++level) {
-        // At a random position around the point, so that the borders of cells do not show; where that is not on the
-        // same surface, at the point.
-        for (const Vec3& p : {jittered(at, level, u), at.p}) {
-            const Answer* cell = find(placeOf(p, at.n, level, pointsOf(largest)).key);
-            if (cell == nullptr || !cell->known) continue;
-            const Vec3 normal = Vec3(cell->normal[0], cell->normal[1], cell->normal[2]) * (1 / kNormalUnits);
-            if (dot(normal, at.n) < kLeastCosine) continue;
-            if (std::abs(dot(normal, at.p) - cell->plane) > kPlaneDistance * sizeOf(level)) continue;
-            answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);
-            answer.training = float(cell->training) * (1 / 255.f);
-            // All threads write the same number, and only if it is another one, so that they share the cache line.
-            std::atomic_ref<uint16_t> lastUse(const_cast<Answer*>(cell)->lastUse);
-            if (lastUse.load(std::memory_order_relaxed) != uint16_t(now_))
-                lastUse.store(uint16_t(now_), std::memory_order_relaxed);
-            return true;
-        }
+        const Answer* cell = find(placeOf(at.p, at.n, level, pointsOf(largest)).key);
+        if (cell == nullptr || !cell->known) continue;
+        const Vec3 normal = Vec3(cell->normal[0], cell->normal[1], cell->normal[2]) * (1 / kNormalUnits);
+        if (dot(normal, at.n) < kLeastCosine) continue;
+        if (std::abs(dot(normal, at.p) - cell->plane) > kPlaneDistance * sizeOf(level)) continue;
+        answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);
+        answer.training = training_;
+        // All threads write the same number, and only if it is another one, so that they share the cache line.
+        std::atomic_ref<uint16_t> lastUse(const_cast<Answer*>(cell)->lastUse);
+        if (lastUse.load(std::memory_order_relaxed) != uint16_t(now_))
+            lastUse.store(uint16_t(now_), std::memory_order_relaxed);
+        return true;
     }
     answer.training = 1;
     return false;
@@ -196,26 +188,26 @@ bool RadianceCells::divides(const Sums& sums) const {
     return kCellsWithin * double(sums.within) / perSquare() <= double(settings_.variance) * mean * mean * count * count;
 }
 
-void RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
+double RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
     answer.known = false;
     // From the largest cell around it on to smaller ones, as long as each may be divided. The larger one decides for
     // all cells within it: if each decided by its own variance, or by that of a part, those that happen to lack their
     // brightest samples would be preferred, and light would be lost. Where few points have a reach for the larger one,
     // it does not know enough to decide.
     std::array<const Sums*, kMostSizes> nested{&own};
-    size_t count = 1;
-    for (const Answer* larger; count < kMostSizes && (larger = around(*nested[count - 1])) != nullptr;)
-        nested[count++] = &sumsOf(*larger);
+    size_t sizes = 1;
+    for (const Answer* larger; sizes < kMostSizes && (larger = around(*nested[sizes - 1])) != nullptr;)
+        nested[sizes++] = &sumsOf(*larger);
     const Sums* sums = nullptr;
-    while (count-- > 0) {
-        if (!knowsEnough(*nested[count])) continue;
+    while (sizes-- > 0) {
+        if (!knowsEnough(*nested[sizes])) continue;
         if (sums != nullptr && !divides(*sums)) break;
-        sums = nested[count];
+        sums = nested[sizes];
     }
-    if (sums == nullptr) return;
+    if (sums == nullptr) return 1;
     const auto vector = [](const int32_t(&v)[3]) { return Vec3(float(v[0]), float(v[1]), float(v[2])); };
     const float length2 = lengthSquared(vector(sums->normal));
-    if (!(length2 > 0)) return;
+    if (!(length2 > 0)) return 1;
     const Vec3 normal = vector(sums->normal) * (1 / std::sqrt(length2));
     for (int c = 0; c < 3; ++c) answer.normal[c] = int8_t(std::lrint(normal[c] * kNormalUnits));
     // By the normal that look-ups see.
@@ -225,11 +217,10 @@ void RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
     answer.plane = dot(seen, cornerOf(sums->grid, level) + vector(sums->position) * perUnit);
     const Rgb value = perAlbedo(*sums);
     for (int c = 0; c < 3; ++c) answer.perAlbedo[c] = value[c];
-    const double deposits = double(sums->count), mean = double(luminance(value));
-    const double variance = std::max(0.0, double(sums->square) / (perSquare() * deposits) - mean * mean) / deposits;
-    const double error = std::sqrt(variance) / std::max(1e-30, std::max(mean, kDimmest * mean_));
-    answer.training = uint8_t(std::lrint(255 * std::clamp(kTrainingPerError * error, kLeastTraining, kMostTraining)));
     answer.known = true;
+    const double count = double(sums->count), mean = double(luminance(value));
+    const double variance = std::max(0.0, double(sums->square) / (perSquare() * count) - mean * mean) / count;
+    return std::sqrt(variance) / std::max(1e-30, std::max(mean, kDimmest * mean_));
 }
 
 size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) {
@@ -286,7 +277,19 @@ void RadianceCells::renewAnswers() {
     });
     used_ = used;
     mean_ = count > 0 ? double(light) / perMeanQuantum / double(count) : 0;
-    forEachCell([&](size_t i) { renewAnswer(answers_[i], sums_[i]); });
+    // The probability of training is the same everywhere. If it went by each cell's own error, noisy and bright parts
+    // of a larger cell would have more weight in its mean than look-ups give them, and a cell that happens to lack its
+    // brightest samples would long keep that answer.
+    std::atomic<int64_t> errors = 0;
+    constexpr double kPerError = 0x1p10;
+    forEachCell([&](size_t i) {
+        const double error = renewAnswer(answers_[i], sums_[i]);
+        if (levelOf(int(sums_[i].generation)) == 0)
+            errors.fetch_add(std::llrint(std::min(error, 4.0) * kPerError) * int64_t(sums_[i].count),
+                             std::memory_order_relaxed);
+    });
+    const double error = count > 0 ? double(errors) / kPerError / double(count) : kMostTraining / kTrainingPerError;
+    training_ = float(std::clamp(kTrainingPerError * error, kLeastTraining, kMostTraining));
 }
 
 // A bucket's cells go to the bucket of the same number or to the one that the new bit of the index leads to.

@@ -37,8 +37,8 @@ class RadianceCells final : public RadianceCache {
     explicit RadianceCells(const RadianceCellSettings& settings);
 
     bool accepts(const CachePoint& at) const override { return at.reach >= reachFor(0); }
-    void prefetch(const CachePoint& at, const Vec2& u) const override;
-    bool lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& answer) const override;
+    void prefetch(const CachePoint& at) const override;
+    bool lookUp(const CachePoint& at, CacheAnswer& answer) const override;
 
     // Adds all deposits and empties the lists; returns how many there were. Their order matters only for which cells
     // are kept when memory is short. Not while others look up.
@@ -65,10 +65,9 @@ class RadianceCells final : public RadianceCache {
         float perAlbedo[3]{};
         int8_t normal[3]{};  // of the surface, in units of 1/127
         bool known = false;
-        float plane = 0;         // distance of the surface from the world's origin along the normal, world units
-        uint16_t lastUse = 0;    // number of the commit, modulo 2^16
-        uint8_t training = 255;  // probability that a path goes on from here, in units of 1/255
-        uint8_t points = 0;      // whose cell it is, see pointsOf
+        float plane = 0;       // distance of the surface from the world's origin along the normal, world units
+        uint16_t lastUse = 0;  // number of the commit, modulo 2^16
+        uint8_t points = 0;    // whose cell it is, see pointsOf
     };
     struct Sums {
         int64_t light[3]{};
@@ -85,7 +84,7 @@ class RadianceCells final : public RadianceCache {
         uint32_t facing : 5 = 0;
     };
     // Halves all sums when there are so many deposits, before 32 bits overflow.
-    static constexpr uint32_t kMostDeposits = 1 << 21;
+    static constexpr uint32_t kMostDeposits = 1 << 17;
     static_assert(sizeof(Answer) == 32 && sizeof(Sums) == 96);
     // Cells in a bucket, two cache lines, any of which may hold a key.
     static constexpr size_t kWays = 4;
@@ -114,13 +113,12 @@ class RadianceCells final : public RadianceCache {
     Place placeOf(const Vec3& p, const Vec3& n, int level, uint8_t points) const;
     Vec3 cornerOf(const int32_t (&grid)[3], int level) const;
     size_t bucketOf(uint64_t key) const { return size_t(key) & (answers_.size() - kWays); }
-    // A random position near the point, in the plane of its surface.
-    Vec3 jittered(const CachePoint& at, int level, const Vec2& u) const;
     const Answer* find(uint64_t key) const;
     // The cell of the next larger size around one; null: there is none.
     const Answer* around(const Sums& sums) const;
     void add(const CacheDeposit& deposit, int level, const Place& place);
-    void renewAnswer(Answer& answer, const Sums& sums);
+    // Returns the relative standard error of the answer.
+    double renewAnswer(Answer& answer, const Sums& sums);
     const Answer& answerOf(const Sums& sums) const { return answers_[size_t(&sums - sums_.begin())]; }
     const Sums& sumsOf(const Answer& cell) const { return sums_[size_t(&cell - answers_.begin())]; }
     bool knowsEnough(const Sums& sums) const { return sums.count >= uint32_t(settings_.deposits); }
@@ -140,7 +138,8 @@ class RadianceCells final : public RadianceCache {
     int refined_ = 0;   // how often
     uint32_t now_ = 1;  // counts commits
     size_t used_ = 0;
-    double mean_ = 0;  // of all deposits' luminance, divided by the albedo's
+    float training_ = 1;  // CacheAnswer::training of what is known
+    double mean_ = 0;     // of all deposits' luminance, divided by the albedo's
     HugeArray<Answer> answers_;
     HugeArray<Sums> sums_;  // by the same indices
 };

@@ -18,7 +18,6 @@ namespace {
 constexpr float kSize = 0.05f;
 constexpr float kFar = 1000 * kSize;  // a reach for all sizes
 constexpr Vec3 kUp{0, 0, 1};
-constexpr Vec2 kStraight{0.5f, 0.5f};  // numbers for a look-up at the point itself
 
 using Deposits = std::vector<CacheDeposit>;
 
@@ -43,10 +42,9 @@ void commit(RadianceCells& cells, Deposits deposits) {
 }
 
 // The answer's red; -1: none.
-float answerAt(const RadianceCells& cells, const Vec3& p, const Vec3& n = kUp, float reach = kFar,
-               const Vec2& u = kStraight) {
+float answerAt(const RadianceCells& cells, const Vec3& p, const Vec3& n = kUp, float reach = kFar) {
     CacheAnswer answer;
-    return cells.lookUp({p, n, reach}, u, answer) ? answer.perAlbedo.x : -1;
+    return cells.lookUp({p, n, reach}, answer) ? answer.perAlbedo.x : -1;
 }
 
 // Points all over a square of the plane z = height that is several of the largest cells wide, so many that each of the
@@ -89,7 +87,7 @@ TEST(RadianceCells, AConstantFieldIsAnsweredExactly) {
     const float inside = largest(settingsOf());
     for (int i = 0; i < 1000; ++i) {
         const Vec3 p(inside * (1 + random.nextFloat()), inside * (1 + random.nextFloat()), 0);
-        EXPECT_FLOAT_EQ(answerAt(cells, p, kUp, kFar, random.nextVec2()), 0.375f);
+        EXPECT_FLOAT_EQ(answerAt(cells, p, kUp, kFar), 0.375f);
     }
 }
 
@@ -112,7 +110,7 @@ TEST(RadianceCells, AnswersAreRatiosOfSums) {
     for (int i = 0; i < 500; ++i) red.push_back({{Vec3(2, 0, 0), kUp, kFar}, Rgb(0.5f, 0.25f, 0), Rgb(0.5f, 1, 0)});
     commit(cells, red);
     CacheAnswer answer;
-    ASSERT_TRUE(cells.lookUp({Vec3(2, 0, 0), kUp, kFar}, kStraight, answer));
+    ASSERT_TRUE(cells.lookUp({Vec3(2, 0, 0), kUp, kFar}, answer));
     EXPECT_EQ(answer.perAlbedo, Rgb(1, 0.25f, 0));
 }
 
@@ -204,8 +202,8 @@ TEST(RadianceCells, BothSidesOfAThinWallHaveTheirOwnAnswers) {
     commit(cells, deposits);
     for (int i = 0; i < 1000; ++i) {
         const float y = random.nextFloat(), z = random.nextFloat();
-        EXPECT_FLOAT_EQ(answerAt(cells, Vec3(0, y, z), Vec3(1, 0, 0), kFar, random.nextVec2()), 100);
-        EXPECT_FLOAT_EQ(answerAt(cells, Vec3(-0.001f, y, z), Vec3(-1, 0, 0), kFar, random.nextVec2()), 1);
+        EXPECT_FLOAT_EQ(answerAt(cells, Vec3(0, y, z), Vec3(1, 0, 0), kFar), 100);
+        EXPECT_FLOAT_EQ(answerAt(cells, Vec3(-0.001f, y, z), Vec3(-1, 0, 0), kFar), 1);
     }
 }
 
@@ -235,10 +233,10 @@ TEST(RadianceCells, OtherSurfacesAreNotMistakenForThePoints) {
         answered += answerAt(cells, p) == 1;
         for (const float d : {0.5f, 0.7f, 0.99f, 1.5f})
             for (const float sign : {-1.f, 1.f})
-                EXPECT_EQ(answerAt(cells, p + Vec3(0, 0, sign * d * kSize), kUp, kFar, random.nextVec2()), -1) << d;
+                EXPECT_EQ(answerAt(cells, p + Vec3(0, 0, sign * d * kSize), kUp, kFar), -1) << d;
         // Walls that meet the floor here, and a roof's slope.
         for (const Vec3& n : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, -1), normalize(Vec3(0, 1, 1))})
-            EXPECT_EQ(answerAt(cells, p, n, kFar, random.nextVec2()), -1);
+            EXPECT_EQ(answerAt(cells, p, n, kFar), -1);
     }
     EXPECT_EQ(answered, 300);
 }
@@ -310,7 +308,7 @@ std::vector<float> manyAnswers(const RadianceCells& cells, float width) {
         const Vec3 p(width * random.nextFloat(), width * random.nextFloat(), 0.01f);
         const float reach = random.nextUint(2) == 0 ? kFar : 0.3f * kFar * random.nextFloat();
         CacheAnswer answer;
-        const bool any = cells.lookUp({p, kUp, reach}, random.nextVec2(), answer);
+        const bool any = cells.lookUp({p, kUp, reach}, answer);
         answers.push_back(any ? answer.perAlbedo.x : -1);
         answers.push_back(answer.training);
     }

@@ -80,7 +80,6 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
     // that of the others.
     Rgb share(1.f);
     bool shown = true;  // whether share is not zero
-    bool trains = false;
     Trainings trainings;
     PathState path(cameraRay);
     float distance = 0, pdf = 0;  // since the last non-specular vertex, and of its direction
@@ -108,11 +107,7 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
         const bool mayAsk = path.depth == 1 || (path.depth > 1 && settings.maxDepth >= kLongPaths);
         const CachePoint at{hit.p, faceForward(hit.ng, hit.wo), CachePoint::reachOf(distance, pdf)};
         const bool accepted = mayAsk && cache.accepts(at);
-        Vec2 uCache(0.f);
-        if (accepted && shown) {
-            uCache = random.nextVec2();
-            cache.prefetch(at, uCache);
-        }
+        if (accepted && shown) cache.prefetch(at);
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
         path.group = lighting_.groupOf(hit, bsdf);
@@ -128,15 +123,15 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
                 if (shown) {
                     ++counts.asked;
                     CacheAnswer answer;
-                    answered = cache.lookUp(at, uCache, answer);
+                    answered = cache.lookUp(at, answer);
                     if (answered) {
                         ++counts.answered;
                         sum += path.throughput * share * albedo * answer.perAlbedo;
                         shown = mixed;
                     }
-                    trains = trains || random.nextFloat() < answer.training;
+                    // Deposits are made where look-ups are, and nowhere else, so that both have the same distribution.
+                    trainsHere = random.nextFloat() < answer.training && trainings.begin(at, albedo, path.depth);
                 }
-                trainsHere = trains && trainings.begin(at, albedo, path.depth);
             }
         }
         if (!shown && trainings.empty()) break;

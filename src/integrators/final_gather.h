@@ -36,7 +36,8 @@ class FinalGather {
         : lighting_(lighting), walker_(lighting, settings) {}
 
     // All light that arrives at the ray's origin along it. seed: of the random numbers for look-ups. A path trains the
-    // cache, that is it goes on and makes deposits, with the probability that the cache asks for. Deposits are appended.
+    // cache, that is it goes on and makes deposits, with the probability that the cache asks for. Deposits are
+    // appended.
     Rgb radiance(const Ray& ray, Sampler& sampler, const RadianceCache& cache, uint64_t seed,
                  std::vector<CacheDeposit>& deposits, Counts& counts, GBufferSample* gBuffer = nullptr) const;
 

@@ -33,9 +33,9 @@ class RadianceCache {
     // deposits and look-ups come from the same points.
     virtual bool accepts(const CachePoint& at) const = 0;
     // Asks the processor for the memory that lookUp will read first.
-    virtual void prefetch(const CachePoint& at, const Vec2& u) const = 0;
-    // False: too little is known. u: two numbers in [0, 1). Safe from any number of threads.
-    virtual bool lookUp(const CachePoint& at, const Vec2& u, CacheAnswer& answer) const = 0;
+    virtual void prefetch(const CachePoint& at) const = 0;
+    // False: too little is known. Safe from any number of threads.
+    virtual bool lookUp(const CachePoint& at, CacheAnswer& answer) const = 0;
 };
 
 // What a path has found out about a point that the cache accepts.
