@@ -168,7 +168,7 @@ TEST_P(FilterOfFurnace, ChangesNothing) {
 TEST(FurnaceOfFinalGather, IsExactUnderAUniformSky) {
     const auto scene = pbrt::loadPbrtFile(DRC_SOURCE_DIR "/scenes/furnace/scene.pbrt",
                                           {.overrides = {"film.xresolution=24", "film.yresolution=16"}});
-    expectConstant(gathered(*scene, 12, 32), 1);
+    expectConstant(gathered(*scene, 12, 128), 1);
 }
 
 }  // namespace

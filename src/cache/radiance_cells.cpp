@@ -111,6 +111,8 @@ void RadianceCells::prefetch(const CachePoint& at) const {
 }
 
 bool RadianceCells::lookUp(const CachePoint& at, CacheAnswer& answer) const {
+    answer.training = 1;
+    if (!accepts(at)) return false;
     const int largest = largestLevel(at);
     for (int level = 0; level <= largest; ++level) {
         const Answer* cell = find(placeOf(at.p, at.n, level, pointsOf(largest)).key);
@@ -126,7 +128,6 @@ bool RadianceCells::lookUp(const CachePoint& at, CacheAnswer& answer) const {
             lastUse.store(uint16_t(now_), std::memory_order_relaxed);
         return true;
     }
-    answer.training = 1;
     return false;
 }
 
@@ -227,8 +228,9 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     ++now_;
     size_t deposits = 0;
     for (const auto* list : lists) deposits += list->size();
+    // In a first pass nearly every deposit makes a cell or more; what does not fit into its bucket would be lost.
     while (answers_.size() < settings_.capacity &&
-           double(used_) + double(deposits) / 4 > kMostUsed * double(answers_.size()))
+           double(used_) + double(deposits) > kMostUsed * double(answers_.size()))
         grow();
     // Each thread fills a part of the table, from all deposits in their order.
     const int parts = int(std::bit_ceil(unsigned(threadCount())));

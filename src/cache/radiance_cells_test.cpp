@@ -254,7 +254,9 @@ TEST(RadianceCells, WhatIsAcceptedDependsOnTheReachAlone) {
         return result;
     };
     const std::vector<bool> empty = accepted();
-    for (int i = 0; i < 3; ++i) commit(cells, depositsAt(floorPoints(), [](const Vec3& p) { return p.x; }));
+    for (int i = 0; i < 3; ++i)
+        commit(cells, depositsAt(
+                          floorPoints(), [](const Vec3& p) { return p.x; }, 1.001f * least));
     EXPECT_EQ(accepted(), empty);
     // What is not accepted has no answer, though it would be known.
     EXPECT_GE(answerAt(cells, Vec3(0.3f, 0.3f, 0), kUp, 1.001f * least), 0);
