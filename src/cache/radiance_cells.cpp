@@ -25,6 +25,8 @@ constexpr int kFacings = 27;  // as numbered by facing(), which leaves out the m
 constexpr float kPlaneDistance = 0.4f, kLeastCosine = 0.7f;
 // Positions, normals and albedos are summed up in units of these.
 constexpr float kPositionUnits = 512, kNormalUnits = 127, kAlbedoUnits = 0x1p15f;
+// Cells of points with a short reach need so many times the deposits.
+constexpr uint32_t kNearby = 16;
 // The table doubles when more than this share of it is used.
 constexpr double kMostUsed = 0.4;
 constexpr size_t kFirstCapacity = 1 << 14;
@@ -179,6 +181,11 @@ Rgb RadianceCells::perAlbedo(const Sums& sums) const {
         if (sums.albedo[c] > 0)
             result[c] = float(double(sums.light[c]) / perQuantum_ / (double(sums.albedo[c]) / double(kAlbedoUnits)));
     return result;
+}
+
+// A cell that is seen from nearby is seen by few pixels, in which its noise would stand out.
+bool RadianceCells::knowsEnough(const Sums& sums) const {
+    return sums.count >= uint32_t(settings_.deposits) * (answerOf(sums).points == 0 ? 1 : kNearby);
 }
 
 // The cells within it share the deposits; their means are compared with the mean of all, which is what viewers see of

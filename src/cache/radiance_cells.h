@@ -121,7 +121,7 @@ class RadianceCells final : public RadianceCache {
     double renewAnswer(Answer& answer, const Sums& sums);
     const Answer& answerOf(const Sums& sums) const { return answers_[size_t(&sums - sums_.begin())]; }
     const Sums& sumsOf(const Answer& cell) const { return sums_[size_t(&cell - answers_.begin())]; }
-    bool knowsEnough(const Sums& sums) const { return sums.count >= uint32_t(settings_.deposits); }
+    bool knowsEnough(const Sums& sums) const;
     // Whether the means of the cells within this one would be good enough.
     bool divides(const Sums& sums) const;
     double meanOf(const Sums& sums) const { return double(luminance(perAlbedo(sums))); }
