@@ -48,7 +48,7 @@ std::vector<std::vector<Rgb>> gathered(Scene& scene, int count, int spp) {
     auto result = pictures(scene, {.integrator = "drc",
                                    .count = count,
                                    .spp = spp,
-                                   .change = [](RenderParams& params) { params.cellSize = 0.25f; },
+                                   .change = [](RenderParams& params) { params.cellSize = 0.1f; },
                                    .stats = &stats});
     const int64_t unknown = stats.count("cells/look-ups/refused: too little is known");
     // Paths of a single bounce end before they could ask.
