@@ -32,7 +32,7 @@ inline std::string roomSeenBy(const CameraCase& c, const std::string& material, 
         respelt(room(material, width * factor, height * factor), "Camera \"perspective\" \"float fov\" 70", c.camera);
     if (std::string(c.camera).find("LookAt") != std::string::npos)
         text = text.substr(text.find("Scale"));  // the camera of this case in place of the room's
-    text = respelt(text, "\nWorldBegin", std::string(c.film) + "\nWorldBegin");
+    text = respelt(text, "\nIntegrator", std::string(c.film) + "\nIntegrator");
     return "PixelFilter \"gaussian\" \"float xwidth\" 1.5 \"float ywidth\" 1.5\n" + text;
 }
 
