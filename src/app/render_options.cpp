@@ -148,16 +148,17 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
         ->check(CLI::IsMember(integrators));
     addFilm(command, o);
     addAmounts(command, o);
-    addChoice<Denoise>(
-        command, "--denoise", o.params.denoise,
-        {{"auto", Denoise::Automatic},
-         {"off", Denoise::Off},
-         {"surface", Denoise::Surface},
-         {"oidn", Denoise::Oidn},
-         {"oidn-direct", Denoise::OidnDirect}},
-        "auto: surface with drc-maps, else oidn if it is found, else off; oidn: Intel's Open Image Denoise on the whole "
-        "picture; oidn-direct: the same on the direct light of drc-maps alone; surface: averages the layers of drc-maps along "
-        "surfaces, as far as their noise requires; off: nothing. Default: auto");
+    addChoice<Denoise>(command, "--denoise", o.params.denoise,
+                       {{"auto", Denoise::Automatic},
+                        {"off", Denoise::Off},
+                        {"surface", Denoise::Surface},
+                        {"oidn", Denoise::Oidn},
+                        {"oidn-direct", Denoise::OidnDirect}},
+                       "auto: surface with drc-maps, else oidn if it is found, else off; oidn: Intel's Open Image "
+                       "Denoise on the whole "
+                       "picture; oidn-direct: the same on the direct light of drc-maps alone; surface: averages the "
+                       "layers of drc-maps along "
+                       "surfaces, as far as their noise requires; off: nothing. Default: auto");
     addChoice<std::optional<OidnQuality>>(command, "--oidn-quality", o.params.oidnQuality,
                                           {{"auto", std::nullopt},
                                            {"high", OidnQuality::High},

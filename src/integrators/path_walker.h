@@ -33,7 +33,7 @@ struct PathState {
     Ray ray;
     Vec3 from;  // the vertex that the ray leaves, on the surface, not offset from it
     Rgb throughput{1.f};
-    Rgb weight{1.f};  // the factor that the latest vertex has multiplied it by
+    Rgb weight{1.f};                        // the factor that the latest vertex has multiplied it by
     float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
     float etaScale = 1;                     // undoes the scaling of radiance by refraction, for Russian roulette
     float distance = 0;                     // length of the path, world units

@@ -43,9 +43,9 @@ struct RenderParams {
     std::optional<bool> oidnPrefilter;
     bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
     bool variance = false;  // keep half buffers: PictureLayer::variance
-    bool cells = true;   // whether paths of integrator drc end in radiance cells; false: it is the path tracer
+    bool cells = true;      // whether paths of integrator drc end in radiance cells; false: it is the path tracer
     float cellSize = 0;  // edge of the finest cells at first, world units; 0: by the distances that the picture shows
-    bool guide = true;      // whether sampling of the environment learns where its light enters (EnvironmentGuide)
+    bool guide = true;   // whether sampling of the environment learns where its light enters (EnvironmentGuide)
 };
 
 // The same parameters with nothing left open: integrator, spp, mapPasses, maxDepth and all others have values. Throws

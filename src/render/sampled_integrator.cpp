@@ -21,10 +21,10 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
     const RenderParams& params = context_.params;
     const CameraRay& camera = sample.camera;
     GBufferSample gBuffer;
-    const Rgb value =
-        camera.weight > 0
-            ? radiance(camera.ray, sample.sampler, {x, y, index}, film, params.gBuffer ? &gBuffer : nullptr) * camera.weight
-            : Rgb(0.f);
+    const Rgb value = camera.weight > 0 ? radiance(camera.ray, sample.sampler, {x, y, index}, film,
+                                                   params.gBuffer ? &gBuffer : nullptr) *
+                                              camera.weight
+                                        : Rgb(0.f);
     film.layer(0).add(x, y, params.variance ? halfOf(params.seed, index) : 0, value, sample.filterWeight);
     if (params.gBuffer) addGBufferSample(film.layer(1), x, y, gBuffer, sample.filterWeight);
 }
