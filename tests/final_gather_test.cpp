@@ -20,7 +20,7 @@ void expectSameAsPaths(Scene& scene, const test::Comparison& comparison = {}) {
     test::record(result);
     EXPECT_LT(blocks.worst, blocks.bound) << "a block is off by " << result.worstDifference();
     EXPECT_LT(means.worst, means.bound) << "the mean is off by " << result.means.mean[1] / result.pathMeans.mean[1] - 1;
-    EXPECT_LT(result.meanError(), 0.03) << "too noisy to tell";
+    EXPECT_LT(result.meanError(), 0.02) << "too noisy to tell";
     EXPECT_GT(result.answered, 0.05) << "the cells are hardly asked";
 }
 
@@ -132,7 +132,9 @@ TEST_P(FinalGatherOfScenes, HasThePathTracersMeans) {
     pbrt::LoadOptions options;
     options.overrides = {"film.xresolution=48", "film.yresolution=48"};
     const auto scene = pbrt::loadPbrtFile(std::string(DRC_SOURCE_DIR "/scenes/") + GetParam() + "/scene.pbrt", options);
-    expectSameAsPaths(*scene);
+    // Its frosted panes light the bathroom by paths that only chance finds.
+    const int spp = std::string(GetParam()) == "bathroom" ? 112 : 48;
+    expectSameAsPaths(*scene, {.gatherSpp = spp, .pathSpp = spp});
 }
 
 }  // namespace

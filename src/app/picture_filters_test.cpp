@@ -116,7 +116,7 @@ TEST_F(PictureFiltersTest, AutoTakesTheLibraryThatIsFound) {
                 ElementsAre("oidn high", "oidn balanced without prefilter", "oidn fast without prefilter", "nothing"));
     const std::vector<PictureFilters> open = filtersFor(params, chosen_);
     EXPECT_LE(open[0].mostOfBudget, 0.1);
-    EXPECT_LE(open[1].mostOfBudget, 0.5);
+    EXPECT_LE(open[1].mostOfBudget, 0.4);
     EXPECT_FALSE(open[0].wanted || open[1].wanted);
     EXPECT_TRUE(open[2].wanted);
     EXPECT_GT(open[0].secondsPerPixel, open[1].secondsPerPixel);
