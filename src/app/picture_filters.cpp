@@ -13,7 +13,7 @@ namespace {
 
 // Shares of a time budget that finishing the picture may take. Filters that were asked for are worth most of it. High
 // pays where it costs little; balanced up to two fifths: fast cost 10 to 30 % of error where 10 s were all
-// (docs/measuring.md).
+// (docs/decisions/reconstruction-filters.md).
 constexpr double kWanted = 0.7, kHigh = 0.1, kBalanced = 0.4;
 
 bool isOidn(Denoise denoise) { return denoise == Denoise::Oidn || denoise == Denoise::OidnDirect; }

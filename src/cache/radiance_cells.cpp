@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "math/frame.h"
 #include "math/rng.h"
 
 namespace drc {
@@ -200,8 +199,7 @@ double RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
     answer.known = false;
     // From the largest cell around it on to smaller ones, as long as each may be divided. The larger one decides for
     // all cells within it: if each decided by its own variance, or by that of a part, those that happen to lack their
-    // brightest samples would be preferred, and light would be lost. Where few points have a reach for the larger one,
-    // it does not know enough to decide.
+    // brightest samples would be preferred, and light would be lost.
     std::array<const Sums*, kMostSizes> nested{&own};
     size_t sizes = 1;
     for (const Answer* larger; sizes < kMostSizes && (larger = around(*nested[sizes - 1])) != nullptr;)
