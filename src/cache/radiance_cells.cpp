@@ -37,6 +37,9 @@ constexpr double kTrainingPerError = 0.25, kLeastTraining = 1 / 32.0, kMostTrain
 // the same distance at all sizes, so that cells are nested; a third remains a third or two thirds of all smaller sizes.
 constexpr float kGridShift = 1 / 3.f;
 
+// The number of cells whose memory is asked for at a time.
+constexpr size_t kBatch = 32;
+
 int facing(const Vec3& n) {
     const auto digit = [](float v) { return v > kFacing ? 2 : v < -kFacing ? 0 : 1; };
     return digit(n.x) + 3 * (digit(n.y) + 3 * digit(n.z));
@@ -90,11 +93,11 @@ Vec3 RadianceCells::cornerOf(const int32_t (&grid)[3], int level) const {
     return Vec3(float(grid[0]), float(grid[1]), float(grid[2])) * sizeOf(level) - Vec3(shift_);
 }
 
-const RadianceCells::Answer* RadianceCells::around(const Sums& sums) const {
+uint64_t RadianceCells::keyAround(const Sums& sums) const {
     const int generation = int(sums.generation) + 1;
     const uint8_t points = answerOf(sums).points;
-    if (levelOf(generation) >= settings_.sizes || (points != 0 && generation > points)) return nullptr;
-    return find(keyOf({sums.grid[0] >> 1, sums.grid[1] >> 1, sums.grid[2] >> 1}, int(sums.facing), generation, points));
+    if (levelOf(generation) >= settings_.sizes || (points != 0 && generation > points)) return 0;
+    return keyOf({sums.grid[0] >> 1, sums.grid[1] >> 1, sums.grid[2] >> 1}, int(sums.facing), generation, points);
 }
 
 const RadianceCells::Answer* RadianceCells::find(uint64_t key) const {
@@ -104,11 +107,14 @@ const RadianceCells::Answer* RadianceCells::find(uint64_t key) const {
     return nullptr;
 }
 
-void RadianceCells::prefetch(const CachePoint& at) const {
-    const auto* bucket =
-        reinterpret_cast<const char*>(&answers_[bucketOf(placeOf(at.p, at.n, 0, pointsOf(largestLevel(at))).key)]);
+void RadianceCells::prefetchBucket(uint64_t key) const {
+    const auto* bucket = reinterpret_cast<const char*>(&answers_[bucketOf(key)]);
     __builtin_prefetch(bucket);
     __builtin_prefetch(bucket + 64);
+}
+
+void RadianceCells::prefetch(const CachePoint& at) const {
+    prefetchBucket(placeOf(at.p, at.n, 0, pointsOf(largestLevel(at))).key);
 }
 
 bool RadianceCells::lookUp(const CachePoint& at, CacheAnswer& answer) const {
@@ -195,37 +201,23 @@ bool RadianceCells::divides(const Sums& sums) const {
     return kCellsWithin * double(sums.within) / perSquare() <= double(settings_.variance) * mean * mean * count * count;
 }
 
-double RadianceCells::renewAnswer(Answer& answer, const Sums& own) {
+double RadianceCells::renewAnswer(Answer& answer, const Sums& sums) const {
     answer.known = false;
-    // From the largest cell around it on to smaller ones, as long as each may be divided. The larger one decides for
-    // all cells within it: if each decided by its own variance, or by that of a part, those that happen to lack their
-    // brightest samples would be preferred, and light would be lost.
-    std::array<const Sums*, kMostSizes> nested{&own};
-    size_t sizes = 1;
-    for (const Answer* larger; sizes < kMostSizes && (larger = around(*nested[sizes - 1])) != nullptr;)
-        nested[sizes++] = &sumsOf(*larger);
-    const Sums* sums = nullptr;
-    while (sizes-- > 0) {
-        if (!knowsEnough(*nested[sizes])) continue;
-        if (sums != nullptr && !divides(*sums)) break;
-        sums = nested[sizes];
-    }
-    if (sums == nullptr) return 1;
     const auto vector = [](const int32_t(&v)[3]) { return Vec3(float(v[0]), float(v[1]), float(v[2])); };
-    const float length2 = lengthSquared(vector(sums->normal));
+    const float length2 = lengthSquared(vector(sums.normal));
     if (!(length2 > 0)) return 1;
-    const Vec3 normal = vector(sums->normal) * (1 / std::sqrt(length2));
+    const Vec3 normal = vector(sums.normal) * (1 / std::sqrt(length2));
     for (int c = 0; c < 3; ++c) answer.normal[c] = int8_t(std::lrint(normal[c] * kNormalUnits));
     // By the normal that look-ups see.
     const Vec3 seen = Vec3(answer.normal[0], answer.normal[1], answer.normal[2]) * (1 / kNormalUnits);
-    const int level = levelOf(int(sums->generation));
-    const float perUnit = sizeOf(level) / (kPositionUnits * float(sums->count));
-    answer.plane = dot(seen, cornerOf(sums->grid, level) + vector(sums->position) * perUnit);
-    const Rgb value = perAlbedo(*sums);
+    const int level = levelOf(int(sums.generation));
+    const float perUnit = sizeOf(level) / (kPositionUnits * float(sums.count));
+    answer.plane = dot(seen, cornerOf(sums.grid, level) + vector(sums.position) * perUnit);
+    const Rgb value = perAlbedo(sums);
     for (int c = 0; c < 3; ++c) answer.perAlbedo[c] = value[c];
     answer.known = true;
-    const double count = double(sums->count), mean = double(luminance(value));
-    const double variance = std::max(0.0, double(sums->square) / (perSquare() * count) - mean * mean) / count;
+    const double count = double(sums.count), mean = double(luminance(value));
+    const double variance = std::max(0.0, double(sums.square) / (perSquare() * count) - mean * mean) / count;
     return std::sqrt(variance) / std::max(1e-30, std::max(mean, kDimmest * mean_));
 }
 
@@ -240,62 +232,163 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     // Each thread fills a part of the table, from all deposits in their order.
     const int parts = int(std::bit_ceil(unsigned(threadCount())));
     parallelFor(0, parts, 1, [&](int part, int) {
+        struct Addition {
+            const CacheDeposit* deposit;
+            int level;
+            Place place;
+        };
+        std::array<Addition, kBatch> batch;
+        size_t waiting = 0;
+        const auto addAll = [&] {
+            for (size_t k = 0; k < waiting; ++k) add(*batch[k].deposit, batch[k].level, batch[k].place);
+            waiting = 0;
+        };
         for (const auto* list : lists)
             for (const CacheDeposit& d : *list) {
                 const int largest = largestLevel(d.at);
                 for (int level = 0; level <= largest; ++level) {
                     const Place place = placeOf(d.at.p, d.at.n, level, pointsOf(largest));
-                    if (bucketOf(place.key) * size_t(parts) / answers_.size() == size_t(part)) add(d, level, place);
+                    if (bucketOf(place.key) * size_t(parts) / answers_.size() != size_t(part)) continue;
+                    prefetchBucket(place.key);
+                    batch[waiting++] = {&d, level, place};
+                    if (waiting == kBatch) addAll();
                 }
             }
+        addAll();
     });
     for (auto* list : lists) list->clear();
     renewAnswers();
     return deposits;
 }
 
+// The cells around each cell are found once. All of it would else wait for memory, so that the cells of a batch are asked
+// for before any of them is looked at.
 void RadianceCells::renewAnswers() {
-    const auto forEachCell = [&](const auto& f) {
-        parallelFor(0, int(answers_.size()), 1 << 14, [&](int begin, int end) {
-            for (auto i = size_t(begin); i < size_t(end); ++i)
-                if (answers_[i].key != 0) f(i);
+    constexpr int kPiece = 1 << 14;
+    const int pieces = (int(answers_.size()) + kPiece - 1) / kPiece;
+    // f gets the index of the piece and the range of its cells.
+    const auto forEachPiece = [&](const auto& f) {
+        parallelFor(0, pieces, 1, [&](int begin, int end) {
+            for (int piece = begin; piece < end; ++piece)
+                f(size_t(piece), size_t(piece) * kPiece, std::min(answers_.size(), size_t(piece + 1) * kPiece));
         });
     };
-    // Integers, so that the order of additions does not matter.
+    struct Totals {
+        int64_t light = 0, count = 0, errors = 0;
+        size_t used = 0;
+    };
+    std::vector<Totals> totals(static_cast<size_t>(pieces));
+    HugeArray<Link> links(answers_.size());
+
+    // The deposits of cells of the smallest size, which are all deposits, and what the means of cells differ by within
+    // a larger one. Integers, so that the order of additions does not matter.
     const double perMeanQuantum = perQuantum_ * 0x1p-16;
-    std::atomic<int64_t> light = 0, count = 0;
-    std::atomic<size_t> used = 0;
-    forEachCell([&](size_t i) { sums_[i].within = sums_[i].countWithin = 0; });
-    forEachCell([&](size_t i) {
-        const Sums& sums = sums_[i];
-        const double mean = meanOf(sums);
-        used.fetch_add(1, std::memory_order_relaxed);
-        // All deposits are in cells of the smallest size.
-        if (levelOf(int(sums.generation)) == 0) {
-            light.fetch_add(unitsOf(mean * double(sums.count), perMeanQuantum), std::memory_order_relaxed);
-            count.fetch_add(int64_t(sums.count), std::memory_order_relaxed);
+    forEachPiece([&](size_t, size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) sums_[i].within = sums_[i].countWithin = 0;
+    });
+    forEachPiece([&](size_t piece, size_t begin, size_t end) {
+        Totals& total = totals[piece];
+        std::array<Around, kBatch> batch;
+        size_t waiting = 0;
+        const auto addToLarger = [&] {
+            for (size_t k = 0; k < waiting; ++k) {
+                const Answer* larger = batch[k].key != 0 ? find(batch[k].key) : nullptr;
+                links[batch[k].cell].larger = larger != nullptr ? uint32_t(larger - answers_.begin()) : kNone;
+                if (larger != nullptr) __builtin_prefetch(&sumsOf(*larger).within, 1);
+            }
+            for (size_t k = 0; k < waiting; ++k) {
+                const uint32_t larger = links[batch[k].cell].larger;
+                if (larger == kNone) continue;
+                const Sums& sums = sums_[batch[k].cell];
+                const double mean = meanOf(sums);
+                const double square = double(sums.square) - mean * mean * double(sums.count) * perSquare();
+                Sums& its = sums_[larger];
+                std::atomic_ref(its.within).fetch_add(int64_t(std::max(0.0, square)), std::memory_order_relaxed);
+                std::atomic_ref(its.countWithin).fetch_add(uint32_t(sums.count), std::memory_order_relaxed);
+            }
+            waiting = 0;
+        };
+        for (size_t i = begin; i < end; ++i) {
+            if (answers_[i].key == 0) continue;
+            const Sums& sums = sums_[i];
+            ++total.used;
+            if (levelOf(int(sums.generation)) == 0) {
+                total.light += unitsOf(meanOf(sums) * double(sums.count), perMeanQuantum);
+                total.count += int64_t(sums.count);
+            }
+            const uint64_t key = keyAround(sums);
+            if (key != 0) prefetchBucket(key);
+            batch[waiting++] = {key, uint32_t(i)};
+            if (waiting == kBatch) addToLarger();
         }
-        if (const Answer* larger = around(sums)) {
-            auto& its = const_cast<Sums&>(sumsOf(*larger));
-            const double square = double(sums.square) - mean * mean * double(sums.count) * perSquare();
-            std::atomic_ref(its.within).fetch_add(int64_t(std::max(0.0, square)), std::memory_order_relaxed);
-            std::atomic_ref(its.countWithin).fetch_add(uint32_t(sums.count), std::memory_order_relaxed);
+        addToLarger();
+    });
+    Totals all;
+    for (const Totals& total : totals) {
+        all.light += total.light;
+        all.count += total.count;
+        all.used += total.used;
+    }
+    used_ = all.used;
+    mean_ = all.count > 0 ? double(all.light) / perMeanQuantum / double(all.count) : 0;
+
+    forEachPiece([&](size_t, size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            if (answers_[i].key == 0) continue;
+            links[i].enough = knowsEnough(sums_[i]);
+            links[i].divides = links[i].enough && divides(sums_[i]);
         }
     });
-    used_ = used;
-    mean_ = count > 0 ? double(light) / perMeanQuantum / double(count) : 0;
+    // From the largest cell around it on to smaller ones, as long as each may be divided. The larger one decides for
+    // all cells within it: if each decided by its own variance, or by that of a part, those that happen to lack their
+    // brightest samples would be preferred, and light would be lost.
+    const auto sourceOf = [&](size_t cell) {
+        std::array<uint32_t, kMostSizes> nested{uint32_t(cell)};
+        size_t sizes = 1;
+        for (uint32_t larger; sizes < kMostSizes && (larger = links[nested[sizes - 1]].larger) != kNone;)
+            nested[sizes++] = larger;
+        uint32_t source = kNone;
+        while (sizes-- > 0) {
+            if (!links[nested[sizes]].enough) continue;
+            if (source != kNone && !links[source].divides) break;
+            source = nested[sizes];
+        }
+        return source;
+    };
     // The probability of training is the same everywhere. If it went by each cell's own error, noisy and bright parts
     // of a larger cell would have more weight in its mean than look-ups give them, and a cell that happens to lack its
     // brightest samples would long keep that answer.
-    std::atomic<int64_t> errors = 0;
     constexpr double kPerError = 0x1p10;
-    forEachCell([&](size_t i) {
-        const double error = renewAnswer(answers_[i], sums_[i]);
-        if (levelOf(int(sums_[i].generation)) == 0)
-            errors.fetch_add(std::llrint(std::min(error, 4.0) * kPerError) * int64_t(sums_[i].count),
-                             std::memory_order_relaxed);
+    forEachPiece([&](size_t piece, size_t begin, size_t end) {
+        std::array<Source, kBatch> batch;
+        size_t waiting = 0;
+        const auto answer = [&] {
+            for (size_t k = 0; k < waiting; ++k) {
+                const auto [source, cell] = batch[k];
+                const double error = source == kNone ? 1 : renewAnswer(answers_[cell], sums_[source]);
+                if (source == kNone) answers_[cell].known = false;
+                const Sums& own = sums_[cell];
+                if (levelOf(int(own.generation)) == 0)
+                    totals[piece].errors += std::llrint(std::min(error, 4.0) * kPerError) * int64_t(own.count);
+            }
+            waiting = 0;
+        };
+        for (size_t i = begin; i < end; ++i) {
+            if (answers_[i].key == 0) continue;
+            const uint32_t source = sourceOf(i);
+            if (source != kNone && source != i) {
+                const auto* sums = reinterpret_cast<const char*>(&sums_[source]);
+                __builtin_prefetch(sums);
+                __builtin_prefetch(sums + 64);
+            }
+            batch[waiting++] = {source, uint32_t(i)};
+            if (waiting == kBatch) answer();
+        }
+        answer();
     });
-    const double error = count > 0 ? double(errors) / kPerError / double(count) : kMostTraining / kTrainingPerError;
+    for (const Totals& total : totals) all.errors += total.errors;
+    const double error =
+        all.count > 0 ? double(all.errors) / kPerError / double(all.count) : kMostTraining / kTrainingPerError;
     training_ = float(std::clamp(kTrainingPerError * error, kLeastTraining, kMostTraining));
 }
 

@@ -72,8 +72,8 @@ class RadianceCells final : public RadianceCache {
     struct Sums {
         int64_t light[3]{};
         int64_t square = 0;  // of the light's luminance divided by the albedo's
-        int64_t within =
-            0;  // as square, but about the means of the cells of the next smaller size, summed up over them
+        // As square, but about the means of the cells of the next smaller size, summed up over them.
+        int64_t within = 0;
         uint32_t albedo[3]{};
         int32_t position[3]{};  // relative to the cell's corner
         int32_t normal[3]{};
@@ -82,6 +82,20 @@ class RadianceCells final : public RadianceCache {
         uint32_t count : 22 = 0;
         uint32_t generation : 5 = 0;  // of the cell's size, see generationOf
         uint32_t facing : 5 = 0;
+    };
+    // What renewAnswers finds out about a cell before it renews the answers.
+    struct Link {
+        uint32_t larger : 30 = kNone;  // index of the cell of the next larger size around it
+        uint32_t enough : 1 = 0;       // whether it knows enough to answer
+        uint32_t divides : 1 = 0;      // and whether the cells within it should answer, where they know enough
+    };
+    static constexpr uint32_t kNone = (1u << 30) - 1;
+    struct Around {
+        uint64_t key;
+        uint32_t cell;
+    };
+    struct Source {
+        uint32_t source, cell;  // indices
     };
     // Halves all sums when there are so many deposits, before 32 bits overflow.
     static constexpr uint32_t kMostDeposits = 1 << 17;
@@ -114,11 +128,12 @@ class RadianceCells final : public RadianceCache {
     Vec3 cornerOf(const int32_t (&grid)[3], int level) const;
     size_t bucketOf(uint64_t key) const { return size_t(key) & (answers_.size() - kWays); }
     const Answer* find(uint64_t key) const;
-    // The cell of the next larger size around one; null: there is none.
-    const Answer* around(const Sums& sums) const;
+    void prefetchBucket(uint64_t key) const;
+    // The key of the cell of the next larger size around one; 0: there is none.
+    uint64_t keyAround(const Sums& sums) const;
     void add(const CacheDeposit& deposit, int level, const Place& place);
-    // Returns the relative standard error of the answer.
-    double renewAnswer(Answer& answer, const Sums& sums);
+    // sums: of the cell whose answer it gets. Returns the relative standard error of the answer.
+    double renewAnswer(Answer& answer, const Sums& sums) const;
     const Answer& answerOf(const Sums& sums) const { return answers_[size_t(&sums - sums_.begin())]; }
     const Sums& sumsOf(const Answer& cell) const { return sums_[size_t(&cell - answers_.begin())]; }
     bool knowsEnough(const Sums& sums) const;
