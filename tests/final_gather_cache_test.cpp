@@ -41,6 +41,7 @@ struct Gathered {
     std::vector<CacheDeposit> deposits;
     FinalGather::Counts counts;
     std::vector<Rgb> samples;
+    std::vector<FinalGather::Noise> noise;
 };
 
 class Traced {
@@ -53,11 +54,20 @@ class Traced {
           gather_(tracer_.lighting(), settings(maxDepth)) {}
 
     // weight: of deposits, which are added to the radiance.
-    Gathered gather(const RadianceCache& cache, int spp, uint64_t seed = 1, float weight = 0) const {
+    Gathered gather(const RadianceCache& cache, int spp, uint64_t seed = 1, float weight = 0,
+                    const FinalGather::Splitting& splitting = {}) const {
         Gathered g;
         sampled(g, spp, seed, [&](CameraSample& s, uint64_t number) {
             size_t i = g.deposits.size();
-            Rgb light = gather_.radiance(s.camera.ray, s.sampler, cache, hash(seed, number), g.deposits, g.counts);
+            FinalGather::Sample sample{.sampler = s.sampler,
+                                       .cache = cache,
+                                       .splitting = splitting,
+                                       .seed = hash(seed, number),
+                                       .deposits = g.deposits,
+                                       .counts = g.counts};
+            sample.splitting.stream = hash(seed, number + 1'000'000'000);
+            Rgb light = gather_.radiance(s.camera.ray, sample);
+            g.noise.push_back(sample.noise);
             for (; weight > 0 && i < g.deposits.size(); ++i) light += g.deposits[i].light * weight;
             return light;
         });
@@ -103,6 +113,19 @@ class Traced {
 
 std::string plastic() { return test::allMaterials()[2].second; }
 
+// A floor of albedo 0.6, which fills the picture, in a box of `material`, open at the top, with a lamp.
+std::string boxOnFloor(const std::string& material) {
+    return "LookAt 0 0 1  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 60\n"
+           "Film \"image\" \"integer xresolution\" 12 \"integer yresolution\" 8\nWorldBegin\n"
+           "LightSource \"infinite\" \"rgb L\" [0.5 0.5 0.5]\n"
+           "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]\n" +
+           test::quad("-2 -2 0", "2 -2 0", "2 2 0", "-2 2 0") + material + "\n" +
+           test::quad("-2 2 0", "2 2 0", "2 2 2", "-2 2 2") + test::quad("-2 -2 0", "-2 -2 2", "2 -2 2", "2 -2 0") +
+           test::quad("-2 -2 0", "-2 2 0", "-2 2 2", "-2 -2 2") + test::quad("2 -2 0", "2 -2 2", "2 2 2", "2 2 0") +
+           "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [6 5 4]\n" +
+           test::quad("-1 -1 2", "-1 1 2", "1 1 2", "1 -1 2") + "AttributeEnd\nWorldEnd\n";
+}
+
 // The greatest relative difference; zero is rounded to zero.
 float difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
     if (a.size() != b.size()) return kInfinity;
@@ -136,6 +159,55 @@ TEST(FinalGather, WithoutAnswersItIsThePathTracer) {
             EXPECT_EQ(unanswered.counts.asked, int64_t(ignorant.asked.size()));
             EXPECT_EQ(unanswered.counts.answered, 0);
         }
+}
+
+// Several light samples and rays that share a hit, in any proportion, have the mean of one of each.
+TEST(FinalGather, SplitItHasThePathTracersMeans) {
+    constexpr FinalGather::Splitting kSplittings[] = {{.lights = 3, .rays = 1}, {.lights = 1, .rays = 4}};
+    for (const auto& [name, material] : test::allMaterials()) {
+        // All of the room.
+        const Traced traced(
+            test::respelt(test::room(material, 12, 8), "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]", material));
+        const Gathered paths = traced.paths(300, 2);
+        for (const FinalGather::Splitting& splitting : kSplittings) {
+            TestCache none;
+            none.leastReach = kInfinity;
+            const Gathered split = traced.gather(none, 150, 1, 0, splitting);
+            EXPECT_EQ(split.counts.rays, split.counts.hits * splitting.rays);
+            EXPECT_EQ(split.counts.lights, split.counts.hits * splitting.lights);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(split.mean[c], paths.mean[c], 4.5f * std::hypot(split.error[c], paths.error[c])) << name;
+        }
+    }
+}
+
+// Light samples and rays make nearly all noise of this picture. Stratified as they are, their variance is
+// overestimated.
+TEST(FinalGather, KnowsTheNoiseOfWhatSharesAHit) {
+    const Traced traced(boxOnFloor("Material \"matte\" \"rgb Kd\" [0.5 0.5 0.5]"), 8);
+    TestCache none;
+    none.leastReach = kInfinity;
+    const auto varianceOf = [](const Gathered& g) {
+        double mean = 0, squares = 0;
+        for (const Rgb& v : g.samples) mean += double(luminance(v)) / double(g.samples.size());
+        for (const Rgb& v : g.samples) squares += sqr(double(luminance(v)) - mean);
+        return squares / double(g.samples.size());
+    };
+    const Gathered whole = traced.gather(none, 500);
+    for (const FinalGather::Noise& n : whole.noise) ASSERT_TRUE(n.lights < 0 && n.rays < 0);
+    const double variance = varianceOf(whole);
+    for (const int count : {2, 8}) {
+        const Gathered g = traced.gather(none, 500, 1, 0, {.lights = count, .rays = count});
+        double noise = 0;
+        for (const FinalGather::Noise& n : g.noise) {
+            ASSERT_GE(n.lights, 0);
+            ASSERT_GE(n.rays, 0);
+            noise += double(n.lights + n.rays) / double(g.noise.size());
+        }
+        EXPECT_GT(noise, 0.9 * variance);
+        EXPECT_LT(noise, 2.2 * variance);
+        EXPECT_LT(varianceOf(g), 1.3 * variance / count);
+    }
 }
 
 // Pearson's test of homogeneity, over bins of positions and reaches, of two samples that are independent.
@@ -185,6 +257,10 @@ TEST(FinalGather, DepositsAreMadeWhereLookUpsAre) {
     const std::vector<CachePoint> places(cache.asked.begin(), cache.asked.begin() + std::ptrdiff_t(first));
     EXPECT_GT(samePlaces(places, placesOf(trained.deposits)), test::kChiSquareLevel);
     EXPECT_NEAR(double(trained.deposits.size()) / double(trained.counts.asked), 0.3, 0.01);
+    // Of rays that share a hit, each as seldom as it has less weight in the picture.
+    const Gathered split = traced.gather(cache, 500, 4, 0, {.lights = 1, .rays = 4});
+    EXPECT_GT(samePlaces(places, placesOf(split.deposits)), test::kChiSquareLevel);
+    EXPECT_NEAR(double(split.deposits.size()) / double(split.counts.asked), 0.3 / 4, 0.003);
     // The test can tell: points of a smaller reach are others.
     cache.leastReach = 1.5f;
     EXPECT_LT(samePlaces(places, placesOf(traced.gather(cache, 300, 3).deposits)), 1e-6);
@@ -232,7 +308,7 @@ TEST(FinalGather, ATrueAnswerKeepsTheFurnaceWhite) {
 
 // A path that trains is sampled otherwise, but shows the same picture, also where the answer is for a part of the lobes
 // only.
-TEST(FinalGather, TrainingDoesNotChangeThePicture) {
+TEST(FinalGather, TrainingAndSplittingDoNotChangeThePicture) {
     for (const auto& [name, material] : test::allMaterials()) {
         // All of the room.
         const Traced traced(
@@ -241,24 +317,13 @@ TEST(FinalGather, TrainingDoesNotChangeThePicture) {
         cache.leastReach = 0.5f;
         cache.value = 2;
         const Gathered plain = traced.gather(cache, 150, 1);
+        const Gathered split = traced.gather(cache, 100, 3, 0, {.lights = 2, .rays = 3});
         cache.training = 1;
         const Gathered training = traced.gather(cache, 150, 2);
         for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(training.mean[c], plain.mean[c], 4.5f * std::hypot(training.error[c], plain.error[c])) << name;
+            for (const Gathered* g : {&training, &split})
+                EXPECT_NEAR(g->mean[c], plain.mean[c], 4.5f * std::hypot(g->error[c], plain.error[c])) << name;
     }
-}
-
-// A floor of albedo 0.6, which fills the picture, in a box of `material`, open at the top, with a lamp.
-std::string boxOnFloor(const std::string& material) {
-    return "LookAt 0 0 1  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 60\n"
-           "Film \"image\" \"integer xresolution\" 12 \"integer yresolution\" 8\nWorldBegin\n"
-           "LightSource \"infinite\" \"rgb L\" [0.5 0.5 0.5]\n"
-           "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]\n" +
-           test::quad("-2 -2 0", "2 -2 0", "2 2 0", "-2 2 0") + material + "\n" +
-           test::quad("-2 2 0", "2 2 0", "2 2 2", "-2 2 2") + test::quad("-2 -2 0", "-2 -2 2", "2 -2 2", "2 -2 0") +
-           test::quad("-2 -2 0", "-2 2 0", "-2 2 2", "-2 -2 2") + test::quad("2 -2 0", "2 -2 2", "2 2 2", "2 2 0") +
-           "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [6 5 4]\n" +
-           test::quad("-1 -1 2", "-1 1 2", "1 1 2", "1 -1 2") + "AttributeEnd\nWorldEnd\n";
 }
 
 // What an answer stands for is what deposits are samples of: with a cache whose answer is black, the light that paths

@@ -37,12 +37,38 @@ constexpr double kTrainingPerError = 0.25, kLeastTraining = 1 / 32.0, kMostTrain
 // the same distance at all sizes, so that cells are nested; a third remains a third or two thirds of all smaller sizes.
 constexpr float kGridShift = 1 / 3.f;
 
+// The bound of a deposit, in units of the mean of the cell of the largest size around it if that has so many deposits,
+// or of a share of the mean of all deposits, if that is more: a share of the number of deposits so far, and at least as
+// many as there are in a large cell after a few passes.
+constexpr double kMostPerDeposits = 0x1p-10, kLeastBound = 1024, kLeastMean = 1 / 16.0;
+constexpr uint32_t kLeastForBound = 64;
 // The number of cells whose memory is asked for at a time.
 constexpr size_t kBatch = 32;
 
 int facing(const Vec3& n) {
     const auto digit = [](float v) { return v > kFacing ? 2 : v < -kFacing ? 0 : 1; };
     return digit(n.x) + 3 * (digit(n.y) + 3 * digit(n.z));
+}
+
+// A deposit's light divided by its albedo.
+double relativeLuminance(const CacheDeposit& d) {
+    return double(luminance(d.light)) / std::max(0.01, double(luminance(d.albedo)));
+}
+
+// The mean of some deposits, in which those that stand out far count little.
+double firstMean(std::span<std::vector<CacheDeposit>* const> lists) {
+    constexpr double kFar = kLeastBound;
+    double mean = kInfinity, before;
+    do {
+        double sum = 0, count = 0;
+        for (const auto* list : lists)
+            for (const CacheDeposit& d : *list) {
+                sum += std::min(relativeLuminance(d), kFar * mean);
+                ++count;
+            }
+        before = std::exchange(mean, count > 0 ? sum / count : 0);
+    } while (mean < 0.5 * before);
+    return mean;
 }
 
 int64_t unitsOf(double value, double perUnit) {
@@ -167,7 +193,7 @@ void RadianceCells::add(const CacheDeposit& d, int level, const Place& place) {
         sums.position[c] += int32_t(std::lrint((d.at.p[c] - corner[c]) * perSize * kPositionUnits));
         sums.normal[c] += int32_t(std::lrint(d.at.n[c] * kNormalUnits));
     }
-    const double y = double(luminance(d.light)) / std::max(0.01, double(luminance(d.albedo)));
+    const double y = relativeLuminance(d);
     sums.square += unitsOf(y * y, perSquare());
     if (++sums.count < kMostDeposits) return;
     for (int c = 0; c < 3; ++c) {
@@ -229,6 +255,8 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     while (answers_.size() < settings_.capacity &&
            double(used_) + double(deposits) > kMostUsed * double(answers_.size()))
         grow();
+    boundDeposits(lists);
+    deposits_ += deposits;
     // Each thread fills a part of the table, from all deposits in their order.
     const int parts = int(std::bit_ceil(unsigned(threadCount())));
     parallelFor(0, parts, 1, [&](int part, int) {
@@ -261,8 +289,41 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     return deposits;
 }
 
-// The cells around each cell are found once. All of it would else wait for memory, so that the cells of a batch are asked
-// for before any of them is looked at.
+// A deposit so bright that it alone would be a large part of all light in the largest cell around it has met something
+// that is too rare for the cells to tell how much light it stands for. A camera sample like that is a single bright
+// pixel, which denoisers remove; a cell would show it to all who look at it. With the number of deposits nothing is
+// lost.
+void RadianceCells::boundDeposits(std::span<std::vector<CacheDeposit>* const> lists) {
+    if (mean_ == 0) mean_ = firstMean(lists);
+    const double bound = std::max(kLeastBound, kMostPerDeposits * double(deposits_));
+    parallelFor(0, int(lists.size()), 1, [&](int begin, int end) {
+        std::array<std::pair<CacheDeposit*, uint64_t>, kBatch> batch;
+        size_t waiting = 0;
+        const auto boundAll = [&] {
+            for (size_t k = 0; k < waiting; ++k) {
+                auto [d, key] = batch[k];
+                double mean = mean_;
+                if (const Answer* cell = find(key); cell != nullptr && sumsOf(*cell).count >= kLeastForBound)
+                    mean = std::max(meanOf(sumsOf(*cell)), kLeastMean * mean_);
+                const double y = relativeLuminance(*d), most = bound * mean;
+                if (y > most) d->light *= float(most / y);
+            }
+            waiting = 0;
+        };
+        for (int i = begin; i < end; ++i)
+            for (CacheDeposit& d : *lists[size_t(i)]) {
+                const int largest = largestLevel(d.at);
+                const uint64_t key = placeOf(d.at.p, d.at.n, largest, pointsOf(largest)).key;
+                prefetchBucket(key);
+                batch[waiting++] = {&d, key};
+                if (waiting == kBatch) boundAll();
+            }
+        boundAll();
+    });
+}
+
+// The cells around each cell are found once. All of it would else wait for memory, so that the cells of a batch are
+// asked for before any of them is looked at.
 void RadianceCells::renewAnswers() {
     constexpr int kPiece = 1 << 14;
     const int pieces = (int(answers_.size()) + kPiece - 1) / kPiece;
@@ -410,6 +471,7 @@ void RadianceCells::grow() {
 void RadianceCells::save(StateWriter& to) const {
     to.value(int32_t(refined_));
     to.value(now_);
+    to.value(deposits_);
     to.value(uint64_t(answers_.size()));
     to.value(uint64_t(std::ranges::count_if(answers_, [](const Answer& a) { return a.key != 0; })));
     for (size_t i = 0; i < answers_.size(); ++i) {
@@ -432,6 +494,7 @@ void RadianceCells::save(StateWriter& to) const {
 void RadianceCells::load(StateReader& from) {
     const auto refined = from.value<int32_t>();
     now_ = from.value<uint32_t>();
+    deposits_ = from.value<uint64_t>();
     const auto size = from.value<uint64_t>(), cells = from.value<uint64_t>();
     if (refined < 0 || refined >= kMostRefined || !std::has_single_bit(size) || size < kWays ||
         size > settings_.capacity || cells > size)

@@ -98,7 +98,7 @@ class RadianceCells final : public RadianceCache {
         uint32_t source, cell;  // indices
     };
     // Halves all sums when there are so many deposits, before 32 bits overflow.
-    static constexpr uint32_t kMostDeposits = 1 << 17;
+    static constexpr uint32_t kMostDeposits = (1 << 17) - 1;
     static_assert(sizeof(Answer) == 32 && sizeof(Sums) == 96);
     // Cells in a bucket, two cache lines, any of which may hold a key.
     static constexpr size_t kWays = 4;
@@ -144,14 +144,16 @@ class RadianceCells final : public RadianceCache {
     uint16_t age(const Answer& cell) const { return uint16_t(now_ - cell.lastUse); }
     Rgb perAlbedo(const Sums& sums) const;
     double perSquare() const { return perQuantum_ * perQuantum_ * 0x1p-32; }
+    void boundDeposits(std::span<std::vector<CacheDeposit>* const> lists);
     void renewAnswers();
     void grow();
 
     RadianceCellSettings settings_;
     float shift_;  // of the grids, world units
     double perQuantum_;
-    int refined_ = 0;   // how often
-    uint32_t now_ = 1;  // counts commits
+    int refined_ = 0;        // how often
+    uint32_t now_ = 1;       // counts commits
+    uint64_t deposits_ = 0;  // so far
     size_t used_ = 0;
     float training_ = 1;  // CacheAnswer::training of what is known
     double mean_ = 0;     // of all deposits' luminance, divided by the albedo's

@@ -22,6 +22,21 @@ Rgb shareOf(const Rgb& part, const Rgb& all) {
     return share;
 }
 
+// The unbiased variance of some values (Welford).
+class SampleVariance {
+  public:
+    void add(float value) {
+        const float before = value - mean_;
+        mean_ += before / float(++count_);
+        squares_ += before * (value - mean_);
+    }
+    float variance() const { return count_ > 1 ? squares_ / float(count_ - 1) : -1; }
+
+  private:
+    int count_ = 0;
+    float mean_ = 0, squares_ = 0;
+};
+
 // A vertex that a path will make a deposit for, while it is still being walked.
 struct Training {
     CacheDeposit deposit;
@@ -70,19 +85,68 @@ class Trainings {
 
 }  // namespace
 
-Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const RadianceCache& cache, uint64_t seed,
-                          std::vector<CacheDeposit>& deposits, Counts& counts, GBufferSample* gBuffer) const {
+// One of several paths that share their beginning.
+struct FinalGather::Branch {
+    int rays = 1;          // that share it
+    float pdfScale = 1;    // by which the pdf of the first direction counts against light sampling
+    bool isFirst = false;  // whether it is the camera's path, which may still be split
+};
+
+Rgb FinalGather::radiance(const Ray& ray, Sample& sample) const {
+    Pcg32 random(sample.seed);
+    return clampedSample(follow(PathState(ray), sample.sampler, sample, random, {.isFirst = true}),
+                         walker_.settings().clamp);
+}
+
+// Light samples and gather rays at the first surface with lobes that are not specular.
+Rgb FinalGather::split(const PathState& path, const SurfaceInteraction& hit, const Bsdf& bsdf, Sample& sample,
+                       Pcg32& random) const {
+    const Splitting& splitting = sample.splitting;
+    const BsdfView view(bsdf, hit.wo);
+    const int lights = splitting.lights, rays = splitting.rays;
+    // The weights of multiple importance sampling count how many samples each technique takes (Veach 1997, 9.2).
+    const float pdfScale = float(rays) / float(lights);
+    constexpr uint64_t kLightStream = 1, kRayStream = 2;
+    Rgb sum(0.f);
+    SampleVariance ofLights, ofRays;
+    for (int i = 0; i < lights; ++i) {
+        Sampler sampler(hashCombine(splitting.stream, kLightStream), splitting.firstLight + uint32_t(i));
+        const float choice = sampler.get1D();
+        DirectLighting::Proposal light = lighting_.propose(hit, view, path.group, choice, sampler.get2D());
+        light.bsdfPdf *= pdfScale;
+        const Rgb lit = path.throughput * lighting_.arriving(hit, light) * light.weight();
+        ofLights.add(luminance(lit));
+        sum += lit * (1 / float(lights));
+    }
+    for (int i = 0; i < rays; ++i) {
+        Sampler sampler(hashCombine(splitting.stream, kRayStream), splitting.firstRay + uint32_t(i));
+        PathState branch = path;
+        Rgb found(0.f);
+        if (walker_.scatter(branch, hit, view, VertexNumbers(sampler)))
+            found = follow(branch, sampler, sample, random, {.rays = rays, .pdfScale = pdfScale});
+        ofRays.add(luminance(found));
+        sum += found * (1 / float(rays));
+    }
+    sample.noise = {ofLights.variance(), ofRays.variance()};
+    return sum;
+}
+
+Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32& random, const Branch& branch) const {
     const PathSettings& settings = walker_.settings();
+    const RadianceCache& cache = sample.cache;
+    Counts& counts = sample.counts;
     const LobeMask broad = broadLobes(kBroadAlpha), others(LobeFlags::All, 0, kBroadAlpha);
-    Pcg32 random(seed);
     Rgb sum(0.f);
     // The part of the path's throughput that the picture shows. Where the cache has answered for the broad lobes, it is
     // that of the others.
     Rgb share(1.f);
     bool shown = true;  // whether share is not zero
     Trainings trainings;
-    PathState path(cameraRay);
-    float distance = 0, pdf = 0;  // since the last non-specular vertex, and of its direction
+    // Since the last non-specular vertex, and of its direction.
+    float distance = 0, pdf = path.pdf;
+    float pdfScale = branch.pdfScale;
+    bool isFirst = branch.isFirst;
+    const float trainingShare = 1 / float(branch.rays);
     const Accel& accel = lighting_.accel();
     SurfaceInteraction hit;
     Accel::Found found;
@@ -96,10 +160,10 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
         const Arrival arrival = toSurface(accel, path.ray, found, any, hit, [&](const SurfaceInteraction& surface) {
             path.distance += surface.t;
             distance += surface.t;
-            emitted(lighting_.emissionAtHit(surface, path.from, path.pdf));
+            emitted(lighting_.emissionAtHit(surface, path.from, path.pdf * pdfScale));
         });
         if (arrival == Arrival::Escaped)
-            emitted(lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group));
+            emitted(lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf * pdfScale, path.group));
         if (arrival != Arrival::Surface) break;
         if (path.depth >= settings.maxDepth) shown = false;
         if (!shown && !trainings.wantMore(path.depth, settings.maxDepth)) break;
@@ -111,7 +175,15 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
         path.group = lighting_.groupOf(hit, bsdf);
-        if (gBuffer && path.depth == 0) gBuffer->record(path.throughput, hit, bsdf, path.distance);
+        if (sample.gBuffer && path.depth == 0)
+            sample.gBuffer->record(path.throughput * trainingShare, hit, bsdf, path.distance);
+        if (isFirst && bsdf.hasNonSpecular()) {
+            isFirst = false;
+            ++counts.hits;
+            counts.lights += sample.splitting.lights;
+            counts.rays += sample.splitting.rays;
+            if (sample.splitting.splits()) return sum + split(path, hit, bsdf, sample, random);
+        }
 
         bool answered = false, trainsHere = false;
         const bool mixed = bsdf.hasWithin(others);
@@ -130,7 +202,8 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
                         shown = mixed;
                     }
                     // Deposits are made where look-ups are, and nowhere else, so that both have the same distribution.
-                    trainsHere = random.nextFloat() < answer.training && trainings.begin(at, albedo, path.depth);
+                    trainsHere =
+                        random.nextFloat() < answer.training * trainingShare && trainings.begin(at, albedo, path.depth);
                 }
             }
         }
@@ -171,6 +244,7 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
         }
         if (!goesOn) break;
 
+        pdfScale = 1;
         const bool specular = path.pdf == DirectLighting::kSpecular;
         if (!specular) {
             distance = 0;
@@ -184,8 +258,8 @@ Rgb FinalGather::radiance(const Ray& cameraRay, Sampler& sampler, const Radiance
             trainings.scatter(path.weight, Rgb(1.f));
         }
     }
-    trainings.deposit(deposits, settings.clamp);
-    return clampedSample(sum, settings.clamp);
+    trainings.deposit(sample.deposits, settings.clamp);
+    return sum;
 }
 
 }  // namespace drc

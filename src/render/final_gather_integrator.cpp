@@ -5,6 +5,7 @@
 #include "cache/radiance_cells.h"
 #include "integrators/final_gather.h"
 #include "render/sampled_integrator.h"
+#include "render/splitting.h"
 
 namespace drc {
 namespace {
@@ -31,10 +32,12 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         settings.lightScale = context.scene.settings.filmScale;
         cells_.emplace(settings);
         rows_.resize(size_t(region_.height()));
+        planner_.emplace(region_, context.scene.settings.filmScale, uint32_t(context.params.firstSample));
     }
 
     void samplePassDone(int samples) override {
         if (!cells_) return;
+        planner_->update(samples, samples > 0);
         FinalGather::Counts counts;
         for (Row& row : rows_) {
             counts.add(row.counts);
@@ -52,6 +55,9 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         stats.add("cells/look-ups/answered", counts.answered);
         stats.add("cells/look-ups/refused: the segment is short or the lobe narrow", counts.refused);
         stats.add("cells/look-ups/refused: too little is known", counts.asked - counts.answered);
+        stats.add("camera hits/light samples", counts.lights);
+        stats.add("camera hits/gather rays", counts.rays);
+        stats.add("camera hits/hits", counts.hits);
         stats.add("cells/deposits", int64_t(deposits));
         stats.set("cells/cells", int64_t(cells_->used()));
         stats.set("cells/bytes", int64_t(cells_->bytes()));
@@ -61,6 +67,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     void saveState(StateWriter& to) const override {
         if (!cells_) return;
         cells_->save(to);
+        planner_->save(to);
         to.value(refineAt_);
         for (const Row& row : rows_) {
             to.value(uint64_t(row.deposits.size()));
@@ -76,8 +83,9 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     std::function<void()> loadState(StateReader& from) override {
         if (!cells_) return [] {};
         // Shared, because functions can be copied.
-        const auto state = std::make_shared<State>(RadianceCells(cellSettings_));
+        const auto state = std::make_shared<State>(RadianceCells(cellSettings_), *planner_);
         state->cells.load(from);
+        state->planner.load(from);
         state->refineAt = from.value<double>();
         for (size_t i = 0; i < rows_.size(); ++i) {
             const auto count = from.value<uint64_t>();
@@ -94,20 +102,38 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         }
         return [this, state] {
             *cells_ = std::move(state->cells);
+            *planner_ = std::move(state->planner);
             refineAt_ = state->refineAt;
             for (size_t i = 0; i < rows_.size(); ++i) rows_[i].deposits = std::move(state->deposits[i]);
         };
     }
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, GBufferSample* gBuffer) override {
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, GBufferSample* gBuffer) override {
         if (!cells_) return context_.tracer.radiance(ray, sampler, gBuffer);
         Row& row = rows_[size_t(place.y - region_.y0)];
-        const uint64_t seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y);
-        return gather_.radiance(ray, sampler, *cells_, seed, row.deposits, row.counts, gBuffer);
+        FinalGather::Sample sample{
+            .sampler = sampler,
+            .cache = *cells_,
+            .splitting = planner_->at(place.x, place.y),
+            .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
+            .deposits = row.deposits,
+            .counts = row.counts,
+            .gBuffer = gBuffer};
+        sample.splitting.stream = pixelStream(context_.params.seed, kSplitStream, place.x, place.y);
+        const Rgb value = gather_.radiance(ray, sample);
+        float mean = 0;
+        double samples = 0;
+        if (SplitPlanner::wantsMean(place.y)) {
+            const FilmLayer& layer = film.layer(0);
+            samples = layer.expected(place.x, place.y);
+            if (samples > 0) mean = luminance(layer.mean(place.x, place.y));
+        }
+        planner_->add(place.x, place.y, sample.noise, luminance(value), mean, samples);
+        return value;
     }
 
-    static constexpr uint64_t kCellStream = 0x3000000000;
+    static constexpr uint64_t kCellStream = 0x3000000000, kSplitStream = 0x3001;
 
     // What the samples of a row of pixels have found out in a pass. One thread at a time works on a row, and rows are
     // committed in their order, whichever thread had them.
@@ -118,6 +144,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     // What is read from a file before it is put in its place.
     struct State {
         RadianceCells cells;
+        SplitPlanner planner;
         double refineAt = 0;
         std::vector<std::vector<CacheDeposit>> deposits;
     };
@@ -127,6 +154,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     FinalGather gather_;
     RadianceCellSettings cellSettings_;
     std::optional<RadianceCells> cells_;
+    std::optional<SplitPlanner> planner_;
     std::vector<Row> rows_;
     double refineAt_ = kRefineAt;
 };
