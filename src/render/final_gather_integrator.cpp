@@ -4,8 +4,8 @@
 
 #include "cache/radiance_cells.h"
 #include "integrators/final_gather.h"
+#include "render/sample_planner.h"
 #include "render/sampled_integrator.h"
-#include "render/splitting.h"
 
 namespace drc {
 namespace {
@@ -33,6 +33,10 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         cells_.emplace(settings);
         rows_.resize(size_t(region_.height()));
         planner_.emplace(region_, context.scene.settings.filmScale, uint32_t(context.params.firstSample));
+    }
+
+    PixelSamples samplesOf(int x, int y, uint32_t sample) const override {
+        return planner_ ? planner_->samples(x, y) : PixelSamples{sample, 1};
     }
 
     void samplePassDone(int samples) override {
@@ -115,7 +119,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         FinalGather::Sample sample{
             .sampler = sampler,
             .cache = *cells_,
-            .splitting = planner_->at(place.x, place.y),
+            .splitting = planner_->splitting(place.x, place.y, place.index),
             .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
             .deposits = row.deposits,
             .counts = row.counts,
@@ -124,7 +128,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         const Rgb value = gather_.radiance(ray, sample);
         float mean = 0;
         double samples = 0;
-        if (SplitPlanner::wantsMean(place.y)) {
+        if (SamplePlanner::wantsMean(place.y)) {
             const FilmLayer& layer = film.layer(0);
             samples = layer.expected(place.x, place.y);
             if (samples > 0) mean = luminance(layer.mean(place.x, place.y));
@@ -144,7 +148,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     // What is read from a file before it is put in its place.
     struct State {
         RadianceCells cells;
-        SplitPlanner planner;
+        SamplePlanner planner;
         double refineAt = 0;
         std::vector<std::vector<CacheDeposit>> deposits;
     };
@@ -154,7 +158,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     FinalGather gather_;
     RadianceCellSettings cellSettings_;
     std::optional<RadianceCells> cells_;
-    std::optional<SplitPlanner> planner_;
+    std::optional<SamplePlanner> planner_;
     std::vector<Row> rows_;
     double refineAt_ = kRefineAt;
 };

@@ -14,6 +14,7 @@
 #include "render/film.h"
 #include "render/layered_picture.h"
 #include "render/render_params.h"
+#include "render/sample_pass.h"
 
 namespace drc {
 
@@ -35,6 +36,8 @@ class Integrator {
 
     // The layers of the film. Every camera sample must add to the first one, which tells how many samples a pixel has.
     virtual std::vector<FilmLayerSpec> layers() const = 0;
+    // The camera samples that a pass takes of a pixel. sample: of the pass, if all pixels have the same number.
+    virtual PixelSamples samplesOf(int /*x*/, int /*y*/, uint32_t sample) const { return {sample, 1}; }
     // Adds one camera sample of pixel (x, y) to the film, whose row is locked. index: of the sample within its pixel.
     virtual void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) = 0;
     // Called when a sample pass over the whole film is complete, while no sample is taken. samples: complete ones in

@@ -10,6 +10,12 @@
 
 namespace drc {
 
+// The samples that a pass takes of a pixel, by their indices within it.
+struct PixelSamples {
+    uint32_t first = 0;
+    int count = 1;
+};
+
 struct SamplePass {
     static constexpr int kLattices = 3;
 

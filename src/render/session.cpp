@@ -128,9 +128,12 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
             if (film_->rowPasses(y) > index) return;
             pass.forEachColumn(y - region.y0, region.width(), [&](int column) {
                 const int x = region.x0 + column;
-                CameraSample sample =
-                    cameraSample(scene_, x, y, pixelStream(params_.seed, kSampleStream, x, y), number);
-                integrator_->sample(x, y, number, sample, *film_);
+                const PixelSamples samples = integrator_->samplesOf(x, y, number);
+                const uint64_t stream = pixelStream(params_.seed, kSampleStream, x, y);
+                for (uint32_t i = samples.first; i < samples.first + uint32_t(samples.count); ++i) {
+                    CameraSample sample = cameraSample(scene_, x, y, stream, i);
+                    integrator_->sample(x, y, i, sample, *film_);
+                }
             });
             film_->setRowPasses(y, index + 1);
         },

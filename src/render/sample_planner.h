@@ -1,0 +1,82 @@
+// Decides, for blocks of pixels and from the noise that earlier samples have found there, how many camera samples final
+// gather takes in a pass, and how many light samples and gather rays share the hit of each.
+//
+// Rays: a camera sample of cost c and variance v, of which n rays of cost r add a variance of w / n, has the least
+// product of cost and variance with n = sqrt(w c / (v r)): splitting as of Arvo & Kirk, "Particle Transport and Image
+// Synthesis" (1990). v and c are those of the whole picture; w is the block's. Variances are relative to the squared
+// radiance of the block, as the eye sees them.
+//
+// Camera samples: the picture's error, also a denoised one's, is where its noise is. Blocks with more variance get more
+// samples, as many as others get less. The decision is a block's, so that it hardly depends on any one pixel's samples,
+// and does not make the picture darker or brighter (Kirk & Arvo, "Unbiased Sampling Techniques for Image Synthesis",
+// 1991).
+#pragma once
+#include <vector>
+
+#include "base/state_file.h"
+#include "integrators/final_gather.h"
+#include "render/sample_pass.h"
+#include "scene/scene.h"
+
+namespace drc {
+
+class SamplePlanner {
+  public:
+    static constexpr int kBlock = 32;  // pixels
+    static constexpr int kMostRays = 16, kMostLights = 8;
+    // Camera samples of a pixel for each that it would have if all had the same number.
+    static constexpr int kMostSamples = 4;
+
+    // displayScale: by which radiance is multiplied for display. firstSample: index of the picture's first camera
+    // sample.
+    SamplePlanner(const PixelRegion& region, float displayScale, uint32_t firstSample);
+
+    // The camera samples of a pixel in the present pass, and for each of them, which has this index within the pixel,
+    // how it is split.
+    PixelSamples samples(int x, int y) const { return blocks_[blockOf(x, y)].samples; }
+    FinalGather::Splitting splitting(int x, int y, uint32_t index) const;
+    // Whether add() wants the mean of a row's pixels.
+    static bool wantsMean(int y) { return y % kRowsForMean == 0; }
+    // Records a camera sample that was taken as samples() and splitting() say. value: its luminance. mean: that of the
+    // pixel's `samples` earlier ones, if wantsMean(). Different rows may be added to from different threads.
+    void add(int x, int y, const FinalGather::Noise& noise, float value, float mean, double samples);
+    // Plans the next samples, when each pixel has so many. wholeSample: the latest pass was the last one of a sample.
+    void update(int samples, bool wholeSample);
+
+    void save(StateWriter& to) const;
+    // Reads what save() wrote into an object that was made with the same arguments.
+    void load(StateReader& from);
+
+  private:
+    static constexpr int kRowsForMean = 4;
+    struct Sums {
+        double lights = 0, rays = 0;        // variances
+        double lightHits = 0, rayHits = 0;  // how many
+        double value = 0, values = 0;
+        double square = 0, squares = 0;  // of a sample's difference from the pixel's mean
+        // The same of samples that are split, and the part of it that more light samples and rays would lessen.
+        double splitSquare = 0, ofSplit = 0, splitSquares = 0;
+        void add(const Sums& other);
+        void save(StateWriter& to) const;
+        void load(StateReader& from);
+    };
+    struct Block {
+        Sums sums;
+        FinalGather::Splitting plan;  // of the first camera sample of the pass
+        PixelSamples samples;
+        double wanted = 1;  // camera samples of a pixel, up to and including the present pass
+    };
+    void planSamples();
+    double relative(const Block& block, double variance) const;
+    int columns() const { return (region_.width() + kBlock - 1) / kBlock; }
+    size_t blockOf(int x, int y) const {
+        return size_t((y - region_.y0) / kBlock) * size_t(columns()) + size_t((x - region_.x0) / kBlock);
+    }
+
+    PixelRegion region_;
+    float scale_;
+    std::vector<Block> blocks_;
+    std::vector<Sums> rows_;  // of the present pass, by row and column of blocks
+};
+
+}  // namespace drc
