@@ -42,7 +42,7 @@ void addAmounts(CLI::App& command, RenderOptions& o) {
             "--time", o.params.seconds,
             "Seconds for the whole run, including reading and writing; replaces --spp, --passes and --indirect-tasks")
         ->check(numberAbove(0));
-    command.add_option("--spp", o.params.spp, "Camera samples a pixel")->check(wholeNumberFrom(1));
+    command.add_option("--spp", o.params.spp, "Camera samples a pixel; with drc on average")->check(wholeNumberFrom(1));
     command.add_option("--max-depth", o.params.maxDepth, "Maximum length of paths, in non-specular bounces")
         ->check(wholeNumberFrom(1));
     command

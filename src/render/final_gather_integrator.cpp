@@ -128,7 +128,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         const Rgb value = gather_.radiance(ray, sample);
         float mean = 0;
         double samples = 0;
-        if (SamplePlanner::wantsMean(place.y)) {
+        if (SamplePlanner::measures(place.x, place.y)) {
             const FilmLayer& layer = film.layer(0);
             samples = layer.expected(place.x, place.y);
             if (samples > 0) mean = luminance(layer.mean(place.x, place.y));

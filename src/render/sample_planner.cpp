@@ -10,8 +10,6 @@ namespace {
 // living-room, bathroom2, staircase2 and iispt-court2 they are .9 to 1.3, and .3. They count twice, because a denoised
 // picture profits more from camera hits, which find its edges, than the variance of pixels tells.
 constexpr double kRayCost = 2, kLightCost = 0.6;
-// All blocks begin with this, so that variances can be measured.
-constexpr int kFirstLights = 2, kFirstRays = 2;
 // Squared radiance that is displayed with this is not told from black.
 constexpr double kDarkest = 0.01;
 // The least share of the variance that is taken for the camera hit's own.
@@ -47,21 +45,18 @@ void SamplePlanner::Sums::add(const Sums& other) {
     value += other.value;
     values += other.values;
     square += other.square;
+    bounded += other.bounded;
+    split += other.split;
     squares += other.squares;
-    splitSquare += other.splitSquare;
-    ofSplit += other.ofSplit;
-    splitSquares += other.splitSquares;
 }
 
 void SamplePlanner::Sums::save(StateWriter& to) const {
-    for (const double v :
-         {lights, rays, lightHits, rayHits, value, values, square, squares, splitSquare, ofSplit, splitSquares})
+    for (const double v : {lights, rays, lightHits, rayHits, value, values, square, bounded, split, squares})
         to.value(v);
 }
 
 void SamplePlanner::Sums::load(StateReader& from) {
-    for (double* v : {&lights, &rays, &lightHits, &rayHits, &value, &values, &square, &squares, &splitSquare, &ofSplit,
-                      &splitSquares})
+    for (double* v : {&lights, &rays, &lightHits, &rayHits, &value, &values, &square, &bounded, &split, &squares})
         *v = from.value<double>();
 }
 
@@ -73,14 +68,15 @@ SamplePlanner::SamplePlanner(const PixelRegion& region, float displayScale, uint
     // Shards of a picture take their numbers from different parts of the sequences.
     const uint32_t first = firstSample * uint32_t(kMostSamples);
     for (Block& block : blocks_) {
-        block.plan = {kFirstLights, kFirstRays, first * uint32_t(kMostLights), first * uint32_t(kMostRays)};
+        block.plan = {1, 1, first * uint32_t(kMostLights), first * uint32_t(kMostRays)};
+        block.measuringPlan = {2, 2, block.plan.firstLight, block.plan.firstRay};
         block.samples = {first, 1};
     }
 }
 
 FinalGather::Splitting SamplePlanner::splitting(int x, int y, uint32_t index) const {
     const Block& block = blocks_[blockOf(x, y)];
-    FinalGather::Splitting plan = block.plan;
+    FinalGather::Splitting plan = planFor(x, y, block);
     plan.firstLight += (index - block.samples.first) * uint32_t(plan.lights);
     plan.firstRay += (index - block.samples.first) * uint32_t(plan.rays);
     return plan;
@@ -98,20 +94,18 @@ void SamplePlanner::add(int x, int y, const FinalGather::Noise& noise, float val
     }
     sums.value += double(value);
     ++sums.values;
-    if (!(samples > 0) || !wantsMean(y)) return;
+    if (!(samples > 0) || !measures(x, y)) return;
     // The mean has an error of its own.
     const double square = double(value - mean) * double(value - mean) * samples / (samples + 1);
     const Block& block = blocks_[blockOf(x, y)];
     const double brightest = kBrightest * ratio(block.sums.value, block.sums.values);
-    sums.square += std::min(square, brightest * brightest);
-    ++sums.squares;
-    const FinalGather::Splitting& plan = block.plan;
-    if (plan.lights == 1 || plan.rays == 1) return;
     // Samples that have met no surface to split at have noise below 0.
     const auto share = [](float variance, int count) { return double(std::max(0.f, variance)) / count; };
-    sums.splitSquare += square;
-    sums.ofSplit += share(noise.lights, plan.lights) + share(noise.rays, plan.rays);
-    ++sums.splitSquares;
+    const FinalGather::Splitting& plan = planFor(x, y, block);
+    sums.square += square;
+    sums.bounded += std::min(square, brightest * brightest);
+    sums.split += share(noise.lights, plan.lights) + share(noise.rays, plan.rays);
+    ++sums.squares;
 }
 
 double SamplePlanner::relative(const Block& block, double variance) const {
@@ -131,25 +125,30 @@ void SamplePlanner::update(int samples, bool wholeSample) {
     std::vector<double> all, own;
     for (const Block& block : blocks_) {
         const Sums& sums = block.sums;
-        if (sums.splitSquares == 0) continue;
-        all.push_back(relative(block, sums.splitSquare / sums.splitSquares));
-        own.push_back(relative(block, (sums.splitSquare - sums.ofSplit) / sums.splitSquares));
+        if (sums.squares == 0) continue;
+        all.push_back(relative(block, sums.square / sums.squares));
+        own.push_back(relative(block, (sums.square - sums.split) / sums.squares));
     }
     // The variance of a camera sample with infinitely many light samples and rays. An underestimate, because stratified
     // samples have less noise than their variance tells, and may be none at all.
     const double variance = std::max(trimmedMean(own), kLeastShare * trimmedMean(all));
     for (Block& block : blocks_) {
         FinalGather::Splitting& plan = block.plan;
-        plan.firstLight += uint32_t(block.samples.count * plan.lights);
-        plan.firstRay += uint32_t(block.samples.count * plan.rays);
+        FinalGather::Splitting& measuring = block.measuringPlan;
+        for (FinalGather::Splitting* of : {&plan, &measuring}) {
+            of->firstLight += uint32_t(block.samples.count * of->lights);
+            of->firstRay += uint32_t(block.samples.count * of->rays);
+        }
         if (!(variance > 0)) continue;
-        // Few at first, so that the first pictures are not late.
+        // Few at first: a picture of two or three camera samples has more need of a fourth.
         const auto best = [&](double ofOne, double cost, int limit) {
             const double n = std::sqrt(relative(block, ofOne) / (variance * cost));
-            return int(std::lrint(std::clamp(n, 1.0, double(std::min(limit, kFirstRays + 2 * samples)))));
+            return int(std::lrint(std::clamp(n, 1.0, double(std::min(limit, std::max(1, samples))))));
         };
         plan.lights = best(ratio(block.sums.lights, block.sums.lightHits), kLightCost, kMostLights);
         plan.rays = best(ratio(block.sums.rays, block.sums.rayHits), kRayCost, kMostRays);
+        measuring.lights = std::max(plan.lights, 2);
+        measuring.rays = std::max(plan.rays, 2);
     }
     planSamples();
 }
@@ -163,7 +162,7 @@ void SamplePlanner::planSamples() {
         const int column = int(i) % columns(), row = int(i) / columns();
         pixels.push_back(double(std::min(kBlock, region_.width() - column * kBlock)) *
                          double(std::min(kBlock, region_.height() - row * kBlock)));
-        shares.push_back(std::pow(relative(block, ratio(block.sums.square, block.sums.squares)), kPowerOfVariance));
+        shares.push_back(std::pow(relative(block, ratio(block.sums.bounded, block.sums.squares)), kPowerOfVariance));
         sum += shares[i] * pixels[i];
     }
     const auto all = double(region_.count());
@@ -188,10 +187,12 @@ void SamplePlanner::planSamples() {
 void SamplePlanner::save(StateWriter& to) const {
     for (const Block& block : blocks_) {
         block.sums.save(to);
-        to.value(int32_t(block.plan.lights));
-        to.value(int32_t(block.plan.rays));
-        to.value(block.plan.firstLight);
-        to.value(block.plan.firstRay);
+        for (const FinalGather::Splitting* plan : {&block.plan, &block.measuringPlan}) {
+            to.value(int32_t(plan->lights));
+            to.value(int32_t(plan->rays));
+            to.value(plan->firstLight);
+            to.value(plan->firstRay);
+        }
         to.value(block.samples.first);
         to.value(int32_t(block.samples.count));
         to.value(block.wanted);
@@ -209,17 +210,19 @@ void SamplePlanner::save(StateWriter& to) const {
 void SamplePlanner::load(StateReader& from) {
     for (Block& block : blocks_) {
         block.sums.load(from);
-        block.plan.lights = from.value<int32_t>();
-        block.plan.rays = from.value<int32_t>();
-        block.plan.firstLight = from.value<uint32_t>();
-        block.plan.firstRay = from.value<uint32_t>();
+        for (FinalGather::Splitting* plan : {&block.plan, &block.measuringPlan}) {
+            plan->lights = from.value<int32_t>();
+            plan->rays = from.value<int32_t>();
+            plan->firstLight = from.value<uint32_t>();
+            plan->firstRay = from.value<uint32_t>();
+            if (plan->lights < 1 || plan->lights > kMostLights || plan->rays < 1 || plan->rays > kMostRays)
+                from.fail("there cannot be so many rays for a camera sample");
+        }
         block.samples.first = from.value<uint32_t>();
         block.samples.count = from.value<int32_t>();
         block.wanted = from.value<double>();
-        if (block.plan.lights < 1 || block.plan.lights > kMostLights || block.plan.rays < 1 ||
-            block.plan.rays > kMostRays || block.samples.count < 0 || block.samples.count > kMostSamples + 1 ||
-            !std::isfinite(block.wanted))
-            from.fail("there cannot be so many rays for a camera sample");
+        if (block.samples.count < 0 || block.samples.count > kMostSamples + 1 || !std::isfinite(block.wanted))
+            from.fail("there cannot be so many camera samples");
     }
     std::ranges::fill(rows_, Sums{});
     for (auto left = from.value<uint64_t>(); left > 0; --left) {

@@ -35,10 +35,11 @@ class SamplePlanner {
     // how it is split.
     PixelSamples samples(int x, int y) const { return blocks_[blockOf(x, y)].samples; }
     FinalGather::Splitting splitting(int x, int y, uint32_t index) const;
-    // Whether add() wants the mean of a row's pixels.
-    static bool wantsMean(int y) { return y % kRowsForMean == 0; }
+    // Whether a pixel is one of those, a quarter of all, that noise is measured in: they always have two light samples
+    // and rays or more, and add() wants their mean.
+    static bool measures(int x, int y) { return ((x + 2 * y) & 3) == 0; }
     // Records a camera sample that was taken as samples() and splitting() say. value: its luminance. mean: that of the
-    // pixel's `samples` earlier ones, if wantsMean(). Different rows may be added to from different threads.
+    // pixel's `samples` earlier ones, if measures(). Different rows may be added to from different threads.
     void add(int x, int y, const FinalGather::Noise& noise, float value, float mean, double samples);
     // Plans the next samples, when each pixel has so many. wholeSample: the latest pass was the last one of a sample.
     void update(int samples, bool wholeSample);
@@ -48,26 +49,29 @@ class SamplePlanner {
     void load(StateReader& from);
 
   private:
-    static constexpr int kRowsForMean = 4;
     struct Sums {
         double lights = 0, rays = 0;        // variances
         double lightHits = 0, rayHits = 0;  // how many
         double value = 0, values = 0;
-        double square = 0, squares = 0;  // of a sample's difference from the pixel's mean
-        // The same of samples that are split, and the part of it that more light samples and rays would lessen.
-        double splitSquare = 0, ofSplit = 0, splitSquares = 0;
+        // Of a sample's difference from the pixel's mean, the same without fireflies, and the part of it that more
+        // light samples and rays would lessen.
+        double square = 0, bounded = 0, split = 0, squares = 0;
         void add(const Sums& other);
         void save(StateWriter& to) const;
         void load(StateReader& from);
     };
     struct Block {
         Sums sums;
-        FinalGather::Splitting plan;  // of the first camera sample of the pass
+        // Of the pixels that do not measure, and of those that do.
+        FinalGather::Splitting plan, measuringPlan;
         PixelSamples samples;
         double wanted = 1;  // camera samples of a pixel, up to and including the present pass
     };
     void planSamples();
     double relative(const Block& block, double variance) const;
+    static const FinalGather::Splitting& planFor(int x, int y, const Block& block) {
+        return measures(x, y) ? block.measuringPlan : block.plan;
+    }
     int columns() const { return (region_.width() + kBlock - 1) / kBlock; }
     size_t blockOf(int x, int y) const {
         return size_t((y - region_.y0) / kBlock) * size_t(columns()) + size_t((x - region_.x0) / kBlock);

@@ -77,8 +77,10 @@ class Samples {
     int passes_ = 0;
 };
 
+// In a pixel that does not measure.
 FinalGather::Splitting planOf(const SamplePlanner& planner, int block) {
-    const int x = kRegion.x0 + block * kBlock;
+    int x = kRegion.x0 + block * kBlock;
+    while (SamplePlanner::measures(x, kRegion.y0)) ++x;
     return planner.splitting(x, kRegion.y0, planner.samples(x, kRegion.y0).first);
 }
 
@@ -109,10 +111,10 @@ TEST(SamplePlanner, TakesFewWhereHitsAreNoisierThanRays) {
 TEST(SamplePlanner, IsBoundedAndSlowToBegin) {
     SamplePlanner p = planner();
     Samples samples(p, {{.light = 4, .ray = 4}});
-    EXPECT_EQ(planOf(p, 0).rays, 2);
-    for (int i = 0; i < 12; ++i) {
+    EXPECT_EQ(planOf(p, 0).rays, 1);
+    for (int i = 0; i < 32; ++i) {
         samples.take();
-        EXPECT_LE(planOf(p, 0).rays, 2 + 2 * (i + 1));
+        EXPECT_LE(planOf(p, 0).rays, i + 1);
     }
     EXPECT_EQ(planOf(p, 0).rays, SamplePlanner::kMostRays);
     EXPECT_EQ(planOf(p, 0).lights, SamplePlanner::kMostLights);
@@ -140,12 +142,28 @@ TEST(SamplePlanner, NoPartOfThePictureTakesNearlyAllCameraSamples) {
     EXPECT_GE(samples.of(kRegion.x0 + 2 * kBlock, kRegion.y0), 14);
 }
 
+TEST(SamplePlanner, AlwaysMeasuresInAQuarterOfThePixels) {
+    const SamplePlanner p = planner();
+    int measuring = 0;
+    for (int y = kRegion.y0; y < kRegion.y1; ++y)
+        for (int x = kRegion.x0; x < kRegion.x0 + kBlock; ++x) {
+            const FinalGather::Splitting plan = p.splitting(x, y, 0);
+            EXPECT_EQ(plan.rays, SamplePlanner::measures(x, y) ? 2 : 1);
+            EXPECT_EQ(plan.lights, plan.rays);
+            measuring += plan.rays == 2;
+        }
+    EXPECT_EQ(measuring, kBlock * kBlock / 4);
+}
+
 TEST(SamplePlanner, GoesOnInTheSequencesWhereTheLastPassEnded) {
     SamplePlanner p = planner();
     Samples samples(p, {{.light = 0.4f, .ray = 0.8f}});
-    const int x = kRegion.x0, y = kRegion.y0;
+    const int y = kRegion.y0;
     int most = 0;
-    for (int i = 0; i < 12; ++i) {
+    // A pixel that measures, and one that does not.
+    ASSERT_TRUE(SamplePlanner::measures(kRegion.x0, y));
+    for (int i = 0; i < 24; ++i) {
+        const int x = kRegion.x0 + i % 2;
         const PixelSamples before = p.samples(x, y);
         const FinalGather::Splitting last = p.splitting(x, y, before.first + uint32_t(before.count));
         most = std::max(most, before.count);
