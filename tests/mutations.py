@@ -64,11 +64,16 @@ FAULTS = [
           "FinalGather*"),
     Fault("paths of final gather are one bounce longer", "src/integrators/final_gather.cpp",
           "if (path.depth >= settings.maxDepth) shown = false;", "if (path.depth > settings.maxDepth) shown = false;",
-          "*IsThePathTracerWithoutCells*"),
+          "FinalGather.WithoutAnswers*"),
     Fault("answers of radiance cells are too bright", "src/cache/radiance_cells.cpp",
           "answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);",
           "answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]) * 1.15f;",
           "*IsNotSeenByFinalGather*"),
+    Fault("light samples that share a hit do not know how many rays do", "src/integrators/final_gather.cpp",
+          "        light.bsdfPdf *= pdfScale;\n", "", "FinalGather*"),
+    Fault("rays that share a hit deposit as often as one alone", "src/integrators/final_gather.cpp",
+          "trainingShare = sample.splitting.training * perRay;", "trainingShare = sample.splitting.training;",
+          "FinalGather*"),
 ]
 
 

@@ -106,11 +106,11 @@ Rgb FinalGather::split(const PathState& path, const SurfaceInteraction& hit, con
     const int lights = splitting.lights, rays = splitting.rays;
     // The weights of multiple importance sampling count how many samples each technique takes (Veach 1997, 9.2).
     const float pdfScale = float(rays) / float(lights);
-    constexpr uint64_t kLightStream = 1, kRayStream = 2;
+    const uint64_t lightStream = hashCombine(splitting.stream, 1), rayStream = hashCombine(splitting.stream, 2);
     Rgb sum(0.f);
     SampleVariance ofLights, ofRays;
     for (int i = 0; i < lights; ++i) {
-        Sampler sampler(hashCombine(splitting.stream, kLightStream), splitting.firstLight + uint32_t(i));
+        Sampler sampler(lightStream, splitting.firstLight + uint32_t(i));
         const float choice = sampler.get1D();
         DirectLighting::Proposal light = lighting_.propose(hit, view, path.group, choice, sampler.get2D());
         light.bsdfPdf *= pdfScale;
@@ -119,7 +119,7 @@ Rgb FinalGather::split(const PathState& path, const SurfaceInteraction& hit, con
         sum += lit * (1 / float(lights));
     }
     for (int i = 0; i < rays; ++i) {
-        Sampler sampler(hashCombine(splitting.stream, kRayStream), splitting.firstRay + uint32_t(i));
+        Sampler sampler(rayStream, splitting.firstRay + uint32_t(i));
         PathState branch = path;
         Rgb found(0.f);
         if (walker_.scatter(branch, hit, view, VertexNumbers(sampler)))
@@ -146,7 +146,7 @@ Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32&
     float distance = 0, pdf = path.pdf;
     float pdfScale = branch.pdfScale;
     bool isFirst = branch.isFirst;
-    const float trainingShare = 1 / float(branch.rays);
+    const float perRay = 1 / float(branch.rays), trainingShare = sample.splitting.training * perRay;
     const Accel& accel = lighting_.accel();
     SurfaceInteraction hit;
     Accel::Found found;
@@ -176,7 +176,7 @@ Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32&
         if (bsdf.size() == 0) break;
         path.group = lighting_.groupOf(hit, bsdf);
         if (sample.gBuffer && path.depth == 0)
-            sample.gBuffer->record(path.throughput * trainingShare, hit, bsdf, path.distance);
+            sample.gBuffer->record(path.throughput * perRay, hit, bsdf, path.distance);
         if (isFirst && bsdf.hasNonSpecular()) {
             isFirst = false;
             ++counts.hits;

@@ -43,12 +43,14 @@ class FinalGather {
         // Indices of the first ones in the pixel's sequences of random numbers, and the stream of these.
         uint32_t firstLight = 0, firstRay = 0;
         uint64_t stream = 0;
+        // By which the probability that a path trains is multiplied, in (0, 1].
+        float training = 1;
         // Otherwise the path just goes on.
         bool splits() const { return lights > 1 || rays > 1; }
     };
-    // Estimates of the variance of one light sample's and one ray's contribution, their luminance, among those that
-    // share a hit; negative where there was but one, or no such hit. They are at most N / (N - 1) times too large,
-    // because the samples are stratified.
+    // Estimates of the variance of one light sample's and one ray's luminance, from those that share a hit; negative
+    // where there was but one, or no such hit. Because N samples that share a hit are stratified, the estimates are too
+    // large, by up to N / (N - 1).
     struct Noise {
         float lights = -1, rays = -1;
     };
@@ -69,8 +71,8 @@ class FinalGather {
         : lighting_(lighting), walker_(lighting, settings) {}
 
     // All light that arrives at the ray's origin along it. A path trains the cache, that is it goes on and makes
-    // deposits, with the probability that the cache asks for, divided by the number of rays that share the hit: both
-    // then count alike in the mean of all deposits, and of all look-ups.
+    // deposits, with the probability that the cache asks for, divided by the number of rays that share the hit: a
+    // deposit then counts in the cells as its look-up counts in the picture.
     Rgb radiance(const Ray& ray, Sample& sample) const;
 
   private:

@@ -10,7 +10,7 @@ namespace {
 // living-room, bathroom2, staircase2 and iispt-court2 they are .9 to 1.3, and .3. They count twice, because a denoised
 // picture profits more from camera hits, which find its edges, than the variance of pixels tells.
 constexpr double kRayCost = 2, kLightCost = 0.6;
-// Squared radiance that is displayed with this is not told from black.
+// Added to squared displayed radiance, as in the error that pictures are measured by (docs/measuring.md).
 constexpr double kDarkest = 0.01;
 // The least share of the variance that is taken for the camera hit's own.
 constexpr double kLeastShare = 0.02;
@@ -20,8 +20,8 @@ constexpr double kFewestSamples = 0.75;
 // For an error that falls with the number of samples n as n^-p, the best share is as error^(1 / (1 + p)).
 constexpr double kPowerOfVariance = 0.5;
 
-// A sample counts for its block's share at most as if it were so many times as bright as the block: more samples do not
-// make a firefly go away.
+// A sample's difference from its pixel's mean counts at most as so many times the mean of the block. A few more samples
+// do not average a firefly away.
 constexpr double kBrightest = 8;
 
 double ratio(double sum, double count) { return count > 0 ? sum / count : 0; }
@@ -121,7 +121,7 @@ void SamplePlanner::update(int samples, bool wholeSample) {
             sums = {};
         }
     if (!wholeSample) return;
-    // Means over the blocks without those that stand out most, which would have few samples everywhere else.
+    // Trimmed, because a block with fireflies would else decide for the whole picture.
     std::vector<double> all, own;
     for (const Block& block : blocks_) {
         const Sums& sums = block.sums;
@@ -180,6 +180,8 @@ void SamplePlanner::planSamples() {
         Block& block = blocks_[i];
         const double before = std::floor(block.wanted);
         block.wanted += share(i);
+        // Where pixels have more samples, each counts less in the picture, and what it deposits shall count less.
+        block.plan.training = block.measuringPlan.training = float(kFewestSamples / share(i));
         block.samples = {block.samples.first + uint32_t(block.samples.count), int(std::floor(block.wanted) - before)};
     }
 }
@@ -192,6 +194,7 @@ void SamplePlanner::save(StateWriter& to) const {
             to.value(int32_t(plan->rays));
             to.value(plan->firstLight);
             to.value(plan->firstRay);
+            to.value(plan->training);
         }
         to.value(block.samples.first);
         to.value(int32_t(block.samples.count));
@@ -215,6 +218,8 @@ void SamplePlanner::load(StateReader& from) {
             plan->rays = from.value<int32_t>();
             plan->firstLight = from.value<uint32_t>();
             plan->firstRay = from.value<uint32_t>();
+            plan->training = from.value<float>();
+            if (!(plan->training > 0 && plan->training <= 1)) from.fail("there cannot be such a probability");
             if (plan->lights < 1 || plan->lights > kMostLights || plan->rays < 1 || plan->rays > kMostRays)
                 from.fail("there cannot be so many rays for a camera sample");
         }

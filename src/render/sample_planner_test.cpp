@@ -131,6 +131,9 @@ TEST(SamplePlanner, TakesMoreCameraSamplesWhereThePictureIsNoisier) {
     EXPECT_NEAR(samples.of(kRegion.x0, kRegion.y0) / least, 4, 0.6f);
     EXPECT_NEAR(samples.of(kRegion.x0 + kBlock, kRegion.y0 + 5) / least, 2, 0.3f);
     EXPECT_GE(least, 0.7f * 66);
+    // The product of samples and their probability of training is the same for all pixels.
+    EXPECT_NEAR(planOf(p, 0).training * samples.of(kRegion.x0, kRegion.y0), planOf(p, 3).training * least, 6);
+    EXPECT_NEAR(planOf(p, 1).training / planOf(p, 0).training, 2, 0.3f);
 }
 
 // Nor do fireflies, which more samples would not end.

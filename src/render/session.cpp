@@ -142,7 +142,7 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
 }
 
 std::string Session::fileHeader(const std::string& identity) const {
-    return fmt::format("{} 1 {} {}", kFileKind, params_.integrator, film_->description(identity));
+    return fmt::format("{} 2 {} {}", kFileKind, params_.integrator, film_->description(identity));
 }
 
 void Session::save(const std::string& path, const std::string& identity) const {
