@@ -161,22 +161,29 @@ TEST(FinalGather, WithoutAnswersItIsThePathTracer) {
         }
 }
 
-// Several light samples and rays that share a hit, in any proportion, have the mean of one of each.
+// Several light samples and rays that share a hit, in any proportion, have the mean of one of each. In a room with
+// small lamps, and under lights so large that both techniques find them.
 TEST(FinalGather, SplitItHasThePathTracersMeans) {
     constexpr FinalGather::Splitting kSplittings[] = {{.lights = 3, .rays = 1}, {.lights = 1, .rays = 4}};
     for (const auto& [name, material] : test::allMaterials()) {
-        // All of the room.
-        const Traced traced(
-            test::respelt(test::room(material, 12, 8), "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]", material));
-        const Gathered paths = traced.paths(300, 2);
-        for (const FinalGather::Splitting& splitting : kSplittings) {
-            TestCache none;
-            none.leastReach = kInfinity;
-            const Gathered split = traced.gather(none, 150, 1, 0, splitting);
-            EXPECT_EQ(split.counts.rays, split.counts.hits * splitting.rays);
-            EXPECT_EQ(split.counts.lights, split.counts.hits * splitting.lights);
-            for (int c = 0; c < 3; ++c)
-                EXPECT_NEAR(split.mean[c], paths.mean[c], 4.5f * std::hypot(split.error[c], paths.error[c])) << name;
+        // All of the room, and all that the picture shows under the lights.
+        const std::string rooms[] = {
+            test::respelt(test::room(material, 12, 8), "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]", material),
+            test::respelt(boxOnFloor(material), "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]", material)};
+        for (const std::string& room : rooms) {
+            const Traced traced(room);
+            const Gathered paths = traced.paths(300, 2);
+            for (const FinalGather::Splitting& splitting : kSplittings) {
+                TestCache none;
+                none.leastReach = kInfinity;
+                const Gathered split = traced.gather(none, 150, 1, 0, splitting);
+                EXPECT_EQ(split.counts.rays, split.counts.hits * splitting.rays);
+                EXPECT_EQ(split.counts.lights, split.counts.hits * splitting.lights);
+                for (int c = 0; c < 3; ++c) {
+                    const float error = std::hypot(split.error[c], paths.error[c]);
+                    EXPECT_NEAR(split.mean[c], paths.mean[c], 4.5f * error) << name;
+                }
+            }
         }
     }
 }
