@@ -168,7 +168,7 @@ void SamplePlanner::planSamples() {
     const auto all = double(region_.count());
     double scale = sum > 0 ? all / sum : 0;
     const auto share = [&](size_t i) {
-        return sum > 0 ? std::clamp(scale * shares[i], kFewestSamples, double(kMostSamples)) : 1;
+        return sum > 0 ? std::clamp(scale * shares[i], kFewestSamples, double(kMostSamples)) : 1.;
     };
     constexpr int kRounds = 16;
     for (int round = 0; round < kRounds; ++round) {
@@ -176,12 +176,14 @@ void SamplePlanner::planSamples() {
         for (size_t i = 0; i < blocks_.size(); ++i) bounded += share(i) * pixels[i];
         scale *= all / bounded;
     }
+    double least = kMostSamples;
+    for (size_t i = 0; i < blocks_.size(); ++i) least = std::min(least, share(i));
     for (size_t i = 0; i < blocks_.size(); ++i) {
         Block& block = blocks_[i];
         const double before = std::floor(block.wanted);
         block.wanted += share(i);
         // Where pixels have more samples, each counts less in the picture, and what it deposits shall count less.
-        block.plan.training = block.measuringPlan.training = float(kFewestSamples / share(i));
+        block.plan.training = block.measuringPlan.training = float(least / share(i));
         block.samples = {block.samples.first + uint32_t(block.samples.count), int(std::floor(block.wanted) - before)};
     }
 }
