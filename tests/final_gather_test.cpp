@@ -79,7 +79,8 @@ INSTANTIATE_TEST_SUITE_P(Invariant7, FinalGatherOfCameras, testing::ValuesIn(tes
                          [](const auto& i) { return i.param.name; });
 
 TEST_P(FinalGatherOfCameras, HasThePathTracersMeans) {
-    expectSameAsPaths(test::roomSeenBy(GetParam(), R"(Material "matte" "rgb Kd" [0.5 0.6 0.3])", kWidth, kHeight));
+    expectSameAsPaths(test::roomSeenBy(GetParam(), R"(Material "matte" "rgb Kd" [0.5 0.6 0.3])", kWidth, kHeight),
+                      {.gatherSpp = 96});
 }
 
 TEST(FinalGather, HasThePathTracersMeansAmongLampsOfEveryShape) {

@@ -43,7 +43,7 @@ class FinalGather {
         // Indices of the first ones in the pixel's sequences of random numbers, and the stream of these.
         uint32_t firstLight = 0, firstRay = 0;
         uint64_t stream = 0;
-        // By which the probability that a path trains is multiplied, in (0, 1].
+        // By which the probability that a path trains is multiplied.
         float training = 1;
         // Otherwise the path just goes on.
         bool splits() const { return lights > 1 || rays > 1; }

@@ -116,6 +116,8 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, GBufferSample* gBuffer) override {
         if (!cells_) return context_.tracer.radiance(ray, sampler, gBuffer);
         Row& row = rows_[size_t(place.y - region_.y0)];
+        SamplePlanner::Taken taken;
+        GBufferSample& surface = taken.surface;
         FinalGather::Sample sample{
             .sampler = sampler,
             .cache = *cells_,
@@ -123,17 +125,19 @@ class FinalGatherIntegrator final : public SampledIntegrator {
             .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
             .deposits = row.deposits,
             .counts = row.counts,
-            .gBuffer = gBuffer};
+            .gBuffer = &surface};
         sample.splitting.stream = pixelStream(context_.params.seed, kSplitStream, place.x, place.y);
         const Rgb value = gather_.radiance(ray, sample);
-        float mean = 0;
-        double samples = 0;
+        taken.value = luminance(value);
+        taken.noise = sample.noise;
+        taken.half = halfOf(sample.splitting.stream, place.index);
         if (SamplePlanner::measures(place.x, place.y)) {
             const FilmLayer& layer = film.layer(0);
-            samples = layer.expected(place.x, place.y);
-            if (samples > 0) mean = luminance(layer.mean(place.x, place.y));
+            taken.samples = layer.expected(place.x, place.y);
+            if (taken.samples > 0) taken.mean = luminance(layer.mean(place.x, place.y));
         }
-        planner_->add(place.x, place.y, sample.noise, luminance(value), mean, samples);
+        planner_->add(place.x, place.y, taken);
+        if (gBuffer != nullptr) *gBuffer = surface;
         return value;
     }
 

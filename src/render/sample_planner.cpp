@@ -15,15 +15,6 @@ constexpr double kDarkest = 0.01;
 // The least share of the variance that is taken for the camera hit's own.
 constexpr double kLeastShare = 0.02;
 
-// The fewest camera samples of a pixel for each that it would have if all had the same number.
-constexpr double kFewestSamples = 0.75;
-// For an error that falls with the number of samples n as n^-p, the best share is as error^(1 / (1 + p)).
-constexpr double kPowerOfVariance = 0.5;
-
-// A sample's difference from its pixel's mean counts at most as so many times the mean of the block. A few more samples
-// do not average a firefly away.
-constexpr double kBrightest = 8;
-
 double ratio(double sum, double count) { return count > 0 ? sum / count : 0; }
 
 // The mean without the least and the greatest tenth.
@@ -45,44 +36,58 @@ void SamplePlanner::Sums::add(const Sums& other) {
     value += other.value;
     values += other.values;
     square += other.square;
-    bounded += other.bounded;
     split += other.split;
     squares += other.squares;
 }
 
 void SamplePlanner::Sums::save(StateWriter& to) const {
-    for (const double v : {lights, rays, lightHits, rayHits, value, values, square, bounded, split, squares})
-        to.value(v);
+    for (const double v : {lights, rays, lightHits, rayHits, value, values, square, split, squares}) to.value(v);
 }
 
 void SamplePlanner::Sums::load(StateReader& from) {
-    for (double* v : {&lights, &rays, &lightHits, &rayHits, &value, &values, &square, &bounded, &split, &squares})
+    for (double* v : {&lights, &rays, &lightHits, &rayHits, &value, &values, &square, &split, &squares})
         *v = from.value<double>();
 }
 
 SamplePlanner::SamplePlanner(const PixelRegion& region, float displayScale, uint32_t firstSample)
-    : region_(region), scale_(displayScale > 0 ? displayScale : 1) {
+    : region_(region), scale_(displayScale > 0 ? displayScale : 1), density_(region, displayScale) {
     const int rows = (region.height() + kBlock - 1) / kBlock;
     blocks_.resize(size_t(rows) * size_t(columns()));
     rows_.resize(size_t(region.height()) * size_t(columns()));
+    parts_.resize(density_.blocks());
     // Shards of a picture take their numbers from different parts of the sequences.
     const uint32_t first = firstSample * uint32_t(kMostSamples);
-    for (Block& block : blocks_) {
-        block.plan = {1, 1, first * uint32_t(kMostLights), first * uint32_t(kMostRays)};
-        block.measuringPlan = {2, 2, block.plan.firstLight, block.plan.firstRay};
-        block.samples = {first, 1};
+    for (Part& part : parts_) {
+        part.samples = {first, 1};
+        for (const int measuring : {0, 1}) {
+            part.firstLight[measuring] = first * uint32_t(kMostLights);
+            part.firstRay[measuring] = first * uint32_t(kMostRays);
+        }
     }
+}
+
+const SamplePlanner::Block& SamplePlanner::blockOfPart(size_t part) const {
+    constexpr size_t kParts = kBlock / SampleDensity::kBlock;
+    const auto width = size_t(density_.columns());
+    return blocks_[part / width / kParts * size_t(columns()) + part % width / kParts];
 }
 
 FinalGather::Splitting SamplePlanner::splitting(int x, int y, uint32_t index) const {
     const Block& block = blocks_[blockOf(x, y)];
-    FinalGather::Splitting plan = planFor(x, y, block);
-    plan.firstLight += (index - block.samples.first) * uint32_t(plan.lights);
-    plan.firstRay += (index - block.samples.first) * uint32_t(plan.rays);
-    return plan;
+    const Part& part = parts_[density_.blockOf(x, y)];
+    const bool measuring = measures(x, y);
+    const int lights = block.lightsAt(measuring), rays = block.raysAt(measuring);
+    const uint32_t before = index - part.samples.first;
+    return {.lights = lights,
+            .rays = rays,
+            .firstLight = part.firstLight[measuring] + before * uint32_t(lights),
+            .firstRay = part.firstRay[measuring] + before * uint32_t(rays),
+            .training = part.training};
 }
 
-void SamplePlanner::add(int x, int y, const FinalGather::Noise& noise, float value, float mean, double samples) {
+void SamplePlanner::add(int x, int y, const Taken& sample) {
+    density_.add(x, y, sample.half, sample.value, sample.surface);
+    const FinalGather::Noise& noise = sample.noise;
     Sums& sums = rows_[size_t(y - region_.y0) * size_t(columns()) + size_t((x - region_.x0) / kBlock)];
     if (noise.lights >= 0) {
         sums.lights += double(noise.lights);
@@ -92,19 +97,16 @@ void SamplePlanner::add(int x, int y, const FinalGather::Noise& noise, float val
         sums.rays += double(noise.rays);
         ++sums.rayHits;
     }
-    sums.value += double(value);
+    sums.value += double(sample.value);
     ++sums.values;
-    if (!(samples > 0) || !measures(x, y)) return;
-    // The mean has an error of its own.
-    const double square = double(value - mean) * double(value - mean) * samples / (samples + 1);
-    const Block& block = blocks_[blockOf(x, y)];
-    const double brightest = kBrightest * ratio(block.sums.value, block.sums.values);
+    if (!(sample.samples > 0) || !measures(x, y)) return;
+    const double difference = double(sample.value - sample.mean);
     // Samples that have met no surface to split at have noise below 0.
     const auto share = [](float variance, int count) { return double(std::max(0.f, variance)) / count; };
-    const FinalGather::Splitting& plan = planFor(x, y, block);
-    sums.square += square;
-    sums.bounded += std::min(square, brightest * brightest);
-    sums.split += share(noise.lights, plan.lights) + share(noise.rays, plan.rays);
+    const Block& block = blocks_[blockOf(x, y)];
+    // The mean has an error of its own.
+    sums.square += difference * difference * sample.samples / (sample.samples + 1);
+    sums.split += share(noise.lights, block.lightsAt(true)) + share(noise.rays, block.raysAt(true));
     ++sums.squares;
 }
 
@@ -132,75 +134,54 @@ void SamplePlanner::update(int samples, bool wholeSample) {
     // The variance of a camera sample with infinitely many light samples and rays. An underestimate, because stratified
     // samples have less noise than their variance tells, and may be none at all.
     const double variance = std::max(trimmedMean(own), kLeastShare * trimmedMean(all));
-    for (Block& block : blocks_) {
-        FinalGather::Splitting& plan = block.plan;
-        FinalGather::Splitting& measuring = block.measuringPlan;
-        for (FinalGather::Splitting* of : {&plan, &measuring}) {
-            of->firstLight += uint32_t(block.samples.count * of->lights);
-            of->firstRay += uint32_t(block.samples.count * of->rays);
+    // Before the plans change.
+    for (size_t i = 0; i < parts_.size(); ++i) {
+        Part& part = parts_[i];
+        const Block& block = blockOfPart(i);
+        for (const bool measuring : {false, true}) {
+            part.firstLight[measuring] += uint32_t(part.samples.count * block.lightsAt(measuring));
+            part.firstRay[measuring] += uint32_t(part.samples.count * block.raysAt(measuring));
         }
-        if (!(variance > 0)) continue;
+    }
+    for (Block& block : blocks_) {
+        if (!(variance > 0)) break;
         // Few at first: a picture of two or three camera samples has more need of a fourth.
         const auto best = [&](double ofOne, double cost, int limit) {
             const double n = std::sqrt(relative(block, ofOne) / (variance * cost));
             return int(std::lrint(std::clamp(n, 1.0, double(std::min(limit, std::max(1, samples))))));
         };
-        plan.lights = best(ratio(block.sums.lights, block.sums.lightHits), kLightCost, kMostLights);
-        plan.rays = best(ratio(block.sums.rays, block.sums.rayHits), kRayCost, kMostRays);
-        measuring.lights = std::max(plan.lights, 2);
-        measuring.rays = std::max(plan.rays, 2);
+        block.lights = best(ratio(block.sums.lights, block.sums.lightHits), kLightCost, kMostLights);
+        block.rays = best(ratio(block.sums.rays, block.sums.rayHits), kRayCost, kMostRays);
     }
+    density_.update(samples);
     planSamples();
 }
 
 void SamplePlanner::planSamples() {
-    // A block's share of the samples: by its variance, between two bounds, so that the mean over all pixels is 1.
-    std::vector<double> shares, pixels;
-    double sum = 0;
-    for (size_t i = 0; i < blocks_.size(); ++i) {
-        const Block& block = blocks_[i];
-        const int column = int(i) % columns(), row = int(i) / columns();
-        pixels.push_back(double(std::min(kBlock, region_.width() - column * kBlock)) *
-                         double(std::min(kBlock, region_.height() - row * kBlock)));
-        shares.push_back(std::pow(relative(block, ratio(block.sums.bounded, block.sums.squares)), kPowerOfVariance));
-        sum += shares[i] * pixels[i];
-    }
-    const auto all = double(region_.count());
-    double scale = sum > 0 ? all / sum : 0;
-    const auto share = [&](size_t i) {
-        return sum > 0 ? std::clamp(scale * shares[i], kFewestSamples, double(kMostSamples)) : 1.;
-    };
-    constexpr int kRounds = 16;
-    for (int round = 0; round < kRounds; ++round) {
-        double bounded = 0;
-        for (size_t i = 0; i < blocks_.size(); ++i) bounded += share(i) * pixels[i];
-        scale *= all / bounded;
-    }
-    double least = kMostSamples;
-    for (size_t i = 0; i < blocks_.size(); ++i) least = std::min(least, share(i));
-    for (size_t i = 0; i < blocks_.size(); ++i) {
-        Block& block = blocks_[i];
-        const double before = std::floor(block.wanted);
-        block.wanted += share(i);
+    for (size_t i = 0; i < parts_.size(); ++i) {
+        Part& part = parts_[i];
+        const double before = std::floor(part.wanted);
+        part.wanted += density_.density(i);
         // Where pixels have more samples, each counts less in the picture, and what it deposits shall count less.
-        block.plan.training = block.measuringPlan.training = float(least / share(i));
-        block.samples = {block.samples.first + uint32_t(block.samples.count), int(std::floor(block.wanted) - before)};
+        part.training = float(1 / density_.density(i));
+        part.samples = {part.samples.first + uint32_t(part.samples.count), int(std::floor(part.wanted) - before)};
     }
 }
 
 void SamplePlanner::save(StateWriter& to) const {
+    density_.save(to);
     for (const Block& block : blocks_) {
         block.sums.save(to);
-        for (const FinalGather::Splitting* plan : {&block.plan, &block.measuringPlan}) {
-            to.value(int32_t(plan->lights));
-            to.value(int32_t(plan->rays));
-            to.value(plan->firstLight);
-            to.value(plan->firstRay);
-            to.value(plan->training);
-        }
-        to.value(block.samples.first);
-        to.value(int32_t(block.samples.count));
-        to.value(block.wanted);
+        to.value(int32_t(block.lights));
+        to.value(int32_t(block.rays));
+    }
+    for (const Part& part : parts_) {
+        to.value(part.samples.first);
+        to.value(int32_t(part.samples.count));
+        to.value(part.wanted);
+        to.values(std::span(part.firstLight));
+        to.values(std::span(part.firstRay));
+        to.value(part.training);
     }
     // Between passes there are none.
     const auto used = [](const Sums& sums) { return sums.values > 0; };
@@ -213,23 +194,25 @@ void SamplePlanner::save(StateWriter& to) const {
 }
 
 void SamplePlanner::load(StateReader& from) {
+    density_.load(from);
     for (Block& block : blocks_) {
         block.sums.load(from);
-        for (FinalGather::Splitting* plan : {&block.plan, &block.measuringPlan}) {
-            plan->lights = from.value<int32_t>();
-            plan->rays = from.value<int32_t>();
-            plan->firstLight = from.value<uint32_t>();
-            plan->firstRay = from.value<uint32_t>();
-            plan->training = from.value<float>();
-            if (!(plan->training > 0 && plan->training <= 1)) from.fail("there cannot be such a probability");
-            if (plan->lights < 1 || plan->lights > kMostLights || plan->rays < 1 || plan->rays > kMostRays)
-                from.fail("there cannot be so many rays for a camera sample");
-        }
-        block.samples.first = from.value<uint32_t>();
-        block.samples.count = from.value<int32_t>();
-        block.wanted = from.value<double>();
-        if (block.samples.count < 0 || block.samples.count > kMostSamples + 1 || !std::isfinite(block.wanted))
+        block.lights = from.value<int32_t>();
+        block.rays = from.value<int32_t>();
+        if (block.lights < 1 || block.lights > kMostLights || block.rays < 1 || block.rays > kMostRays)
+            from.fail("there cannot be so many rays for a camera sample");
+    }
+    for (Part& part : parts_) {
+        part.samples.first = from.value<uint32_t>();
+        part.samples.count = from.value<int32_t>();
+        part.wanted = from.value<double>();
+        if (part.samples.count < 0 || part.samples.count > kMostSamples + 1 || !std::isfinite(part.wanted))
             from.fail("there cannot be so many camera samples");
+        from.values(std::span(part.firstLight));
+        from.values(std::span(part.firstRay));
+        part.training = from.value<float>();
+        if (!(part.training > 0 && part.training <= 1 / SampleDensity::kLeast))
+            from.fail("there cannot be such a probability");
     }
     std::ranges::fill(rows_, Sums{});
     for (auto left = from.value<uint64_t>(); left > 0; --left) {
