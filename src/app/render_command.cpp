@@ -136,6 +136,7 @@ void render(RenderOptions o, const CLI::App& command) {
         metadata["drc:interrupted"] = "true";
         writer.divertFromBetterPictures(session.samplesDone());
     }
+    session.endSampling();
     finisher.finish(session.picture(), metadata);
     std::string names;
     for (const std::string& path : writer.outputs()) names += (names.empty() ? "" : ", ") + path;

@@ -32,7 +32,7 @@ constexpr size_t kFirstCapacity = 1 << 14;
 // The probability that a path goes on where the cache has answered, so as to improve the answer: in proportion to the
 // mean over all cells of the answers' standard error, divided by the answer or by this share of the mean of all cells,
 // whichever is more.
-constexpr double kTrainingPerError = 0.25, kLeastTraining = 1 / 32.0, kMostTraining = 0.25, kDimmest = 0.25;
+constexpr double kTrainingPerError = 1, kLeastTraining = 1 / 8.0, kMostTraining = 0.5, kDimmest = 0.25;
 // The grids are shifted by this share of the largest cells, because scenes have many surfaces at round coordinates. By
 // the same distance at all sizes, so that cells are nested; a third remains a third or two thirds of all smaller sizes.
 constexpr float kGridShift = 1 / 3.f;

@@ -67,6 +67,12 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         stats.set("cells/bytes", int64_t(cells_->bytes()));
     }
 
+    void endSampling() override {
+        cells_.reset();
+        planner_.reset();
+        rows_ = {};
+    }
+
     // The deposits of a pass that is not complete have not been committed yet.
     void saveState(StateWriter& to) const override {
         if (!cells_) return;

@@ -51,6 +51,8 @@ class Integrator {
     virtual std::function<void()> loadState(StateReader& /*from*/) {
         return [] {};
     }
+    // Frees what only further samples and saveState need. Neither may follow; a picture may.
+    virtual void endSampling() {}
     // Whether there are map passes. mapPass runs one of them. index: of the pass. spacing: between maps, in pixels.
     // stride: only every so many rows and columns of pixels are lit. False: the pass was cancelled.
     virtual bool hasMapPasses() const { return false; }

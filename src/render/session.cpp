@@ -164,6 +164,8 @@ LayeredPicture Session::picture() const {
     return integrator_->picture(std::shared_ptr<const Film>(std::shared_ptr<const Film>(), film_.get()));
 }
 
+void Session::endSampling() { integrator_->endSampling(); }
+
 int Session::samplesDone() const { return SamplePass::wholeSamples(film_->passes()); }
 
 std::string Session::status() const {

@@ -29,6 +29,10 @@ class Session {
     // The same without copying the film: not while step runs, and valid only until the next step.
     LayeredPicture picture() const;
 
+    // Frees the memory that only further steps need, such as radiance cells, for the filters of the last picture. Only
+    // pictures, figures and the film may be asked for afterwards.
+    void endSampling();
+
     // Changes the camera: the film is cleared and may have another size, the prepared scene stays. Not while other
     // calls run.
     void setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film);

@@ -247,6 +247,18 @@ TEST(Session, FilesHaveUsedCellsAlone) {
     EXPECT_LT(readFile(folder.path("drc")).size(), readFile(folder.path("path")).size() + 2000);
 }
 
+// What is freed for the last picture does not change it.
+TEST(Session, PicturesCanBeTakenAfterSamplingHasEnded) {
+    for (const std::string& integrator : kIntegrators) {
+        Rendered render(paramsOf(integrator, 2));
+        render.finish();
+        const Image before = render.session.picture().beauty;
+        render.session.endSampling();
+        EXPECT_EQ(before.data(), render.session.picture().beauty.data()) << integrator;
+        EXPECT_EQ(render.session.samplesDone(), 2);
+    }
+}
+
 // 1, 2 or 8 threads.
 TEST(Session, TheNumberOfThreadsMakesNoDifference) {
     for (const std::string& integrator : kIntegrators) {
