@@ -43,7 +43,7 @@ class FinalGather {
         // Indices of the first ones in the pixel's sequences of random numbers, and the stream of these.
         uint32_t firstLight = 0, firstRay = 0;
         uint64_t stream = 0;
-        // By which the probability that a path trains is multiplied.
+        // By which the probability that a path trains is multiplied: less where a pixel has more camera samples.
         float training = 1;
         // Otherwise the path just goes on.
         bool splits() const { return lights > 1 || rays > 1; }
@@ -71,8 +71,8 @@ class FinalGather {
         : lighting_(lighting), walker_(lighting, settings) {}
 
     // All light that arrives at the ray's origin along it. A path trains the cache, that is it goes on and makes
-    // deposits, with the probability that the cache asks for, divided by the number of rays that share the hit: a
-    // deposit then counts in the cells as its look-up counts in the picture.
+    // deposits, with the probability that the cache asks for, times `training`, divided by the number of rays that
+    // share the hit: a deposit then counts in the cells as its look-up counts in the picture.
     Rgb radiance(const Ray& ray, Sample& sample) const;
 
   private:

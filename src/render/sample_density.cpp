@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "image/relative_norm.h"
 
 namespace drc {
 namespace {
 
-// Added to squared displayed radiance, as in the error that pictures are measured by (docs/measuring.md).
-constexpr float kDarkest = 0.01f;
 // The guided filter: its radius in cells, and the differences of albedo and of normal that it takes for another
 // surface (standard deviations).
 constexpr int kRadius = 2;
@@ -25,6 +24,9 @@ constexpr double kPower = 0.35, kPowerOfContrast = 0.5, kLeastContrast = 1e-6;
 constexpr float kMostDifference = 4;
 
 float square(float v) { return v * v; }
+
+// What squared differences of displayed radiance are relative to, as in the error that pictures are measured by.
+float relativeTo(float mean) { return square(mean) + float(kRelativeNormOffset); }
 
 }  // namespace
 
@@ -65,8 +67,8 @@ void SampleDensity::addRows() {
 void SampleDensity::update(int samples) {
     addRows();
     if (samples < nextUpdate_) return;
-    constexpr int kLaterByShare = 4;
-    nextUpdate_ = samples + 1 + samples / kLaterByShare;
+    // After every sample at first, later when there are a quarter more.
+    nextUpdate_ = samples + 1 + samples / 4;
     const std::vector<Estimate> cells = estimates();
     std::vector<Estimate> sums(densities_.size());
     std::vector<double> counts(densities_.size()), errors(densities_.size());
@@ -133,7 +135,7 @@ std::vector<SampleDensity::Estimate> SampleDensity::estimates() const {
                 weighted[count++] = {weight, &other};
             });
             cell.filtered = sum / weights;
-            const float most = kMostDifference * (square(cell.filtered) + kDarkest);
+            const float most = kMostDifference * relativeTo(cell.filtered);
             for (size_t i = 0; i < count; ++i) {
                 const auto& [weight, other] = weighted[i];
                 cell.noise += square(weight / weights) * std::min(square(other->difference), most) * other->samples;
@@ -151,9 +153,9 @@ std::vector<SampleDensity::Estimate> SampleDensity::estimates() const {
                 sum += other.filtered;
                 ++count;
             });
-            const float mean = sum / count, relativeTo = square(mean) + kDarkest;
-            estimates[i].noise = double(cell.noise / relativeTo);
-            estimates[i].contrast = double(square(cell.filtered - mean) / relativeTo);
+            const float mean = sum / count;
+            estimates[i].noise = double(cell.noise / relativeTo(mean));
+            estimates[i].contrast = double(square(cell.filtered - mean) / relativeTo(mean));
         }
     });
     return estimates;
@@ -190,38 +192,36 @@ void SampleDensity::decide(const std::vector<double>& errors) {
 }
 
 void SampleDensity::save(StateWriter& to) const {
-    const auto write = [&](const Sums& sums) {
-        to.values(std::span(sums.value));
-        to.values(std::span(sums.samples));
-        for (int c = 0; c < 3; ++c) to.value(sums.albedo[c]);
-        for (int c = 0; c < 3; ++c) to.value(sums.normal[c]);
-    };
-    std::ranges::for_each(cells_, write);
-    // Between passes there are none.
     const auto used = [](const Sums& sums) { return sums.count() > 0; };
-    to.value(uint64_t(std::ranges::count_if(rows_, used)));
-    for (size_t i = 0; i < rows_.size(); ++i) {
-        if (!used(rows_[i])) continue;
-        to.value(uint64_t(i));
-        write(rows_[i]);
+    // Between passes the rows have none.
+    for (const std::vector<Sums>* list : {&cells_, &rows_}) {
+        to.value(uint64_t(std::ranges::count_if(*list, used)));
+        for (size_t i = 0; i < list->size(); ++i) {
+            const Sums& sums = (*list)[i];
+            if (!used(sums)) continue;
+            to.value(uint64_t(i));
+            to.values(std::span(sums.value));
+            to.values(std::span(sums.samples));
+            for (int c = 0; c < 3; ++c) to.value(sums.albedo[c]);
+            for (int c = 0; c < 3; ++c) to.value(sums.normal[c]);
+        }
     }
     to.values(std::span(densities_));
     to.value(int32_t(nextUpdate_));
 }
 
 void SampleDensity::load(StateReader& from) {
-    const auto read = [&](Sums& sums) {
-        from.values(std::span(sums.value));
-        from.values(std::span(sums.samples));
-        for (int c = 0; c < 3; ++c) sums.albedo[c] = from.value<float>();
-        for (int c = 0; c < 3; ++c) sums.normal[c] = from.value<float>();
-    };
-    std::ranges::for_each(cells_, read);
-    std::ranges::fill(rows_, Sums{});
-    for (auto left = from.value<uint64_t>(); left > 0; --left) {
-        const auto i = from.value<uint64_t>();
-        if (i >= rows_.size()) from.fail("there cannot be so many rows of pixels");
-        read(rows_[i]);
+    for (std::vector<Sums>* list : {&cells_, &rows_}) {
+        std::ranges::fill(*list, Sums{});
+        for (auto left = from.value<uint64_t>(); left > 0; --left) {
+            const auto i = from.value<uint64_t>();
+            if (i >= list->size()) from.fail("there cannot be so many cells of pixels");
+            Sums& sums = (*list)[i];
+            from.values(std::span(sums.value));
+            from.values(std::span(sums.samples));
+            for (int c = 0; c < 3; ++c) sums.albedo[c] = from.value<float>();
+            for (int c = 0; c < 3; ++c) sums.normal[c] = from.value<float>();
+        }
     }
     from.values(std::span(densities_));
     for (const double density : densities_)

@@ -1,10 +1,11 @@
-// Decides how many camera samples parts of a picture get, by the error that a denoiser would leave there.
+// Adaptive sampling: decides how many camera samples parts of a picture get, by the error that a denoiser would leave
+// there.
 //
 // A denoiser averages over pixels that look alike. What it leaves is where there are few of them: noise at edges and in
 // fine detail. This is estimated in cells of a few pixels, whose noise shows as the difference between the means of two
-// halves of their camera samples. It is the noise that a small bilateral filter leaves which is guided by albedo and
-// normal (Eisemann & Durand, "Flash Photography Enhancement via Intrinsic Relighting", 2004). It counts more where the
-// picture has contrast, because there a real denoiser averages over less than this filter does.
+// halves of their camera samples, as in Rousselle et al., "Adaptive Rendering with Non-Local Means Filtering" (2012).
+// Counted is the noise that a small bilateral filter leaves which is guided by albedo and normal. It counts more where
+// the picture has contrast, because there a real denoiser averages over less than this filter does.
 //
 // A block's number of samples follows from all samples of its pixels together, so that it hardly depends on any one
 // pixel's, and does not make the picture darker or brighter (Kirk & Arvo, "Unbiased Sampling Techniques for Image

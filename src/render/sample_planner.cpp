@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/relative_norm.h"
+
 namespace drc {
 namespace {
 
@@ -10,8 +12,6 @@ namespace {
 // living-room, bathroom2, staircase2 and iispt-court2 they are .9 to 1.3, and .3. They count twice, because a denoised
 // picture profits more from camera hits, which find its edges, than the variance of pixels tells.
 constexpr double kRayCost = 2, kLightCost = 0.6;
-// Added to squared displayed radiance, as in the error that pictures are measured by (docs/measuring.md).
-constexpr double kDarkest = 0.01;
 // The least share of the variance that is taken for the camera hit's own.
 constexpr double kLeastShare = 0.02;
 
@@ -112,7 +112,7 @@ void SamplePlanner::add(int x, int y, const Taken& sample) {
 
 double SamplePlanner::relative(const Block& block, double variance) const {
     const double value = ratio(block.sums.value, block.sums.values), scale2 = double(scale_) * double(scale_);
-    return variance * scale2 / (value * value * scale2 + kDarkest);
+    return variance * scale2 / (value * value * scale2 + kRelativeNormOffset);
 }
 
 void SamplePlanner::update(int samples, bool wholeSample) {

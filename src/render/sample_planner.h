@@ -6,6 +6,7 @@
 // Synthesis" (1990). v and c are those of the whole picture; w is the block's. Variances are relative to the squared
 // radiance of the block, as the eye sees them.
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "base/state_file.h"
