@@ -100,7 +100,8 @@ void SceneBuilder::worldEnd(const SourcePos& pos) {
 void SceneBuilder::beginBlock(const std::string& kind, const SourcePos& pos) {
     if (blocks_.size() >= limits::kBlockDepth)
         fail(pos, kind + "Begin within more than " + std::to_string(limits::kBlockDepth) + " other blocks");
-    blocks_.push_back({kind, pos, state_});
+    blocks_.push_back({kind, pos, state_, {}});
+    if (kind == "Import") blocks_.back().coordinateSystems = coordinateSystems_;
 }
 
 void SceneBuilder::pop(const std::string& kind, const SourcePos& pos) {
@@ -117,7 +118,13 @@ void SceneBuilder::pop(const std::string& kind, const SourcePos& pos) {
 void SceneBuilder::endBlock(const std::string& kind, const SourcePos& pos) {
     pop(kind, pos);
     GraphicsState& saved = blocks_.back().saved;
-    if (kind == "Transform") {
+    if (dialect_ == Dialect::V4) {
+        // Names belong to the file. A coordinate system that an imported file names is its own.
+        saved.textures = std::move(state_.textures);
+        saved.namedMaterials = std::move(state_.namedMaterials);
+        if (kind == "Import") coordinateSystems_ = std::move(blocks_.back().coordinateSystems);
+        state_ = std::move(saved);
+    } else if (kind == "Transform") {
         state_.ctm = saved.ctm;
         state_.active = saved.active;
     } else {

@@ -46,7 +46,7 @@ class SceneBuilder {
     // Throws Error if blocks are still open.
     void worldEnd(const SourcePos& pos);
 
-    // kind: "Attribute", "Transform", "Import".
+    // kind: "Attribute", "Transform", "Import". What a block's end restores: docs/pbrt-dialects.md, "Scopes".
     void beginBlock(const std::string& kind, const SourcePos& pos);
     void endBlock(const std::string& kind, const SourcePos& pos);
     void objectBegin(const std::string& name, const SourcePos& pos);
@@ -78,6 +78,7 @@ class SceneBuilder {
         std::string kind;
         SourcePos pos;
         GraphicsState saved;
+        std::map<std::string, TransformSet> coordinateSystems;  // of an import
     };
     struct Setting {
         std::string type;
