@@ -41,7 +41,6 @@ struct Gathered {
     std::vector<CacheDeposit> deposits;
     FinalGather::Counts counts;
     std::vector<Rgb> samples;
-    std::vector<FinalGather::Noise> noise;
 };
 
 class Traced {
@@ -53,21 +52,19 @@ class Traced {
           tracer_(*scene_, accel_, lights_, settings(maxDepth)),
           gather_(tracer_.lighting(), settings(maxDepth)) {}
 
-    // weight: of deposits, which are added to the radiance.
+    // weight: of deposits, which are added to the radiance. training: FinalGather::Sample::training.
     Gathered gather(const RadianceCache& cache, int spp, uint64_t seed = 1, float weight = 0,
-                    const FinalGather::Splitting& splitting = {}) const {
+                    float training = 1) const {
         Gathered g;
         sampled(g, spp, seed, [&](CameraSample& s, uint64_t number) {
             size_t i = g.deposits.size();
             FinalGather::Sample sample{.sampler = s.sampler,
                                        .cache = cache,
-                                       .splitting = splitting,
+                                       .training = training,
                                        .seed = hash(seed, number),
                                        .deposits = g.deposits,
                                        .counts = g.counts};
-            sample.splitting.stream = hash(seed, number + 1'000'000'000);
             Rgb light = gather_.radiance(s.camera.ray, sample);
-            g.noise.push_back(sample.noise);
             for (; weight > 0 && i < g.deposits.size(); ++i) light += g.deposits[i].light * weight;
             return light;
         });
@@ -161,62 +158,6 @@ TEST(FinalGather, WithoutAnswersItIsThePathTracer) {
         }
 }
 
-// Several light samples and rays that share a hit, in any proportion, have the mean of one of each. In a room with
-// small lamps, and under lights so large that both techniques find them.
-TEST(FinalGather, SplitItHasThePathTracersMeans) {
-    constexpr FinalGather::Splitting kSplittings[] = {{.lights = 3, .rays = 1}, {.lights = 1, .rays = 4}};
-    for (const auto& [name, material] : test::allMaterials()) {
-        // All of the room, and all that the picture shows under the lights.
-        const std::string rooms[] = {
-            test::respelt(test::room(material, 12, 8), "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]", material),
-            test::respelt(boxOnFloor(material), "Material \"matte\" \"rgb Kd\" [0.6 0.6 0.6]", material)};
-        for (const std::string& room : rooms) {
-            const Traced traced(room);
-            const Gathered paths = traced.paths(300, 2);
-            for (const FinalGather::Splitting& splitting : kSplittings) {
-                TestCache none;
-                none.leastReach = kInfinity;
-                const Gathered split = traced.gather(none, 150, 1, 0, splitting);
-                EXPECT_EQ(split.counts.rays, split.counts.hits * splitting.rays);
-                EXPECT_EQ(split.counts.lights, split.counts.hits * splitting.lights);
-                for (int c = 0; c < 3; ++c) {
-                    const float error = std::hypot(split.error[c], paths.error[c]);
-                    EXPECT_NEAR(split.mean[c], paths.mean[c], 4.5f * error) << name;
-                }
-            }
-        }
-    }
-}
-
-// Light samples and rays make nearly all noise of this picture. Stratified as they are, their variance is
-// overestimated.
-TEST(FinalGather, KnowsTheNoiseOfWhatSharesAHit) {
-    const Traced traced(boxOnFloor("Material \"matte\" \"rgb Kd\" [0.5 0.5 0.5]"), 8);
-    TestCache none;
-    none.leastReach = kInfinity;
-    const auto varianceOf = [](const Gathered& g) {
-        double mean = 0, squares = 0;
-        for (const Rgb& v : g.samples) mean += double(luminance(v)) / double(g.samples.size());
-        for (const Rgb& v : g.samples) squares += sqr(double(luminance(v)) - mean);
-        return squares / double(g.samples.size());
-    };
-    const Gathered whole = traced.gather(none, 500);
-    for (const FinalGather::Noise& n : whole.noise) ASSERT_TRUE(n.lights < 0 && n.rays < 0);
-    const double variance = varianceOf(whole);
-    for (const int count : {2, 8}) {
-        const Gathered g = traced.gather(none, 500, 1, 0, {.lights = count, .rays = count});
-        double noise = 0;
-        for (const FinalGather::Noise& n : g.noise) {
-            ASSERT_GE(n.lights, 0);
-            ASSERT_GE(n.rays, 0);
-            noise += double(n.lights + n.rays) / double(g.noise.size());
-        }
-        EXPECT_GT(noise, 0.9 * variance);
-        EXPECT_LT(noise, 2.2 * variance);
-        EXPECT_LT(varianceOf(g), 1.3 * variance / count);
-    }
-}
-
 // Pearson's test of homogeneity, over bins of positions and reaches, of two samples that are independent.
 double samePlaces(const std::vector<CachePoint>& a, const std::vector<CachePoint>& b) {
     std::map<int, std::pair<double, double>> bins;
@@ -264,10 +205,10 @@ TEST(FinalGather, DepositsAreMadeWhereLookUpsAre) {
     const std::vector<CachePoint> places(cache.asked.begin(), cache.asked.begin() + std::ptrdiff_t(first));
     EXPECT_GT(samePlaces(places, placesOf(trained.deposits)), test::kChiSquareLevel);
     EXPECT_NEAR(double(trained.deposits.size()) / double(trained.counts.asked), 0.3, 0.01);
-    // Of rays that share a hit, each as seldom as it has less weight in the picture.
-    const Gathered split = traced.gather(cache, 500, 4, 0, {.lights = 1, .rays = 4});
-    EXPECT_GT(samePlaces(places, placesOf(split.deposits)), test::kChiSquareLevel);
-    EXPECT_NEAR(double(split.deposits.size()) / double(split.counts.asked), 0.3 / 4, 0.003);
+    // Of pixels with many camera samples, each as seldom as it has less weight in the picture.
+    const Gathered seldom = traced.gather(cache, 500, 4, 0, 0.25f);
+    EXPECT_GT(samePlaces(places, placesOf(seldom.deposits)), test::kChiSquareLevel);
+    EXPECT_NEAR(double(seldom.deposits.size()) / double(seldom.counts.asked), 0.3 / 4, 0.003);
     // The test can tell: points of a smaller reach are others.
     cache.leastReach = 1.5f;
     EXPECT_LT(samePlaces(places, placesOf(traced.gather(cache, 300, 3).deposits)), 1e-6);
@@ -315,7 +256,7 @@ TEST(FinalGather, ATrueAnswerKeepsTheFurnaceWhite) {
 
 // A path that trains is sampled otherwise, but shows the same picture, also where the answer is for a part of the lobes
 // only.
-TEST(FinalGather, TrainingAndSplittingDoNotChangeThePicture) {
+TEST(FinalGather, TrainingDoesNotChangeThePicture) {
     for (const auto& [name, material] : test::allMaterials()) {
         // All of the room.
         const Traced traced(
@@ -324,12 +265,10 @@ TEST(FinalGather, TrainingAndSplittingDoNotChangeThePicture) {
         cache.leastReach = 0.5f;
         cache.value = 2;
         const Gathered plain = traced.gather(cache, 150, 1);
-        const Gathered split = traced.gather(cache, 100, 3, 0, {.lights = 2, .rays = 3});
         cache.training = 1;
         const Gathered training = traced.gather(cache, 150, 2);
         for (int c = 0; c < 3; ++c)
-            for (const Gathered* g : {&training, &split})
-                EXPECT_NEAR(g->mean[c], plain.mean[c], 4.5f * std::hypot(g->error[c], plain.error[c])) << name;
+            EXPECT_NEAR(training.mean[c], plain.mean[c], 4.5f * std::hypot(training.error[c], plain.error[c])) << name;
     }
 }
 

@@ -69,11 +69,8 @@ FAULTS = [
           "answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);",
           "answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]) * 1.15f;",
           "*IsNotSeenByFinalGather*"),
-    Fault("light samples that share a hit do not know how many rays do", "src/integrators/final_gather.cpp",
-          "        light.bsdfPdf *= pdfScale;\n", "", "FinalGather*"),
-    Fault("rays that share a hit deposit as often as one alone", "src/integrators/final_gather.cpp",
-          "trainingShare = sample.splitting.training * perRay;", "trainingShare = sample.splitting.training;",
-          "FinalGather*"),
+    Fault("pixels with more camera samples deposit as often for each", "src/integrators/final_gather.cpp",
+          "answer.training * sample.training", "answer.training", "FinalGather*"),
 ]
 
 

@@ -22,21 +22,6 @@ Rgb shareOf(const Rgb& part, const Rgb& all) {
     return share;
 }
 
-// The unbiased variance of some values (Welford).
-class SampleVariance {
-  public:
-    void add(float value) {
-        const float before = value - mean_;
-        mean_ += before / float(++count_);
-        squares_ += before * (value - mean_);
-    }
-    float variance() const { return count_ > 1 ? squares_ / float(count_ - 1) : -1; }
-
-  private:
-    int count_ = 0;
-    float mean_ = 0, squares_ = 0;
-};
-
 // A vertex that a path will make a deposit for, while it is still being walked.
 struct Training {
     CacheDeposit deposit;
@@ -85,53 +70,12 @@ class Trainings {
 
 }  // namespace
 
-// One of several paths that share their beginning.
-struct FinalGather::Branch {
-    int rays = 1;          // that share it
-    float pdfScale = 1;    // by which the pdf of the first direction counts against light sampling
-    bool isFirst = false;  // whether it is the camera's path, which may still be split
-};
-
 Rgb FinalGather::radiance(const Ray& ray, Sample& sample) const {
     Pcg32 random(sample.seed);
-    return clampedSample(follow(PathState(ray), sample.sampler, sample, random, {.isFirst = true}),
-                         walker_.settings().clamp);
+    return clampedSample(follow(PathState(ray), sample, random), walker_.settings().clamp);
 }
 
-// Light samples and gather rays at the first surface with lobes that are not specular.
-Rgb FinalGather::split(const PathState& path, const SurfaceInteraction& hit, const Bsdf& bsdf, Sample& sample,
-                       Pcg32& random) const {
-    const Splitting& splitting = sample.splitting;
-    const BsdfView view(bsdf, hit.wo);
-    const int lights = splitting.lights, rays = splitting.rays;
-    // The weights of multiple importance sampling count how many samples each technique takes (Veach 1997, 9.2).
-    const float pdfScale = float(rays) / float(lights);
-    const uint64_t lightStream = hashCombine(splitting.stream, 1), rayStream = hashCombine(splitting.stream, 2);
-    Rgb sum(0.f);
-    SampleVariance ofLights, ofRays;
-    for (int i = 0; i < lights; ++i) {
-        Sampler sampler(lightStream, splitting.firstLight + uint32_t(i));
-        const float choice = sampler.get1D();
-        DirectLighting::Proposal light = lighting_.propose(hit, view, path.group, choice, sampler.get2D());
-        light.bsdfPdf *= pdfScale;
-        const Rgb lit = path.throughput * lighting_.arriving(hit, light) * light.weight();
-        ofLights.add(luminance(lit));
-        sum += lit * (1 / float(lights));
-    }
-    for (int i = 0; i < rays; ++i) {
-        Sampler sampler(rayStream, splitting.firstRay + uint32_t(i));
-        PathState branch = path;
-        Rgb found(0.f);
-        if (walker_.scatter(branch, hit, view, VertexNumbers(sampler)))
-            found = follow(branch, sampler, sample, random, {.rays = rays, .pdfScale = pdfScale});
-        ofRays.add(luminance(found));
-        sum += found * (1 / float(rays));
-    }
-    sample.noise = {ofLights.variance(), ofRays.variance()};
-    return sum;
-}
-
-Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32& random, const Branch& branch) const {
+Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
     const PathSettings& settings = walker_.settings();
     const RadianceCache& cache = sample.cache;
     Counts& counts = sample.counts;
@@ -144,9 +88,6 @@ Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32&
     Trainings trainings;
     // Since the last non-specular vertex, and of its direction.
     float distance = 0, pdf = path.pdf;
-    float pdfScale = branch.pdfScale;
-    bool isFirst = branch.isFirst;
-    const float perRay = 1 / float(branch.rays), trainingShare = sample.splitting.training * perRay;
     const Accel& accel = lighting_.accel();
     SurfaceInteraction hit;
     Accel::Found found;
@@ -160,10 +101,10 @@ Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32&
         const Arrival arrival = toSurface(accel, path.ray, found, any, hit, [&](const SurfaceInteraction& surface) {
             path.distance += surface.t;
             distance += surface.t;
-            emitted(lighting_.emissionAtHit(surface, path.from, path.pdf * pdfScale));
+            emitted(lighting_.emissionAtHit(surface, path.from, path.pdf));
         });
         if (arrival == Arrival::Escaped)
-            emitted(lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf * pdfScale, path.group));
+            emitted(lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group));
         if (arrival != Arrival::Surface) break;
         if (path.depth >= settings.maxDepth) shown = false;
         if (!shown && !trainings.wantMore(path.depth, settings.maxDepth)) break;
@@ -175,15 +116,7 @@ Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32&
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
         path.group = lighting_.groupOf(hit, bsdf);
-        if (sample.gBuffer && path.depth == 0)
-            sample.gBuffer->record(path.throughput * perRay, hit, bsdf, path.distance);
-        if (isFirst && bsdf.hasNonSpecular()) {
-            isFirst = false;
-            ++counts.hits;
-            counts.lights += sample.splitting.lights;
-            counts.rays += sample.splitting.rays;
-            if (sample.splitting.splits()) return sum + split(path, hit, bsdf, sample, random);
-        }
+        if (sample.gBuffer && path.depth == 0) sample.gBuffer->record(path.throughput, hit, bsdf, path.distance);
 
         bool answered = false, trainsHere = false;
         const bool mixed = bsdf.hasWithin(others);
@@ -202,8 +135,8 @@ Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32&
                         shown = mixed;
                     }
                     // Deposits are made where look-ups are, and nowhere else, so that both have the same distribution.
-                    trainsHere =
-                        random.nextFloat() < answer.training * trainingShare && trainings.begin(at, albedo, path.depth);
+                    trainsHere = random.nextFloat() < answer.training * sample.training &&
+                                 trainings.begin(at, albedo, path.depth);
                 }
             }
         }
@@ -226,7 +159,7 @@ Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32&
         };
 
         const BsdfView view(bsdf, hit.wo, sampled);
-        const VertexNumbers u(sampler);
+        const VertexNumbers u(sample.sampler);
         DirectLighting::Proposal light;
         if (bsdf.has(LobeFlags::None, LobeMask(LobeFlags::NonSpecular, sampled.from, sampled.to)))
             light = lighting_.propose(hit, view, path.group, u.light, u.onLight);
@@ -244,7 +177,6 @@ Rgb FinalGather::follow(PathState path, Sampler& sampler, Sample& sample, Pcg32&
         }
         if (!goesOn) break;
 
-        pdfScale = 1;
         const bool specular = path.pdf == DirectLighting::kSpecular;
         if (!specular) {
             distance = 0;

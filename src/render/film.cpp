@@ -33,7 +33,7 @@ void requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSp
 }
 
 // The first words of files that have a film alone, and their version.
-const std::string kKind = "drc film", kHeader = kKind + " 2 ";
+const std::string kKind = "drc film", kHeader = kKind + " 3 ";
 
 }  // namespace
 

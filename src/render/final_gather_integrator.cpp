@@ -59,9 +59,6 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         stats.add("cells/look-ups/answered", counts.answered);
         stats.add("cells/look-ups/refused: the segment is short or the lobe narrow", counts.refused);
         stats.add("cells/look-ups/refused: too little is known", counts.asked - counts.answered);
-        stats.add("camera hits/light samples", counts.lights);
-        stats.add("camera hits/gather rays", counts.rays);
-        stats.add("camera hits/hits", counts.hits);
         stats.add("cells/deposits", int64_t(deposits));
         stats.set("cells/cells", int64_t(cells_->used()));
         stats.set("cells/bytes", int64_t(cells_->bytes()));
@@ -119,35 +116,26 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     }
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, GBufferSample* gBuffer) override {
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, GBufferSample* gBuffer) override {
         if (!cells_) return context_.tracer.radiance(ray, sampler, gBuffer);
         Row& row = rows_[size_t(place.y - region_.y0)];
-        SamplePlanner::Taken taken;
-        GBufferSample& surface = taken.surface;
+        GBufferSample surface;
         FinalGather::Sample sample{
             .sampler = sampler,
             .cache = *cells_,
-            .splitting = planner_->splitting(place.x, place.y, place.index),
+            .training = planner_->training(place.x, place.y),
             .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
             .deposits = row.deposits,
             .counts = row.counts,
             .gBuffer = &surface};
-        sample.splitting.stream = pixelStream(context_.params.seed, kSplitStream, place.x, place.y);
         const Rgb value = gather_.radiance(ray, sample);
-        taken.value = luminance(value);
-        taken.noise = sample.noise;
-        taken.half = halfOf(sample.splitting.stream, place.index);
-        if (SamplePlanner::measures(place.x, place.y)) {
-            const FilmLayer& layer = film.layer(0);
-            taken.samples = layer.expected(place.x, place.y);
-            if (taken.samples > 0) taken.mean = luminance(layer.mean(place.x, place.y));
-        }
-        planner_->add(place.x, place.y, taken);
+        const int half = halfOf(pixelStream(context_.params.seed, kHalfStream, place.x, place.y), place.index);
+        planner_->add(place.x, place.y, half, luminance(value), surface);
         if (gBuffer != nullptr) *gBuffer = surface;
         return value;
     }
 
-    static constexpr uint64_t kCellStream = 0x3000000000, kSplitStream = 0x3001;
+    static constexpr uint64_t kCellStream = 0x3000000000, kHalfStream = 0x3001;
 
     // What the samples of a row of pixels have found out in a pass. One thread at a time works on a row, and rows are
     // committed in their order, whichever thread had them.
