@@ -164,6 +164,20 @@ TEST_P(FilterOfFurnace, ChangesNothing) {
     expectConstant(gathered(text, 12, 64), 1);
 }
 
+// Where all radiance is 1, every pixel is, however few samples it has.
+TEST_P(FilterOfFurnace, MakesNoPixelDark) {
+    const std::string text = "LookAt 0 0 0  0 1 0  0 0 1\nCamera \"perspective\"\nPixelFilter \"" +
+                             std::string(GetParam()) +
+                             "\"\nFilm \"image\" \"integer xresolution\" 32 \"integer yresolution\" 32\n"
+                             "WorldBegin\nLightSource \"infinite\" \"rgb L\" [1 1 1]\nWorldEnd\n";
+    const auto scene = pbrt::loadPbrtString(text);
+    for (const char* integrator : {"path", "direct", "bdpt", "drc", "drc-maps"})
+        for (const int spp : {1, 2, 3, 4, 5, 7, 8, 13, 16, 32, 61}) {
+            const auto seen = pictures(*scene, {.integrator = integrator, .count = 1, .spp = spp, .block = 1});
+            for (const Rgb& pixel : seen[0]) ASSERT_LT(length(pixel - Rgb(1.f)), 1e-5f) << integrator << " " << spp;
+        }
+}
+
 // The furnace among the scenes that DRC comes with: surfaces that absorb nothing under a uniform sky.
 TEST(FurnaceOfFinalGather, IsExactUnderAUniformSky) {
     const auto scene = pbrt::loadPbrtFile(DRC_SOURCE_DIR "/scenes/furnace/scene.pbrt",

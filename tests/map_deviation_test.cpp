@@ -8,6 +8,9 @@
 namespace drc::test {
 namespace {
 
+// How far above the point on the floor the rays of a map start.
+constexpr float kError = 1e-5f;
+
 TEST(MapDeviation, IsNoLessThanTheSpreadOfMapsAndNotMuchMore) {
     const Pipeline pipeline(R"(
         LookAt 0 0 1  0 1 1  0 0 1
@@ -28,9 +31,9 @@ TEST(MapDeviation, IsNoLessThanTheSpreadOfMapsAndNotMuchMore) {
     for (int k = 0; k < kMaps; ++k) {
         CapturedMap map, plain;
         settings.deviations = false;
-        captureMap(pipeline.tracer, settings, {origin, up}, Frame::fromNormal(up), uint64_t(k), plain);
+        captureMap(pipeline.tracer, settings, {origin, up, 0, kError}, Frame::fromNormal(up), uint64_t(k), plain);
         settings.deviations = true;
-        captureMap(pipeline.tracer, settings, {origin, up}, Frame::fromNormal(up), uint64_t(k), map);
+        captureMap(pipeline.tracer, settings, {origin, up, 0, kError}, Frame::fromNormal(up), uint64_t(k), map);
         EXPECT_TRUE(plain.deviation.empty());
         ASSERT_EQ(plain.radiance, map.radiance);
         ASSERT_EQ(map.deviation.size(), values);
@@ -52,7 +55,7 @@ TEST(MapDeviation, IsNoLessThanTheSpreadOfMapsAndNotMuchMore) {
     RecordProperty("ratio", std::to_string(estimate / spread));
     CapturedMap single;
     settings.samplesPerTexel = 1;
-    captureMap(pipeline.tracer, settings, {origin, up}, Frame::fromNormal(up), 1, single);
+    captureMap(pipeline.tracer, settings, {origin, up, 0, kError}, Frame::fromNormal(up), 1, single);
     EXPECT_TRUE(single.deviation.empty());
 }
 

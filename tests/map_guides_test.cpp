@@ -8,6 +8,9 @@
 namespace drc::test {
 namespace {
 
+// How far above the point on the floor the rays of a map start.
+constexpr float kError = 1e-5f;
+
 // Under a uniform white sky, the radiance of an isolated convex body equals its albedo. The map's radiance must
 // therefore equal the albedo that it reports, for every material.
 TEST(MapGuides, AlbedoIsTheLightOfABodyUnderAWhiteSky) {
@@ -32,7 +35,7 @@ TEST(MapGuides, AlbedoIsTheLightOfABodyUnderAWhiteSky) {
         const CaptureSettings settings{MapLayout(Projection::EqualArea, kSize), 1024};
         const auto texels = size_t(settings.layout.texels());
         CapturedMap map;
-        captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up}, Frame::fromNormal(up), 5, map);
+        captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up, 0, kError}, Frame::fromNormal(up), 5, map);
         ASSERT_EQ(map.albedo.size(), 3 * texels);
         const auto isSky = [&](int row, int column) { return map.distance[size_t(row * kSize + column)] < 0; };
         int body = 0, sky = 0;
@@ -80,7 +83,7 @@ TEST(MapGuides, AlbedoIsThatBehindALampWithoutABody) {
     const Vec3 up(0, 0, 1);
     const CaptureSettings settings{MapLayout(Projection::EqualArea, 4), 1};
     CapturedMap map;
-    captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up}, Frame::fromNormal(up), 5, map);
+    captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up, 0, kError}, Frame::fromNormal(up), 5, map);
     for (size_t i = 0; i < 16; ++i) {
         EXPECT_NEAR(map.distance[i], 5, 1e-3f);
         EXPECT_FLOAT_EQ(map.albedo[i], 0.7f);
@@ -99,7 +102,7 @@ TEST(MapGuides, DirectLightIsWhatComesStraightFromTheLamp) {
     constexpr int kMaps = 40;
     CapturedMap map;
     for (int k = 0; k < kMaps; ++k) {
-        captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up}, Frame::fromNormal(up), uint64_t(k), map);
+        captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up, 0, kError}, Frame::fromNormal(up), uint64_t(k), map);
         for (size_t c = 0; c < 3; ++c)
             for (size_t i = 0; i < 1024; ++i) {
                 direct[c] += map.direct[c * 1024 + i] / (1024. * kMaps);

@@ -7,6 +7,9 @@
 namespace drc {
 namespace {
 
+// How far above the point on the floor the rays of a map start.
+constexpr float kError = 1e-5f;
+
 using test::Estimate;
 using test::expectSame;
 using test::Pipeline;
@@ -99,7 +102,7 @@ TEST(MovingMaps, AverageTheExposureWhereTheyStandStill) {
     const auto hitsNearThePole = [&](std::optional<float> time) {
         CapturedMap map;
         const Vec3 up(0, 0, 1);
-        captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up}, Frame::fromNormal(up), 7, map, time);
+        captureMap(pipeline.tracer, settings, {Vec3(0, 0, 0), up, 0, kError}, Frame::fromNormal(up), 7, map, time);
         int hits = 0, all = 0;
         for (int row = 8; row < 24; ++row)
             for (int column = 8; column < 24; ++column, ++all) hits += map.distance[size_t(row * 32 + column)] > 0;

@@ -43,6 +43,15 @@ void fill(const ShapeHit& found, SurfaceInteraction& hit) {
     hit.tangent = found.dpdu;
     hit.bumpTangents = BumpTangents::Derivatives;
     hit.triangle = found.part;
+    hit.error = 0;  // shapes are intersected in double precision
+}
+
+// Curves are hit in a piecewise linear approximation. Their rays must leave that, too.
+void fillCurve(const ShapeHit& found, SurfaceInteraction& hit) {
+    constexpr float kShareOfCoordinates = 0x1p-15f, kShareOfWidth = 0x1p-10f;
+    fill(found, hit);
+    hit.error = kShareOfCoordinates * std::max({std::abs(hit.p.x), std::abs(hit.p.y), std::abs(hit.p.z)}) +
+                kShareOfWidth * length(hit.dpdv);
 }
 
 // Fills in the interaction at a hit on a mesh or curves, at distance t along the ray.
@@ -51,7 +60,7 @@ void fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, 
     if (data.mesh)
         data.mesh->fill(primId, u, v, hit);
     else
-        fill(data.curves->hitAt(primId, u, ray, t), hit);
+        fillCurve(data.curves->hitAt(primId, u, ray, t), hit);
 }
 
 bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
@@ -164,6 +173,7 @@ struct Accel::Impl {
     std::vector<const Instance*> instances;  // indexed by geometry ID in the world scene; null if not an instance
     const Instance* firstInstance = nullptr;
     bool anythingMoves = false;
+    bool hasShadowMasks = false;
 
     ~Impl() {
         for (Group& g : objects)
@@ -216,9 +226,12 @@ void Accel::Impl::limitReachBy(const Transform& objectToWorld) {
 
 void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
     group.scene = rtcNewScene(device);
+    // No ray passes between triangles that share an edge.
+    rtcSetSceneFlags(group.scene, RTC_SCENE_FLAG_ROBUST);
     for (const Primitive& primitive : primitives) {
         auto data = std::make_unique<GeometryData>();
         data->primitive = &primitive;
+        hasShadowMasks |= primitive.shadowAlpha != nullptr;
         data->lobes = lobesOf(primitive.material.get());
         RTCGeometry geometry = nullptr;
         if (primitive.mesh) {
@@ -347,15 +360,23 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
     } else {
         fill(found.shape, hit);
     }
-    hit.largest = 0;
     if (toWorld) {
-        hit.largest = toWorld->largestOfSums(hit.p);
+        // A plane at distance h from a point is at h / |normal| from it after the transformation.
+        const Vec3 normal = toWorld->normal(hit.ng);
+        const float scale = 1 / length(normal);
+        const float rounding = roundingError(toWorld->largestOfSums(hit.p)) + roundingError(toWorld->point(hit.p));
+        if (data.mesh) data.mesh->keepOffEdges(found.triangle, found.b1, found.b2, rounding / scale, hit);
         hit.p = toWorld->point(hit.p);
-        hit.ng = normalize(toWorld->normal(hit.ng));
+        hit.error = hit.error * scale + rounding;
+        hit.ng = normalize(normal);
         hit.ns = normalize(toWorld->normal(hit.ns));
         hit.dpdu = toWorld->vector(hit.dpdu);
         hit.dpdv = toWorld->vector(hit.dpdv);
         hit.tangent = toWorld->vector(hit.tangent);
+    } else {
+        const float rounding = roundingError(hit.p);
+        if (data.mesh) data.mesh->keepOffEdges(found.triangle, found.b1, found.b2, rounding, hit);
+        hit.error += rounding;
     }
     hit.wo = -ray.d;
     hit.t = found.t;
@@ -365,6 +386,7 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
 }
 
 bool Accel::anythingMoves() const { return impl_->anythingMoves; }
+bool Accel::hasShadowMasks() const { return impl_->hasShadowMasks; }
 
 bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax, float time) const {
     if (!impl_->isWithinReach(o, d)) return false;

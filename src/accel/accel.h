@@ -37,6 +37,8 @@ class Accel {
     bool occluded(const Vec3& o, const Vec3& d, float tMax, float time) const;
     // Whether any object moves while the shutter is open.
     bool anythingMoves() const;
+    // Whether any surface has holes for shadow rays alone, which occluded() passes through and find() does not.
+    bool hasShadowMasks() const;
 
   private:
     struct Impl;

@@ -18,7 +18,7 @@ struct SurfaceInteraction {
     BumpTangents bumpTangents = BumpTangents::Derivatives;
     float t = 0;          // distance along the ray
     float footprint = 0;  // width of the ray cone at p
-    float largest = 0;    // see SpawnPoint::largest
+    float error = 0;      // see SpawnPoint::error
     float coneSpread = 0;
     float time = 0;      // Ray::time of the ray
     bool moves = false;  // whether the surface moves while the shutter is open
@@ -35,7 +35,7 @@ struct SurfaceInteraction {
     // Le: radiance emitted from p towards wo.
     Rgb emitted() const;
     EmitterHit emitterHit() const { return {p, ng, triangle, uv}; }
-    SpawnPoint spawnPoint() const { return {p, ng, footprint, largest}; }
+    SpawnPoint spawnPoint() const { return {p, ng, footprint, error}; }
     // A ray that leaves p in direction d, with its origin offset from the surface to the side of d. Its cone grows with
     // the given spread, but at least with that of the arriving ray.
     Ray spawnRay(const Vec3& d, float spread) const;

@@ -6,6 +6,8 @@ namespace drc {
 namespace {
 
 constexpr int kGrain = 4096;
+// The most by which barycentric coordinates are changed to keep points off edges.
+constexpr float kFarthestInside = 0.05f;
 
 }  // namespace
 
@@ -32,9 +34,11 @@ void PackedMesh::fill(uint32_t triangle, float b1, float b2, SurfaceInteraction&
     const Face& face = faces_[triangle];
     const Vertex &v0 = vertices_[face.v[0]], &v1 = vertices_[face.v[1]], &v2 = vertices_[face.v[2]];
     const float b0 = 1 - b1 - b2;
+    const Vec3 e1 = v1.p - v0.p, e2 = v2.p - v0.p;
     hit.triangle = triangle;
     hit.p = v0.p * b0 + v1.p * b1 + v2.p * b2;
     hit.ng = face.ng;
+    hit.error = planeError(e1, e2, hit.p - v0.p);
 
     // pbrt's default texture coordinates for triangles without any: (0,0), (1,0), (1,1).
     const Vec2 uv0 = hasUvs_ ? v0.uv : Vec2(0, 0);
@@ -42,7 +46,6 @@ void PackedMesh::fill(uint32_t triangle, float b1, float b2, SurfaceInteraction&
     hit.uv = uv0 + d1 * b1 + d2 * b2;
     const float determinant = d1.x * d2.y - d1.y * d2.x;
     if (std::abs(determinant) > 1e-12f) {
-        const Vec3 e1 = v1.p - v0.p, e2 = v2.p - v0.p;
         const float inv = 1 / determinant;
         hit.dpdu = (e1 * d2.y - e2 * d1.y) * inv;
         hit.dpdv = (e2 * d1.x - e1 * d2.x) * inv;
@@ -65,6 +68,20 @@ void PackedMesh::fill(uint32_t triangle, float b1, float b2, SurfaceInteraction&
         const float l2 = lengthSquared(n);
         if (l2 > 1e-12f) hit.ns = faceForward(n * (1 / std::sqrt(l2)), hit.ng);
     }
+}
+
+void PackedMesh::keepOffEdges(uint32_t triangle, float b1, float b2, float rounding, SurfaceInteraction& hit) const {
+    const Face& face = faces_[triangle];
+    const Vec3 &v0 = vertices_[face.v[0]].p, &v1 = vertices_[face.v[1]].p, &v2 = vertices_[face.v[2]].p;
+    const Vec3 e1 = v1 - v0, e2 = v2 - v0;
+    // The height above the longest edge is the least.
+    const float longest = std::max({lengthSquared(e1), lengthSquared(e2), lengthSquared(e2 - e1)});
+    const float far = 2 * (hit.error + rounding) * std::sqrt(longest / lengthSquared(cross(e1, e2)));
+    float b[3] = {1 - b1 - b2, b1, b2};
+    if (!(std::min({b[0], b[1], b[2]}) < far)) return;
+    float sum = 0;
+    for (float& x : b) sum += x = std::max(x, std::min(far, kFarthestInside));
+    hit.p = (v0 * b[0] + v1 * b[1] + v2 * b[2]) * (1 / sum);
 }
 
 }  // namespace drc

@@ -15,6 +15,10 @@ class PackedMesh {
     // Fills in position, normals, uv, derivatives and triangle index for the point with barycentric coordinates b1, b2
     // of the second and third vertex, in the mesh's own space. Leaves the other members of the hit unchanged.
     void fill(uint32_t triangle, float b1, float b2, SurfaceInteraction& hit) const;
+    // Moves the point of a hit that fill() has described inwards if it is as close to an edge as its errors are large:
+    // it could lie behind another face that shares the edge, and its rays would leave a closed box. rounding: a bound
+    // on the rounding of the point, here and where its rays start.
+    void keepOffEdges(uint32_t triangle, float b1, float b2, float rounding, SurfaceInteraction& hit) const;
 
     // Prefetches what fill() reads first.
     void prefetch(uint32_t triangle) const { __builtin_prefetch(&faces_[triangle]); }

@@ -15,6 +15,7 @@ void printInfo(const std::string& path) {
     const RenderSettings& s = scene->settings;
     const PixelRegion region = s.region();
     const Bounds bounds = scene->bounds();
+    const Vec3 low = bounds.min + scene->origin, high = bounds.max + scene->origin;
     size_t emitters = 0, masked = 0, shapes = 0;
     std::map<const Material*, int> materials;
     const auto count = [&](const std::vector<Primitive>& primitives) {
@@ -43,8 +44,8 @@ void printInfo(const std::string& path) {
     fmt::print("  lights      {}: {} emitting surfaces, {} environments, {} others\n", scene->lights.size(), emitters,
                infinite, scene->lights.size() - emitters - infinite);
     if (!bounds.empty())
-        fmt::print("  bounds      ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", bounds.min.x, bounds.min.y, bounds.min.z,
-                   bounds.max.x, bounds.max.y, bounds.max.z);
+        fmt::print("  bounds      ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", low.x, low.y, low.z, high.x, high.y,
+                   high.z);
     fmt::print("  read in     {:.2f} s, {} warnings\n", seconds, warningCount());
 }
 

@@ -109,7 +109,7 @@ BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Accel& accel,
                                          const PathSettings& settings, double lightPaths)
     : scene_(scene), accel_(accel), lighting_(accel, lights), settings_(settings), lightPaths_(lightPaths) {
     const Bounds bounds = scene.bounds();
-    sphere_ = {bounds.empty() ? Vec3(0.f) : bounds.center(), std::max(1e-6f, bounds.radius())};
+    sphere_ = {bounds.empty() ? Vec3(0.f) : bounds.center(), std::max(1e-18f, bounds.radius())};
     std::vector<float> powers;
     for (const LightPtr& light : scene.lights) {
         const float power = luminance(light->power(sphere_.radius));
@@ -269,7 +269,9 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
     Step step;
     step.throughput = emitted->radiance * (cosine / density);
     if (!isFinite(step.throughput) || isBlack(step.throughput)) return;
-    step.ray.o = surface ? SpawnPoint{emitted->p, emitted->ng}.towards(emitted->d) : emitted->p;
+    step.ray.o =
+        surface ? SpawnPoint{emitted->p, emitted->ng, 0, emitted->error + roundingError(emitted->p)}.towards(emitted->d)
+                : emitted->p;
     step.ray.d = emitted->d;
     step.ray.time = time;
     step.ray.coneSpread = kDiffuseSpread;
@@ -307,9 +309,9 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
 Rgb BidirectionalTracer::sampleLight(Paths& paths, float uLight, const Vec2& u) const {
     const Vertex& at = paths.camera.back();
     const BsdfView view(at.bsdf, at.hit.wo);
-    const auto proposal = lighting_.propose(at.hit, view, DirectLighting::kNoGroup, uLight, u);
+    auto proposal = lighting_.propose(at.hit, view, DirectLighting::kNoGroup, uLight, u);
     const Rgb light = at.throughput * lighting_.arriving(at.hit, proposal);
-    if (isBlack(light)) return Rgb(0.f);
+    if (isBlack(light) || proposal.screened) return light;
     const LightSample& s = proposal.sample;
     EmitterHit point;
     point.ng = s.ng;
@@ -329,7 +331,7 @@ void BidirectionalTracer::joinLens(Paths& paths, float time, const Vec2& uLens, 
     const float fromCamera = view->pixelsPerArea * absDot(at.hit.ng, d);
     const Rgb f = at.bsdf.f(d, at.hit.wo, LobeFlags::NonSpecular);
     const Rgb light = at.throughput * f * fromCamera;
-    if (isBlack(light) || shadowed(accel_, at.hit.spawnPoint(), d, distance, time)) return;
+    if (isBlack(light) || screened(accel_, at.hit.spawnPoint(), d, distance, time)) return;
     splats.push_back({view->film, light * (weightAtLens(paths, d, fromCamera) / float(lightPaths_))});
 }
 
@@ -345,7 +347,7 @@ Rgb BidirectionalTracer::join(Paths& paths, size_t camera, size_t light) const {
     if (isBlack(sum)) return sum;
     sum *= y.throughput * y.bsdf.f(-d, y.hit.wo, LobeFlags::NonSpecular);
     sum *= absDot(z.bsdf.frame().n, d) * absDot(y.hit.ng, d) / sqr(distance);
-    if (isBlack(sum) || shadowed(accel_, z.hit.spawnPoint(), d, distance, z.hit.time)) return Rgb(0.f);
+    if (isBlack(sum) || screened(accel_, z.hit.spawnPoint(), d, y.hit.spawnPoint(), z.hit.time)) return Rgb(0.f);
     return sum * weightOfJoined(paths, camera, light, d);
 }
 

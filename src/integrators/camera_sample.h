@@ -28,7 +28,7 @@ inline CameraRay cameraRay(const Scene& scene, const Vec2& film, Sampler& sample
 // Sample `index` of pixel (x, y). The position on the film is drawn in proportion to the pixel filter.
 inline CameraSample cameraSample(const Scene& scene, int x, int y, uint64_t stream, uint32_t index) {
     CameraSample s{Sampler(stream, index), Vec2(0.f), 0, {}};
-    const FilterSample f = scene.settings.filter->sample(s.sampler.get2D());
+    const FilterSample f = scene.settings.filter->sample(s.sampler.get2D(), index, stream);
     s.film = Vec2(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
     s.filterWeight = f.weight;
     s.camera = cameraRay(scene, s.film, s.sampler);

@@ -54,12 +54,13 @@ DirectLighting::Proposal DirectLighting::propose(const SurfaceInteraction& at, c
     return {choice.light, *s, value.f * (absDot(s->wi, bsdf.bsdf().frame().n) / pdf), pdf, value.pdf, slot};
 }
 
-Rgb DirectLighting::arriving(const SurfaceInteraction& at, const Proposal& proposal) const {
+Rgb DirectLighting::arriving(const SurfaceInteraction& at, Proposal& proposal) const {
     if (proposal.light == nullptr) return Rgb(0.f);
     const LightSample& s = proposal.sample;
     const bool blocked = shadowed(accel_, at.spawnPoint(), s.wi, s.distance, at.time);
     if (proposal.slot >= 0) guide_->learn(proposal.slot, !blocked);
     if (blocked) return Rgb(0.f);
+    proposal.screened = accel_.hasShadowMasks() && screened(accel_, at.spawnPoint(), s.wi, s.distance, at.time);
     return proposal.throughput * (proposal.light->isInfinite() ? proposal.light->escaped(s.wi) : s.radiance);
 }
 

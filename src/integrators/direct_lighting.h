@@ -65,13 +65,22 @@ class DirectLighting {
         float lightPdf = 0;   // per solid angle, including the choice of the light
         float bsdfPdf = 0;    // of BSDF sampling for the same direction
         int slot = -1;        // of the guide, which learns from the sample's visibility; -1: not guided
+        // Whether the rays of paths are blocked where the shadow ray is not, so that no other technique finds this
+        // light.
+        bool screened = false;
         // The weight against BSDF sampling.
-        float weight() const { return sample.delta ? 1 : powerHeuristic(lightPdf, bsdfPdf); }
+        float weight() const { return sample.delta || screened ? 1 : powerHeuristic(lightPdf, bsdfPdf); }
     };
     // uLight chooses the light, u the direction or the point on the light.
     Proposal propose(const SurfaceInteraction& at, const BsdfView& bsdf, int group, float uLight, const Vec2& u) const;
-    // The sample's contribution without weight(): throughput times Le, or black if the shadow ray is blocked.
-    Rgb arriving(const SurfaceInteraction& at, const Proposal& proposal) const;
+    // The sample's contribution without weight(): throughput times Le, or black if the shadow ray is blocked. Finds out
+    // whether the proposal is screened.
+    Rgb arriving(const SurfaceInteraction& at, Proposal& proposal) const;
+    // The contribution with weight().
+    Rgb weighted(const SurfaceInteraction& at, Proposal& proposal) const {
+        const Rgb light = arriving(at, proposal);
+        return light * proposal.weight();
+    }
 
     const Accel& accel() const { return accel_; }
     const LightSampler& lights() const { return lights_; }

@@ -169,7 +169,7 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
         // The path's own ray is traced before the shadow ray, which then hides the latency of loading the surface's
         // data.
         any = goesOn && accel.find(path.ray, found);
-        const Rgb lit = lighting_.arriving(hit, light) * light.weight();
+        const Rgb lit = lighting_.weighted(hit, light);
         if (!isBlack(lit)) {
             const Rgb part = broadShare(light.sample.wi);
             if (shown) sum += throughput * share * (divided && answered ? lit * (Rgb(1.f) - part) : lit);

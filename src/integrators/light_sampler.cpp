@@ -12,7 +12,7 @@ constexpr float kUniformShare = 0.1f;
 }  // namespace
 
 LightSampler::LightSampler(const Scene& scene) {
-    const float sceneRadius = std::max(1e-6f, scene.bounds().radius());
+    const float sceneRadius = std::max(1e-18f, scene.bounds().radius());
     std::vector<const Light*> distant;
     std::vector<LightReach> reaches;
     for (const LightPtr& light : scene.lights) {

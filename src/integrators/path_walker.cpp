@@ -105,7 +105,7 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
         // data.
         any = goesOn && accel.find(path.ray, found);
         if (directWanted && depth > 0) std::exchange(directWanted, nullptr)->direct = sum;
-        sum += throughput * lighting_.arriving(hit, light) * light.weight();
+        sum += throughput * lighting_.weighted(hit, light);
         if (!goesOn) break;
     }
     if (directWanted) directWanted->direct = sum;

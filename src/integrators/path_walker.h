@@ -121,8 +121,8 @@ class PathWalker {
 
     // A light sample at a vertex, weighted against BSDF sampling.
     Rgb sampleLight(const SurfaceInteraction& at, const BsdfView& view, int group, const VertexNumbers& u) const {
-        const auto proposal = lighting_.propose(at, view, group, u.light, u.onLight);
-        return lighting_.arriving(at, proposal) * proposal.weight();
+        auto proposal = lighting_.propose(at, view, group, u.light, u.onLight);
+        return lighting_.weighted(at, proposal);
     }
     const DirectLighting& lighting() const { return lighting_; }
     const PathSettings& settings() const { return settings_; }

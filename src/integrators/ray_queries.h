@@ -26,5 +26,9 @@ bool nextSurface(const Accel& accel, Ray& ray, const Accel::Found& found, Surfac
 // Whether anything blocks the segment from a surface point along d (unit) to `distance`, which is infinity for lights
 // at infinity.
 bool shadowed(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
+// The same for the rays of paths, to which surfaces with holes for shadow rays alone (pbrt's shadowalpha) are whole.
+bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
+// screened() between two surface points, of which the one sees the other along d (unit).
+bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, const SpawnPoint& to, float time);
 
 }  // namespace drc

@@ -69,6 +69,31 @@ TEST(CameraFactory, RealisticReadsItsLens) {
     EXPECT_THAT(errorOfCamera("\"realistic\" \"string lensfile\" \"no.dat\""), HasSubstr("no.dat"));
 }
 
+// Focusing replaces the last distance, which is 0 in pbrt's own lens files.
+TEST(CameraFactory, RealisticDoesNotCareForTheLastDistance) {
+    const TemporaryFolder folder;
+    const auto raysWith = [&](const std::string& last) {
+        folder.write("lens.dat", "40 4 1.5 16\n0 3 0 10\n-40 " + last + " 1 16\n");
+        const auto scene = withCamera(
+            "\"realistic\" \"string lensfile\" \"lens.dat\" \"float aperturediameter\" 8 "
+            "\"float focusdistance\" 3",
+            folder.path());
+        std::vector<CameraRay> rays;
+        for (int i = 0; i < 64; ++i)
+            rays.push_back(scene->camera->generateRay(Vec2(float(i) * 1.3f, 40), Vec2(0.3f, float(i) / 64), 0));
+        return rays;
+    };
+    const auto expected = raysWith("30");
+    for (const char* last : {"0", "5", "0.001", "1000"}) {
+        const auto rays = raysWith(last);
+        for (size_t i = 0; i < rays.size(); ++i) {
+            EXPECT_EQ(rays[i].weight, expected[i].weight);
+            EXPECT_EQ(rays[i].ray.o, expected[i].ray.o);
+            EXPECT_EQ(rays[i].ray.d, expected[i].ray.d);
+        }
+    }
+}
+
 TEST(CameraFactory, LensFilesThatAreNone) {
     const TemporaryFolder folder;
     const auto errorOfLens = [&](const std::string& text) {
@@ -81,7 +106,8 @@ TEST(CameraFactory, LensFilesThatAreNone) {
     EXPECT_THAT(errorOfLens("# nothing\n"), HasSubstr("this one has 0 in all"));
     EXPECT_THAT(errorOfLens("50 6 .5 30\n"), AllOf(HasSubstr("bad.dat:1:6"), HasSubstr("index of refraction")));
     EXPECT_THAT(errorOfLens("50 6 1.5 0\n"), AllOf(HasSubstr("bad.dat:1:10"), HasSubstr("diameter")));
-    EXPECT_THAT(errorOfLens("50 6 1.5 30\n-50 0 1 30"), HasSubstr("from the last surface to the film"));
+    EXPECT_THAT(errorOfLens("50 -6 1.5 30\n-50 0 1 30"),
+                AllOf(HasSubstr("bad.dat:1:4"), HasSubstr("must not be negative")));
 }
 
 }  // namespace

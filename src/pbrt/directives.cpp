@@ -76,6 +76,11 @@ void rotate(Context c) {
 
 void lookAt(Context c) {
     const auto v = numbers<9>(c);
+    const Vec3 direction = vec3(&v[3]) - vec3(&v[0]), up = vec3(&v[6]);
+    if (direction == Vec3(0.f)) fail(c.pos, "LookAt looks from a point to the same point; the second must be another");
+    if (up == Vec3(0.f)) fail(c.pos, "the up vector of LookAt, its last three numbers, is zero");
+    if (length(cross(normalize(up), normalize(direction))) < 1e-6f)
+        fail(c.pos, "LookAt looks along its up vector (the last three numbers); choose another up vector");
     c.builder.apply(Transform::lookAt(vec3(&v[0]), vec3(&v[3]), vec3(&v[6])), c.pos);
 }
 

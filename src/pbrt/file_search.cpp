@@ -11,17 +11,24 @@ std::string FileSearch::find(const std::string& name, const SourcePos& pos, cons
     if (name.empty()) fail(pos, "the name of the " + what + " is empty");
     if (name.find('\0') != std::string::npos) fail(pos, "the name of the " + what + " has a zero byte in it");
     std::vector<fs::path> candidates;
-    if (fs::path(name).is_absolute()) {
-        candidates.push_back(name);
-    } else {
-        if (pos.source != nullptr) candidates.push_back(fs::path(pos.source->directory()) / name);
-        candidates.push_back(fs::path(mainDirectory_) / name);
+    const auto addCandidates = [&](const std::string& spelt) {
+        if (fs::path(spelt).is_absolute()) {
+            candidates.push_back(spelt);
+            return;
+        }
+        if (pos.source != nullptr) candidates.push_back(fs::path(pos.source->directory()) / spelt);
+        candidates.push_back(fs::path(mainDirectory_) / spelt);
         // If the file is reached by a symbolic link, also search beside the file that it points to.
         std::error_code ignored;
         if (pos.source != nullptr && fs::is_symlink(pos.source->name(), ignored))
-            candidates.push_back(fs::weakly_canonical(pos.source->name(), ignored).parent_path() / name);
-        candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    }
+            candidates.push_back(fs::weakly_canonical(pos.source->name(), ignored).parent_path() / spelt);
+    };
+    addCandidates(name);
+    // Exporters on Windows write folders with backslashes. Here a backslash may be part of a name, which comes first.
+    std::string withSlashes = name;
+    std::ranges::replace(withSlashes, '\\', '/');
+    if (withSlashes != name) addCandidates(withSlashes);
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     std::string tried;
     for (const fs::path& path : candidates) {
         std::error_code ignored;

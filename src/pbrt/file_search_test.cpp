@@ -31,8 +31,8 @@ TEST(FileSearch, EveryKindOfFileIsFoundBesideTheFileThatNamesIt) {
         image.setRgb(0, 0, near ? Rgb(0, 1, 0) : Rgb(1, 0, 0));
         folder.write(where + "t.png", encodePng(image));
         folder.write(where + "s.spd", near ? "300 0.25\n900 0.25\n" : "300 0.75\n900 0.75\n");
-        // The lens file beside the scene has no distance to the film and is refused.
-        folder.write(where + "l.dat", near ? "50 6 1.5 30\n-50 45 1 30\n" : "50 6 1.5 30\n-50 0 1 30\n");
+        // The lens file beside the scene has no aperture and is refused.
+        folder.write(where + "l.dat", near ? "50 6 1.5 30\n-50 45 1 30\n" : "50 6 1.5 0\n-50 45 1 30\n");
     }
     folder.write("parts/camera.pbrt", "Camera \"realistic\" \"string lensfile\" \"l.dat\"\n");
     folder.write("parts/world.pbrt",
@@ -76,8 +76,12 @@ TEST(FileSearch, AbsolutePathsAndOddNames) {
                                  folder.path());
     const float expected[] = {4, 4, 4, 5, 6};
     for (size_t k = 0; k < 5; ++k) EXPECT_EQ(firstX(*scene, k), expected[k]) << k;
-    // Windows' path separators are escapes, as in pbrt.
-    EXPECT_THAT(errorOfWorld(shape("in here\\mesh.ply"), folder.path()), HasSubstr("write a backslash as"));
+    // Windows' path separators are escapes, as in pbrt; written as such, they separate folders.
+    EXPECT_THAT(errorOfWorld(shape("in here\\mesh.ply"), folder.path()), HasSubstr("write folders with '/'"));
+    folder.write("part/sub/m.ply", plyAt(7));
+    EXPECT_EQ(firstX(*loadWorld(shape("part\\\\sub\\\\m.ply"), folder.path()), 0), 7);
+    EXPECT_THAT(errorOfWorld(shape("part\\\\none.ply"), folder.path()),
+                AllOf(HasSubstr("/part\\none.ply'"), HasSubstr("/part/none.ply'")));
 }
 
 TEST(FileSearch, ASceneBehindALinkFindsWhatStandsBesideTheScene) {

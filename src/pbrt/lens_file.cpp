@@ -65,7 +65,10 @@ std::vector<LensElement> readLensFile(const std::string& path, float stopDiamete
         e.thickness = numbers[i + 1].value * kMetres;
         e.eta = numbers[i + 2].value;
         float diameter = numbers[i + 3].value;
-        if (!(e.thickness >= 0)) fail(numbers[i + 1].pos, "the distance to the next surface must not be negative");
+        // The last distance, to the film, follows from focusing; pbrt's own files have 0 there.
+        const bool isLast = i + 4 == numbers.size();
+        if (!isLast && !(e.thickness >= 0))
+            fail(numbers[i + 1].pos, "the distance to the next surface must not be negative");
         // An aperture stop has no index; some files give it 0.
         if (!(e.eta >= 1 || e.eta == 0)) fail(numbers[i + 2].pos, "the index of refraction must be 1 or more");
         if (!(diameter > 0)) fail(numbers[i + 3].pos, "the diameter must be positive");
@@ -82,8 +85,6 @@ std::vector<LensElement> readLensFile(const std::string& path, float stopDiamete
         lens.push_back(e);
     }
     if (!stop) warn(start, "this lens has no stop (a surface of radius 0): 'aperturediameter' has no effect");
-    if (!(lens.back().thickness > 0))
-        fail(numbers[numbers.size() - 3].pos, "the distance from the last surface to the film must be positive");
     return lens;
 }
 

@@ -38,7 +38,9 @@ TEST(LightFactory, SpotsAimAndHavePbrtsDefaults) {
     EXPECT_THAT(errorOfWorld(plain + " \"point to\" [0 0 0]"),
                 AllOf(StartsWith("s.pbrt:2:13"), HasSubstr("has no direction: 'from' equals 'to'")));
     EXPECT_THAT(errorOfWorld(plain + " \"float coneangle\" 200"),
-                AllOf(StartsWith("s.pbrt:2:20"), HasSubstr("must be between 0 and 180 degrees, not 200")));
+                AllOf(StartsWith("s.pbrt:2:20"), HasSubstr("must be above 0 and at most 180 degrees, not 200")));
+    // All directions, but for a soft edge behind.
+    EXPECT_NEAR(arriving(plain + " \"float coneangle\" 180", Vec3(1, 0, -1)).x, 0.5f, 1e-6f);
     EXPECT_THAT(errorOfWorld(plain + " \"float conedeltaangle\" -1"), HasSubstr("must not be negative"));
 }
 

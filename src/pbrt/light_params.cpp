@@ -48,7 +48,10 @@ Vec3 distantDirection(const LightContext& context) {
 }
 
 SpotAngles spotAngles(const ParamSet& params) {
-    const float cone = degreesBetween(params, "coneangle", 30, 0, 180);
+    const float cone = params.getFloat("coneangle", 30);
+    if (!(cone > 0 && cone <= 180))
+        params.failAt(*params.find("coneangle", {ParamType::Float}),
+                      fmt::format("must be above 0 and at most 180 degrees, not {:g}", cone));
     return {cone, params.getNonNegativeFloat("conedeltaangle", 5)};
 }
 

@@ -1,5 +1,6 @@
 #include "pbrt/mesh_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/limits.h"
@@ -19,6 +20,11 @@ struct Placing {
     Dialect dialect;
 };
 
+bool isUsable(const Vec3& p) {
+    return std::abs(p.x) < limits::kCoordinate && std::abs(p.y) < limits::kCoordinate &&
+           std::abs(p.z) < limits::kCoordinate;
+}
+
 // Transforms the mesh, with normals oriented as in pbrt.
 TriangleMeshPtr placed(TriangleMesh mesh, const Placing& placing) {
     mesh.apply(placing.toWorld);
@@ -27,10 +33,15 @@ TriangleMeshPtr placed(TriangleMesh mesh, const Placing& placing) {
         mesh.flipNormal = !mesh.flipNormal;
         for (Vec3& normal : mesh.normals) normal = -normal;
     }
-    for (const Vec3& p : mesh.positions)
-        for (const float x : {p.x, p.y, p.z})
-            if (!(std::abs(x) < limits::kCoordinate))
+    if (!std::ranges::all_of(mesh.positions, isUsable)) {
+        // Vertices that no triangle uses may be anywhere, also at no number.
+        for (const uint32_t index : mesh.indices)
+            if (!isUsable(mesh.positions[index]))
                 throw Error("the mesh has a vertex at no number, or farther from the origin than 1e18");
+        const Vec3 used = mesh.indices.empty() ? Vec3(0.f) : mesh.positions[mesh.indices[0]];
+        std::ranges::replace_if(
+            mesh.positions, [](const Vec3& p) { return !isUsable(p); }, used);
+    }
     return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 

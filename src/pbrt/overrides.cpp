@@ -117,8 +117,9 @@ class Reader {
                 const auto number = numberOf(word);
                 if (!number) expect("a number", word);
                 if (p.type == ParamType::Integer &&
-                    (*number != std::trunc(*number) || std::abs(*number) > std::numeric_limits<int>::max()))
-                    expect("a whole number below 2^31", word);
+                    (*number != std::trunc(*number) || *number < std::numeric_limits<int>::min() ||
+                     *number > std::numeric_limits<int>::max()))
+                    expect("a whole number from -2^31 to 2^31 - 1", word);
                 p.numbers.push_back(*number);
             }
         }

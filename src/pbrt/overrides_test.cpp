@@ -80,8 +80,8 @@ TEST(Overrides, HaveTheErrorsOfAFileAtTheirOwnText) {
                 AllOf(HasSubstr("-D:1:6: parameter 'xresolution' of film 'image' must be from 1 to "),
                       HasSubstr("film.xresolution=0")));
     EXPECT_THAT(errorWith("xresolution=6.5"), HasSubstr("-D:1:13: parameter 'xresolution' of film 'image' is a whole "
-                                                        "number below 2^31, not '6.5'"));
-    EXPECT_THAT(errorWith("xresolution=3000000000"), HasSubstr("is a whole number below 2^31"));
+                                                        "number from -2^31 to 2^31 - 1, not '6.5'"));
+    EXPECT_THAT(errorWith("xresolution=3000000000"), HasSubstr("is a whole number from -2^31"));
     EXPECT_THAT(errorWith("film.scale=half"), HasSubstr("is a number, not 'half'"));
     EXPECT_THAT(errorWith("film.cropwindow=0 nan 0 1"), HasSubstr("is a number, not 'nan'"));
     EXPECT_THAT(errorWith("film.cropwindow=.5 .5 0 1"), HasSubstr("parameter 'cropwindow' of film 'image' is empty"));

@@ -1,5 +1,7 @@
 #include "pbrt/param_parser.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -92,9 +94,21 @@ class ParamParser {
                                          : takesText                     ? "a quoted string"
                                          : param_.typeName == "spectrum" ? "a number or the name of a .spd file"
                                                                          : "a number";
+            const std::string advice = param_.type == ParamType::Bool ? adviceForBool(token) : "";
             fail(token.pos, "expected " + expected + " for parameter '" + param_.name + "' of type '" +
-                                param_.typeName + "' of " + owner_ + ", found " + token.describe());
+                                param_.typeName + "' of " + owner_ + ", found " + token.describe() + advice);
         }
+    }
+
+    static std::string adviceForBool(const Token& token) {
+        std::string lower(token.text);
+        std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+        for (const auto& [written, meant] :
+             {std::pair("true", "true"), std::pair("1", "true"), std::pair("yes", "true"), std::pair("on", "true"),
+              std::pair("false", "false"), std::pair("0", "false"), std::pair("no", "false"),
+              std::pair("off", "false")})
+            if (lower == written) return "; write " + std::string(meant);
+        return "";
     }
 
     void checkGroups(size_t size) const {
@@ -109,9 +123,10 @@ class ParamParser {
             convertColors();
         } else if (param_.type == ParamType::Integer) {
             for (const double number : param_.numbers)
-                if (number != std::trunc(number) || std::abs(number) > std::numeric_limits<int>::max())
+                if (number != std::trunc(number) || number < std::numeric_limits<int>::min() ||
+                    number > std::numeric_limits<int>::max())
                     fail(param_.valuePos, "parameter '" + param_.name + "' of " + owner_ +
-                                              " is of type 'integer' and takes whole numbers below 2^31");
+                                              " is of type 'integer' and takes whole numbers from -2^31 to 2^31 - 1");
         } else {
             checkGroups(componentsOf(param_.type));
         }

@@ -74,11 +74,29 @@ TEST_F(ParamSetTest, WrongType) {
         "    ^");
 }
 
+// pbrt-v3's own default of a parameter of sppm is the least integer.
+TEST_F(ParamSetTest, EndsOfNumberTypes) {
+    const ParamSet p = parse(R"("integer least" -2147483648 "integer most" [2147483647] "float big" 3.4028234e38
+                               "float low" -3.4028234e38 "float tiny" 1e-45 "float none" 1e-400)");
+    EXPECT_EQ(p.getInt("least", 0), std::numeric_limits<int>::min());
+    EXPECT_EQ(p.getInt("most", 0), std::numeric_limits<int>::max());
+    EXPECT_EQ(p.getFloat("big", 0), std::numeric_limits<float>::max());
+    EXPECT_EQ(p.getFloat("low", 0), std::numeric_limits<float>::lowest());
+    EXPECT_EQ(p.getFloat("tiny", 0), std::numeric_limits<float>::denorm_min());
+    EXPECT_EQ(p.getFloat("none", 1), 0);
+    EXPECT_THAT(errorOfParsing("\"float f\" 3.5e38"), HasSubstr("within 3.4e38 of zero"));
+}
+
 TEST_F(ParamSetTest, WrongValues) {
     EXPECT_THAT(errorOfParsing("\"float f\" \"x\""), HasSubstr("expected a number for parameter 'f' of type 'float'"));
     EXPECT_THAT(errorOfParsing("\"string f\" 3"), HasSubstr("expected a quoted string for parameter 'f'"));
     EXPECT_THAT(errorOfParsing("\"bool f\" \"yes\""), HasSubstr("expected \"true\" or \"false\""));
+    EXPECT_THAT(errorOfParsing("\"bool f\" \"True\""), HasSubstr("found the string \"True\"; write true"));
+    EXPECT_THAT(errorOfParsing("\"bool f\" 0"), HasSubstr("found '0'; write false"));
+    EXPECT_THAT(errorOfParsing("\"bool f\" \"maybe\""), HasSubstr("found the string \"maybe\"\n"));
     EXPECT_THAT(errorOfParsing("\"integer i\" 1.5"), HasSubstr("takes whole numbers"));
+    EXPECT_THAT(errorOfParsing("\"integer i\" 2147483648"), HasSubstr("takes whole numbers from -2^31 to 2^31 - 1"));
+    EXPECT_THAT(errorOfParsing("\"integer i\" -2147483649"), HasSubstr("takes whole numbers from -2^31 to 2^31 - 1"));
     EXPECT_THAT(errorOfParsing("\"float\" 3"), HasSubstr("expected a parameter of material 'matte' as \"type name\""));
     EXPECT_THAT(errorOfParsing("\"float f g\" 3"), HasSubstr("expected one type and one name"));
     EXPECT_THAT(errorOfParsing("\"float f\""), HasSubstr("found the end of the file"));

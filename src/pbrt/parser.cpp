@@ -5,10 +5,11 @@
 
 namespace drc::pbrt {
 
-Parser::Parser(std::shared_ptr<const Source> main) : Parser(main, FileSearch(main->directory())) {}
+Parser::Parser(std::shared_ptr<const Source> main, const Vec3& origin)
+    : Parser(main, FileSearch(main->directory()), origin) {}
 
-Parser::Parser(std::shared_ptr<const Source> main, const FileSearch& files)
-    : tokens_(main), files_(files), dialect_(findDialect(main, files)), builder_(files_, dialect_.dialect) {
+Parser::Parser(std::shared_ptr<const Source> main, const FileSearch& files, const Vec3& origin)
+    : tokens_(main), files_(files), dialect_(findDialect(main, files)), builder_(files_, dialect_.dialect, origin) {
     logDebug("the scene is read as " + dialect_.describe());
 }
 

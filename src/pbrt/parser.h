@@ -12,12 +12,13 @@ namespace drc::pbrt {
 
 class Parser {
   public:
-    explicit Parser(std::shared_ptr<const Source> main);
+    // origin: Scene::origin.
+    explicit Parser(std::shared_ptr<const Source> main, const Vec3& origin = Vec3(0.f));
     // Parses in the dialect of the file. To be called once.
     std::unique_ptr<Scene> parse(const LoadOptions& options);
 
   private:
-    Parser(std::shared_ptr<const Source> main, const FileSearch& files);
+    Parser(std::shared_ptr<const Source> main, const FileSearch& files, const Vec3& origin);
     void directive(const Token& word);
     // Ends the blocks of imported files that have ended.
     void endImports();

@@ -26,6 +26,13 @@ class HeaderParser {
     HeaderParser(std::string_view file, const std::string& path) : file_(file), path_(path) {}
 
     PlyHeader parse() {
+        if (file_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
+        // Lines of old Macintosh programs end with a carriage return alone. What follows the first line tells, because
+        // after the header a line feed may be the first byte of the data.
+        const size_t firstEnd = file_.find_first_of("\r\n", at_);
+        if (firstEnd != std::string_view::npos && firstEnd + 1 < file_.size() && file_[firstEnd] == '\r' &&
+            file_[firstEnd + 1] != '\n')
+            lineEnd_ = '\r';
         if (nextLine() != std::vector<std::string_view>{"ply"}) fail("is not a PLY file: it does not begin with 'ply'");
         bool hasFormat = false;
         for (;;) {
@@ -53,7 +60,7 @@ class HeaderParser {
     [[noreturn]] void fail(const std::string& what) const { throw Error({path_, line_, 1}, "the PLY file " + what); }
 
     std::vector<std::string_view> nextLine() {
-        const size_t end = file_.find('\n', at_);
+        const size_t end = file_.find(lineEnd_, at_);
         if (end == std::string_view::npos) fail("ends within its header");
         std::string_view line = file_.substr(at_, end - at_);
         at_ = end + 1;
@@ -123,6 +130,7 @@ class HeaderParser {
     std::string_view file_;
     const std::string& path_;
     size_t at_ = 0;
+    char lineEnd_ = '\n';
     int line_ = 0;
     PlyHeader header_;
 };

@@ -81,6 +81,30 @@ TEST_F(PlyReader, BinaryOfBothByteOrders) {
     expectMesh(read(header("binary_big_endian") + binaryBody(true)));
 }
 
+// As from old Macintosh programs, whose header may be followed by data that begin like a line end; and with a byte
+// order mark, as from editors on Windows.
+TEST_F(PlyReader, LineEndsAndMarks) {
+    const auto with = [](std::string text, const std::string& lineEnd) {
+        std::erase(text, '\r');
+        for (size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + lineEnd.size()))
+            text.replace(i, 1, lineEnd);
+        return text;
+    };
+    const std::string ascii =
+        "0 0 9 0 0 0\n1 0 9 0 0.5 0\n1 1 9 0.5 .5 .25\n0 1 9 -2.25e0 0 +0.25\n4 0 1 2 3 -1\n3 3 1 0 7";
+    for (const char* lineEnd : {"\n", "\r\n", "\r"}) {
+        expectMesh(read(with(header("ascii") + ascii, lineEnd)));
+        expectMesh(read(with("\xEF\xBB\xBF" + header("ascii") + ascii, lineEnd)));
+        expectMesh(read(with(header("binary_little_endian"), lineEnd) + binaryBody(false)));
+    }
+    const std::string vertices =
+        "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty char z\n"
+        "element face 1\nproperty list char char vertex_indices\nend_header\n";
+    const std::string data("\n\r\0\0\0\0\0\1\0\3\0\1\2", 13);
+    for (const char* lineEnd : {"\n", "\r\n", "\r"})
+        EXPECT_EQ(read(with(vertices, lineEnd) + data).positions.at(0), Vec3(10, 13, 0));
+}
+
 TEST_F(PlyReader, NormalsAndOtherElements) {
     const TriangleMesh mesh = read(
         "ply\nformat ascii 1.0\nelement camera 1\nproperty list uchar float k\nelement vertex 3\nproperty float nx\n"

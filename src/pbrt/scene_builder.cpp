@@ -23,8 +23,9 @@ std::string placeOf(const SourcePos& pos) {
 
 }  // namespace
 
-SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect)
-    : files_(files), dialect_(dialect), make_(factoriesOf(dialect)) {
+SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect, const Vec3& origin)
+    : files_(files), dialect_(dialect), fromFile_(Transform::translate(-origin)), make_(factoriesOf(dialect)) {
+    scene_->origin = origin;
     const auto setting = [](const std::string& kind, const char* type) {
         return Setting{type, ParamSet(kind + " '" + type + "'", {})};
     };
@@ -218,8 +219,8 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
                            ParamSet params) {
     params = completed("texture", std::move(params));
     const TextureParams textureParams(params, state_.textures);
-    const TextureRequest request{textureParams, staticTransform("textures", params.pos()), files_, textureFiles_,
-                                 dialect_};
+    const TextureRequest request{
+        textureParams, staticTransform("textures", params.pos()), files_, textureFiles_, dialect_, scene_->origin};
     if (valueType == "float") {
         auto texture = makeFloatTexture(type, request);
         state_.textures.scalarCosts.set(name, costAbove(textureParams.cost(), params));
@@ -236,7 +237,7 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
 
 void SceneBuilder::light(const std::string& type, ParamSet params) {
     params = completed("light", std::move(params));
-    if (LightPtr light = make_.light(type, params, staticTransform("lights", params.pos()), files_))
+    if (LightPtr light = make_.light(type, params, fromFile_ * staticTransform("lights", params.pos()), files_))
         scene_->lights.push_back(std::move(light));
 }
 
@@ -248,7 +249,7 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     params = completed("shape", std::move(params));
     const bool moves = state_.ctm.isAnimated();  // if so, the transformation is applied by an instance
     const ShapeContext context{
-        params,   state_.textures, files_, moves ? Transform() : state_.ctm.start(), state_.reverseOrientation,
+        params,   state_.textures, files_, moves ? Transform() : placement().start(), state_.reverseOrientation,
         dialect_, curvePiecesLeft_};
     auto geometry = make_.shape(type, context);
     if (!geometry) return;
@@ -291,13 +292,18 @@ bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
     return true;
 }
 
+TransformSet SceneBuilder::placement() const {
+    if (openObject_ || scene_->origin == Vec3(0.f)) return state_.ctm;
+    return {{fromFile_ * state_.ctm.at[0], fromFile_ * state_.ctm.at[1]}};
+}
+
 const Transform& SceneBuilder::staticTransform(const std::string& what, const SourcePos& pos) const {
     if (state_.ctm.isAnimated()) warn(pos, what + " cannot move; the transformation of the start time is used");
     return state_.ctm.start();
 }
 
 AnimatedTransform SceneBuilder::motionOf(const std::string& what, const SourcePos& pos) const {
-    const TransformSet& ctm = state_.ctm;
+    const TransformSet ctm = placement();
     if (ctm.at[0].swapsHandedness() != ctm.at[1].swapsHandedness())
         fail(pos, "the " + what +
                       " cannot move from a place to one where it is mirrored: it would be flat on the way. Its "
@@ -383,8 +389,10 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
         settings.film.height = options.resolution->height;
         settings.filmAt = {};
     }
+    const Transform toFile = fromFile_.inverse();
+    const TransformSet inScene = {{worldToCamera_.at[0] * toFile, worldToCamera_.at[1] * toFile}};
     scene_->camera =
-        make_.camera(camera_.type, camera_.params, {worldToCamera_.animated(), transformTimes_}, settings.film, files_);
+        make_.camera(camera_.type, camera_.params, {inScene.animated(), transformTimes_}, settings.film, files_);
 
     loadMeshes(options);
     for (PendingPrimitive& p : pending_) {

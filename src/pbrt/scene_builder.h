@@ -20,7 +20,8 @@ namespace drc::pbrt {
 // Every pos is that of the directive, for messages. All functions throw Error for faults that a warning cannot excuse.
 class SceneBuilder {
   public:
-    SceneBuilder(const FileSearch& files, Dialect dialect);
+    // origin: Scene::origin. The graphics state stays in the file's coordinates.
+    SceneBuilder(const FileSearch& files, Dialect dialect, const Vec3& origin = Vec3(0.f));
 
     // Maximum number of pieces into which all further curves may be split.
     void limitCurves(size_t pieces) { curvePiecesLeft_ = pieces; }
@@ -100,9 +101,12 @@ class SceneBuilder {
         AnimatedTransform motion;
     };
 
-    // The transformation for things that cannot move; `what` and pos are used in messages.
+    // The current transformation to the space of the object that is being defined, or to the scene's.
+    TransformSet placement() const;
+    // The current transformation, in the file's coordinates, for things that cannot move; `what` and pos are used in
+    // messages.
     const Transform& staticTransform(const std::string& what, const SourcePos& pos) const;
-    // The current transformation for `what`, which may move. Throws Error if it cannot be rendered.
+    // placement() for `what`, which may move. Throws Error if it cannot be rendered.
     AnimatedTransform motionOf(const std::string& what, const SourcePos& pos) const;
     // The object for shapes that move with the current transformation; it has one instance. Consecutive shapes with the
     // same motion share it.
@@ -118,6 +122,7 @@ class SceneBuilder {
 
     const FileSearch& files_;
     Dialect dialect_;
+    Transform fromFile_;  // of world coordinates: moves the scene's origin to zero
     const DialectFactories& make_;
     GraphicsState state_;
     std::vector<Block> blocks_;

@@ -1,16 +1,48 @@
 #include "pbrt/scene_file.h"
 
+#include <cmath>
+#include <filesystem>
+
 #include "pbrt/parser.h"
 
 namespace drc::pbrt {
+namespace {
+
+// Scenes that lie so many times their own radius from zero, along an axis, are moved there.
+constexpr float kFarInRadii = 4;
+
+// Where a scene of these bounds has its origin: zero, or near its centre if it is far away. A multiple of a power of
+// two that is not smaller than the scene, so that coordinates do not lose bits, and an animation's frames agree.
+Vec3 originOf(const Bounds& bounds) {
+    Vec3 origin(0.f);
+    if (bounds.empty() || !(bounds.radius() > 0)) return origin;
+    const float step = std::exp2(std::ceil(std::log2(bounds.radius())));
+    for (int i = 0; i < 3; ++i)
+        if (const float c = bounds.center()[i]; std::abs(c) > kFarInRadii * bounds.radius())
+            origin[i] = step * std::round(c / step);
+    return origin;
+}
+
+std::unique_ptr<Scene> load(const std::shared_ptr<const Source>& source, const LoadOptions& options) {
+    auto scene = Parser(source).parse(options);
+    const Vec3 origin = originOf(scene->bounds());
+    if (origin == Vec3(0.f)) return scene;
+    // Read again, not moved, because positions have been rounded to floats.
+    scene.reset();
+    return Parser(source, origin).parse(options);
+}
+
+}  // namespace
 
 std::unique_ptr<Scene> loadPbrtFile(const std::string& path, const LoadOptions& options) {
-    return Parser(Source::fromFile(path)).parse(options);
+    std::error_code ignored;
+    const bool isPipe = path == "-" || std::filesystem::is_fifo(path, ignored);
+    return load(isPipe ? Source::fromPipe(path) : Source::fromFile(path), options);
 }
 
 std::unique_ptr<Scene> loadPbrtString(const std::string& text, const std::string& directory, const LoadOptions& options,
                                       const std::string& name) {
-    return Parser(Source::fromText(text, name, directory)).parse(options);
+    return load(Source::fromText(text, name, directory), options);
 }
 
 }  // namespace drc::pbrt

@@ -1,8 +1,11 @@
 #include "pbrt/scene_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <thread>
 
 #include "base/log.h"
 #include "pbrt/test_scenes.h"
@@ -227,6 +230,63 @@ TEST(SceneFiles, MissingOnesSayWhatWasTried) {
                 HasSubstr("cannot find the environment map 'a.exr'"));
     EXPECT_EQ(errorOf([] { loadPbrtFile("/absent.pbrt"); }),
               "cannot read scene file '/absent.pbrt': No such file or directory");
+}
+
+// Editors on Windows may save text as UTF-16, with a mark or without.
+TEST(SceneFiles, TextInUtf16IsNamed) {
+    const TemporaryFolder folder;
+    for (const bool bigEndian : {false, true})
+        for (const bool marked : {false, true}) {
+            std::string text;
+            const auto add = [&](int c) {
+                const char bytes[] = {char(c >> 8), char(c & 255)};
+                text += bytes[bigEndian ? 0 : 1];
+                text += bytes[bigEndian ? 1 : 0];
+            };
+            if (marked) add(0xFEFF);
+            for (const char c : std::string("WorldBegin\nWorldEnd\n")) add(c);
+            const std::string path = folder.write("wide.pbrt", text);
+            EXPECT_THAT(errorOf([&] { loadPbrtFile(path); }),
+                        StartsWith(path + ":1:1: the text is in UTF-16; save the file as UTF-8"));
+            EXPECT_THAT(errorOfWorld("Include \"wide.pbrt\"", folder.path()),
+                        HasSubstr("wide.pbrt:1:1: the text is in UTF-16"));
+        }
+}
+
+// A scene may come from another program: `generate | drc render /dev/stdin`.
+TEST(SceneFiles, AScenePipedIn) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path() + "/pipe";
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    const auto loadPiped = [&](const std::string& text) {
+        std::thread writer([&] { std::ofstream(path) << text; });
+        std::unique_ptr<Scene> scene;
+        const std::string error = errorOf([&] { scene = loadPbrtFile(path); });
+        writer.join();
+        return std::pair(std::move(scene), error);
+    };
+    // Larger than a pipe holds.
+    std::string world = "WorldBegin\n";
+    for (int i = 0; i < 2000; ++i) world += kTriangle;
+    EXPECT_EQ(loadPiped(world + "WorldEnd\n").first->primitives.size(), 2000u);
+    EXPECT_THAT(loadPiped("WorldBegin\nShpe\n").second, StartsWith(path + ":2:1: unknown directive"));
+    EXPECT_THAT(loadPiped("").second, HasSubstr("the file ends without a WorldBegin"));
+}
+
+TEST(SceneFiles, VerticesThatNoTriangleUsesMayBeAnywhere) {
+    const TemporaryFolder folder;
+    const auto meshOf = [&](const std::string& face) {
+        folder.write("m.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                     "nan 1e30 -inf\n1 0 0\n0 1 0\n0 0 1\n" +
+                         face);
+        return loadWorld("Shape \"plymesh\" \"string filename\" \"m.ply\"", folder.path());
+    };
+    const auto scene = meshOf("3 1 2 3\n");
+    const TriangleMesh& mesh = *scene->primitives.at(0).mesh;
+    for (const Vec3& p : mesh.positions) EXPECT_LE(length(p), 1) << p;
+    EXPECT_THAT(errorOf([&] { meshOf("3 0 2 3\n"); }), HasSubstr("the mesh has a vertex at no number"));
 }
 
 TEST(SceneFiles, DamagedMeshIsReportedAtItsShape) {

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "base/log.h"
 #include "pbrt/gzip.h"
@@ -14,7 +15,40 @@ namespace {
 // Meshes are often written as a single line of megabytes.
 constexpr size_t kExcerptWidth = 100;
 
+void checkEncoding(const Source& source) {
+    const std::string_view text = source.text();
+    const auto isZero = [&](size_t i) { return i < text.size() && text[i] == '\0'; };
+    const bool marked = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+    // Every other byte of plain words is zero.
+    const bool unmarked =
+        text.size() >= 4 && isZero(0) == isZero(2) && isZero(1) == isZero(3) && isZero(0) != isZero(1);
+    if (marked || unmarked)
+        throw Error({source.name(), 1, 1},
+                    "the text is in UTF-16; save the file as UTF-8 (or convert it: iconv -f UTF-16 -t UTF-8)");
+}
+
 }  // namespace
+
+std::unique_ptr<Source> Source::fromPipe(const std::string& path) {
+    const bool isStandard = path == "-";
+    const std::string name = isStandard ? "<standard input>" : path;
+    std::ifstream stream(isStandard ? "/dev/stdin" : path, std::ios::binary);
+    const auto failed = [&](int reason) {
+        throw Error("cannot read the scene from " + name + ": " + std::strerror(reason));
+    };
+    if (!stream) failed(errno);
+    std::string text;
+    for (std::vector<char> buffer(size_t(1) << 20); stream;) {
+        stream.read(buffer.data(), std::streamsize(buffer.size()));
+        text.append(buffer.data(), size_t(stream.gcount()));
+        if (text.size() > limits::kFileBytes) failed(EFBIG);
+    }
+    if (stream.bad()) failed(EIO);
+    if (isGzip(text)) text = gunzip(text, name);
+    auto source = fromText(std::move(text), name, "");
+    checkEncoding(*source);
+    return source;
+}
 
 std::unique_ptr<Source> Source::fromFile(const std::string& path, const std::string& what, uint64_t most) {
     auto source = std::make_unique<Source>();
@@ -27,6 +61,7 @@ std::unique_ptr<Source> Source::fromFile(const std::string& path, const std::str
     }
     source->name_ = path;
     source->directory_ = std::filesystem::path(path).parent_path().string();
+    checkEncoding(*source);
     return source;
 }
 

@@ -18,9 +18,12 @@ namespace drc::pbrt {
 class Source {
   public:
     // Maps the file, or decompresses it if it is gzipped. Throws Error if it cannot be read or is larger than `most`
-    // bytes. `what` is used in messages.
+    // bytes, or if it is text in UTF-16. `what` is used in messages.
     static std::unique_ptr<Source> fromFile(const std::string& path, const std::string& what = "scene file",
                                             uint64_t most = limits::kFileBytes);
+    // Reads a pipe, or for "-" standard input, to its end. Relative paths in it start in the working folder. Throws
+    // Error if it cannot be read.
+    static std::unique_ptr<Source> fromPipe(const std::string& path);
     // name is used in place of a file name; relative paths start in directory.
     static std::unique_ptr<Source> fromText(std::string text, std::string name, std::string directory);
 

@@ -39,9 +39,11 @@ TexturePtr<T> placeholder() {
 }
 
 Mapping2D mapping2DOf(const TextureRequest& request) {
-    return makeMapping2D(request.params.own(), request.textureToWorld, request.dialect);
+    return makeMapping2D(request.params.own(), request.textureToWorld, request.dialect, request.origin);
 }
-Mapping3D mapping3DOf(const TextureRequest& request) { return makeMapping3D(request.textureToWorld, request.dialect); }
+Mapping3D mapping3DOf(const TextureRequest& request) {
+    return makeMapping3D(request.textureToWorld, request.dialect, request.origin);
+}
 
 NoiseSum noiseOf(const ParamSet& own) {
     const NoiseSum sum{own.getInt("octaves", 8), own.getFloat("roughness", 0.5f)};

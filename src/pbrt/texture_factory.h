@@ -17,6 +17,7 @@ struct TextureRequest {
     const FileSearch& files;
     TextureFiles& images;
     Dialect dialect = Dialect::V3;
+    Vec3 origin{0.f};  // Scene::origin
 };
 
 // In the request's dialect. Types that are not supported become the constant 0.5, with a warning. Throw Error for types

@@ -33,7 +33,8 @@ Mapping2D planarIn(const Transform& worldToTexture, const Vec3& vs, const Vec3& 
 
 }  // namespace
 
-Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld, Dialect dialect) {
+Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld, Dialect dialect, const Vec3& origin) {
+    const Transform toFile = Transform::translate(origin);
     const std::string type = texture.getString("mapping", "uv");
     if (type == "uv") {
         UvMapping mapping;
@@ -48,12 +49,11 @@ Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld
         const Vec3 vs = vectorOf(texture, "v1", Vec3(1, 0, 0)), vt = vectorOf(texture, "v2", Vec3(0, 1, 0));
         const Vec2 delta(texture.getFloat("udelta", 0), texture.getFloat("vdelta", 0));
         warnOfOthers(texture, type, {"uscale", "vscale"});
-        if (dialect == Dialect::V3) return Mapping2D::planar(vs, vt, delta);
-        return planarIn(textureToWorld.inverse(), vs, vt, delta);
+        return planarIn(dialect == Dialect::V3 ? toFile : textureToWorld.inverse() * toFile, vs, vt, delta);
     }
     if (type == "spherical" || type == "cylindrical") {
         warnOfOthers(texture, type, {"uscale", "vscale", "udelta", "vdelta", "v1", "v2"});
-        const Transform worldToTexture = textureToWorld.inverse();
+        const Transform worldToTexture = textureToWorld.inverse() * toFile;
         return type == "spherical" ? Mapping2D::spherical(worldToTexture) : Mapping2D::cylindrical(worldToTexture);
     }
     fail(texture.pos(),
@@ -63,8 +63,9 @@ Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld
 // For solid textures pbrt-v3 transforms world-space points by the current transformation itself, not by its inverse as
 // for 2D mappings. Its scenes are tuned to that: "Scale 10 10 10" makes noise ten times as fine. In pbrt-v4 it becomes
 // ten times as coarse.
-Mapping3D makeMapping3D(const Transform& textureToWorld, Dialect dialect) {
-    return Mapping3D(dialect == Dialect::V3 ? textureToWorld : textureToWorld.inverse());
+Mapping3D makeMapping3D(const Transform& textureToWorld, Dialect dialect, const Vec3& origin) {
+    return Mapping3D((dialect == Dialect::V3 ? textureToWorld : textureToWorld.inverse()) *
+                     Transform::translate(origin));
 }
 
 }  // namespace drc::pbrt

@@ -51,7 +51,8 @@ std::string Token::value() const {
                 break;  // a line that goes on
             default:
                 fail({pos.source, pos.offset + i},
-                     std::string("unknown escape '\\") + text[i] + "' in a string; write a backslash as '\\\\'");
+                     std::string("unknown escape '\\") + text[i] +
+                         "' in a string; write folders with '/', and a backslash as '\\\\'");
         }
     }
     return result;

@@ -53,7 +53,7 @@ std::string valueOf(const std::string& text) {
 TEST(Tokenizer, Escapes) {
     EXPECT_EQ(valueOf(R"("a\"b\\c\nd\te")"), "a\"b\\c\nd\te");
     EXPECT_EQ(errorOf([] { valueOf(R"("dir\wood.png")"); }),
-              "a:1:5: unknown escape '\\w' in a string; write a backslash as '\\\\'\n"
+              "a:1:5: unknown escape '\\w' in a string; write folders with '/', and a backslash as '\\\\'\n"
               "    \"dir\\wood.png\"\n"
               "        ^");
 }

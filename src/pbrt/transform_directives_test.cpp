@@ -16,7 +16,8 @@ const std::string kTriangle =
 
 // The position to which the directives transform the point (1, 2, 3).
 Vec3 placed(const std::string& directives) {
-    return loadWorld(directives + "\n" + kTriangle)->primitives.at(0).mesh->positions[0];
+    const auto scene = loadWorld(directives + "\n" + kTriangle);
+    return scene->primitives.at(0).mesh->positions[0] + scene->origin;
 }
 
 TEST(TransformDirectives, MoveScaleAndTurn) {
@@ -76,7 +77,11 @@ TEST(TransformDirectives, SingularAndMalformedOnesAreErrors) {
     EXPECT_EQ(errorOfWorld("  Scale 1 0 1"),
               "s.pbrt:2:3: this transformation cannot be inverted\n      Scale 1 0 1\n      ^");
     EXPECT_THAT(errorOfWorld("Rotate 90 0 0 0"), HasSubstr("cannot be inverted"));
-    EXPECT_THAT(errorOfWorld("LookAt 1 1 1  1 1 1  0 1 0"), HasSubstr("cannot be inverted"));
+    EXPECT_THAT(errorOfWorld("LookAt 1 1 1  1 1 1  0 1 0"),
+                HasSubstr("s.pbrt:2:1: LookAt looks from a point to the same"));
+    EXPECT_THAT(errorOfWorld("LookAt 1 1 1  1 3 1  0 1 0"), HasSubstr("LookAt looks along its up vector"));
+    EXPECT_THAT(errorOfWorld("LookAt 1 1 1  -2 -2 -2  5 5 5"), HasSubstr("LookAt looks along its up vector"));
+    EXPECT_THAT(errorOfWorld("LookAt 1 1 1  1 3 1  0 0 0"), HasSubstr("the up vector of LookAt"));
     EXPECT_THAT(errorOfWorld("Translate 1 2"), HasSubstr("s.pbrt:3:1: expected number 3 of the 3 of Translate, found "
                                                          "'WorldEnd'"));
     EXPECT_THAT(errorOfWorld("Transform [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 5]"), HasSubstr("expected ']' after the 16"));

@@ -31,11 +31,12 @@ struct FilmLayerSpec {
 // steps of 6e-8.
 double radianceQuantum(float scale);
 
-// The divisor that turns a sum of values times filter weights into a mean: the sum of the weights. With negative lobes,
-// few weights may sum to nearly zero; the sum's expectation is then the better divisor.
+// The divisor that turns a sum of values times filter weights into a mean: the sum of the weights. The weights of a
+// pixel's first samples never sum to nearly zero (Filter::sample), but those of a random half of them may, and those of
+// a shard that does not begin with the first sample; the sum's expectation is then the better divisor.
 template <typename T>
 T filterDivisor(T weights, T expected) {
-    return weights > T(0.25) * expected ? weights : expected;
+    return std::abs(weights) > T(0.25) * expected ? weights : expected;
 }
 
 class FilmLayer {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/log.h"
 #include "render/deadline.h"
 #include "render/sample_pass.h"
 
@@ -15,6 +16,8 @@ constexpr const char* kFileKind = "drc render";
 constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003;
 // The guide's voxels: this many between the camera and what it sees.
 constexpr float kVoxelsInDistance = 8;
+// The square root of the number of camera rays that look for surfaces before rendering.
+constexpr int kProbes = 16;
 
 PathSettings pathSettings(const RenderParams& params) {
     PathSettings settings;
@@ -37,6 +40,7 @@ Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const
       stats_(stats),
       schedule_(params_, start, scene.settings.film.height, scene.settings.region().count()) {
     begin();
+    warnIfBlack();
 }
 
 Session::~Session() = default;
@@ -58,23 +62,49 @@ void Session::setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film
     schedule_ = Schedule(params_, Schedule::Clock::now(), film.height, scene_.settings.region().count());
 }
 
-float Session::medianDistance() const {
-    constexpr int kProbes = 16;
-    std::vector<float> distances;
+template <class F>
+void Session::probe(F&& f) const {
     const PixelRegion region = scene_.settings.region();
     for (uint32_t i = 0; i < kProbes * kProbes; ++i) {
         Sampler sampler(hashCombine(params_.seed, kProbeStream), i);
         const Vec2 u = sampler.get2D();
         const Vec2 film(float(region.x0) + u.x * float(region.width()),
                         float(region.y0) + u.y * float(region.height()));
-        PrimaryHit hit;
         const CameraRay camera = cameraRay(scene_, film, sampler);
-        if (camera.weight > 0 && tracer_.primaryHit(camera.ray, sampler, hit)) distances.push_back(hit.distance);
+        if (camera.weight > 0) f(camera.ray, sampler);
     }
+}
+
+float Session::medianDistance() const {
+    std::vector<float> distances;
+    probe([&](const Ray& ray, Sampler& sampler) {
+        PrimaryHit hit;
+        if (tracer_.primaryHit(ray, sampler, hit)) distances.push_back(hit.distance);
+    });
     if (distances.empty()) return 0;
     const auto median = distances.begin() + std::ptrdiff_t(distances.size() / 2);
     std::nth_element(distances.begin(), median, distances.end());
     return *median;
+}
+
+void Session::warnIfBlack() const {
+    if (scene_.lights.empty()) {
+        logWarning("the scene has no lights; the picture will be black");
+        return;
+    }
+    const auto isSky = [](const Light* light) { return !light->isDelta(); };
+    bool seesAnything = distance_ > 0 || std::ranges::any_of(lights_.infiniteLights(), isSky);
+    // Surfaces that only emit, or are black, have no distance above.
+    if (!seesAnything)
+        probe([&](const Ray& ray, Sampler&) {
+            SurfaceInteraction hit;
+            seesAnything = seesAnything || accel_.intersect(ray, hit);
+        });
+    if (!seesAnything)
+        logWarning(
+            fmt::format("the camera sees neither a surface nor a sky in {} directions; the picture will be black. "
+                        "Does it look away from the scene?",
+                        kProbes * kProbes));
 }
 
 void Session::startGuide() {

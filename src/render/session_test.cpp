@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/folder_testing.h"
+#include "base/log.h"
 #include "base/state_file.h"
 #include "cache/map_denoiser.h"
 #include "pbrt/scene_file.h"
@@ -471,6 +472,27 @@ TEST(Session, PicturesBeyondTheMemoryAreRefused) {
 TEST(Session, UnknownIntegratorsAreNamed) {
     EXPECT_THAT(drc::errorOf([&] { Rendered r(paramsOf("photon", 1)); }),
                 AllOf(HasSubstr("no integrator 'photon'"), HasSubstr("drc, drc-maps, path, bdpt, direct")));
+}
+
+// A black picture is hardly ever what was wanted.
+TEST(Session, WarnsOnceOfPicturesThatCanOnlyBeBlack) {
+    const auto warningsOf = [](const std::string& world) {
+        auto scene = pbrt::loadPbrtString("Camera \"perspective\"\nWorldBegin\n" + world + "WorldEnd\n");
+        forgetWarnings();
+        const Rendered rendered(paramsOf("path", 1), std::move(scene));
+        return warningCount();
+    };
+    const std::string seen = "Shape \"sphere\" \"float radius\" 5\n";
+    const std::string behind = "Translate 0 0 -5 Shape \"sphere\" Identity\n";
+    const std::string lamp = "LightSource \"point\"\n", sky = "LightSource \"infinite\"\n";
+    EXPECT_EQ(warningsOf(seen), 1) << "no lights";
+    EXPECT_EQ(warningsOf(behind), 1) << "no lights";
+    EXPECT_EQ(warningsOf(behind + lamp), 1) << "nothing is seen";
+    EXPECT_EQ(warningsOf(behind + "LightSource \"distant\"\n"), 1) << "nothing is seen";
+    EXPECT_EQ(warningsOf(seen + lamp), 0);
+    EXPECT_EQ(warningsOf(behind + sky), 0);
+    EXPECT_EQ(warningsOf("AreaLightSource \"diffuse\"\n" + seen), 0);
+    EXPECT_EQ(warningsOf("AreaLightSource \"diffuse\"\nMaterial \"none\"\n" + seen), 0);
 }
 
 }  // namespace

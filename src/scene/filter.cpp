@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "math/distribution.h"
+#include "math/sampler.h"
 
 namespace drc {
 namespace {
@@ -15,7 +16,7 @@ class BoxFilter final : public Filter {
     float eval(const Vec2& p) const override {
         return std::abs(p.x) <= radius_.x && std::abs(p.y) <= radius_.y ? 1.f : 0.f;
     }
-    FilterSample sample(const Vec2& u) const override {
+    FilterSample sample(const Vec2& u, uint32_t, uint64_t) const override {
         return {Vec2((2 * u.x - 1) * radius_.x, (2 * u.y - 1) * radius_.y), 1};
     }
 
@@ -30,7 +31,7 @@ class TriangleFilter final : public Filter {
     float eval(const Vec2& p) const override {
         return std::max(0.f, radius_.x - std::abs(p.x)) * std::max(0.f, radius_.y - std::abs(p.y));
     }
-    FilterSample sample(const Vec2& u) const override {
+    FilterSample sample(const Vec2& u, uint32_t, uint64_t) const override {
         return {Vec2(tent(u.x) * radius_.x, tent(u.y) * radius_.y), 1};
     }
 
@@ -41,58 +42,71 @@ class TriangleFilter final : public Filter {
     Vec2 radius_;
 };
 
-// One axis of a separable filter, tabulated. The cells are small enough for f / pdf to be nearly the sign of f.
+// One axis of a separable filter. Its positive and its negative part are tabulated apart.
 class Axis {
   public:
     Axis(float radius, std::function<float(float)> f) : radius_(radius), f_(std::move(f)) {
         constexpr int kCells = 512, kPointsPerCell = 8;
-        std::vector<float> magnitude(kCells);
-        double sum = 0;
-        for (int i = 0; i < kCells; ++i) {
-            double cell = 0;
+        std::vector<float> values[2] = {std::vector<float>(kCells), std::vector<float>(kCells)};
+        for (int i = 0; i < kCells; ++i)
             for (int k = 0; k < kPointsPerCell; ++k) {
                 const double x = (i + (k + 0.5) / kPointsPerCell) / kCells;
-                const double value = f_(static_cast<float>((2 * x - 1) * radius));
-                sum += value;
-                cell += std::abs(value);
+                const float value = f_(float((2 * x - 1) * double(radius)));
+                values[value < 0][size_t(i)] += std::abs(value);
             }
-            // The mean of |f| over the cell, so that a cell in which f changes its sign is not missed.
-            magnitude[i] = static_cast<float>(cell);
-        }
-        table_ = Distribution1D(magnitude);
-        mean_ = static_cast<float>(sum / (kCells * kPointsPerCell));
+        for (const int part : {0, 1}) parts_[part] = Distribution1D(values[part]);
+        const double all = parts_[0].integral() + parts_[1].integral();
+        negative_ = all > 0 ? parts_[1].integral() / all : 0;
     }
 
     float eval(float x) const { return std::abs(x) <= radius_ ? f_(x) : 0.f; }
-    // Offset, and the weight f / pdf divided by the mean of f, so that the mean of the weight is 1.
-    std::pair<float, float> sample(float u) const {
-        const Sample1D s = table_.sampleContinuous(u);
-        const float x = (2 * s.x - 1) * radius_;
-        return {x, mean_ != 0 ? f_(x) / (s.pdf * mean_) : 1.f};
-    }
+    // The share of |f| where f is positive or negative.
+    double share(bool negative) const { return negative ? negative_ : 1 - negative_; }
+    float sample(float u, bool negative) const { return (2 * parts_[negative].sampleContinuous(u).x - 1) * radius_; }
     float radius() const { return radius_; }
 
   private:
     float radius_;
     std::function<float(float)> f_;
-    Distribution1D table_;  // |f| over [-radius, radius]
-    float mean_ = 1;        // mean of f over the same interval
+    Distribution1D parts_[2];  // |f| over [-radius, radius] where f is positive, and where it is negative
+    double negative_ = 0;
 };
 
 // f(x, y) = fx(x) fy(y), as for all of these filters.
 class SeparableFilter final : public Filter {
   public:
-    SeparableFilter(Axis x, Axis y) : x_(std::move(x)), y_(std::move(y)) {}
+    SeparableFilter(Axis x, Axis y) : x_(std::move(x)), y_(std::move(y)) {
+        const double negative = x_.share(false) * y_.share(true) + x_.share(true) * y_.share(false);
+        // A filter that is negative for the most part is taken for its opposite.
+        opposite_ = negative > 0.5;
+        minority_ = opposite_ ? 1 - negative : negative;
+        weight_ = minority_ < 0.5 ? float(1 / (1 - 2 * minority_)) : 1;
+    }
     Vec2 radius() const override { return Vec2(x_.radius(), y_.radius()); }
     float eval(const Vec2& p) const override { return x_.eval(p.x) * y_.eval(p.y); }
-    FilterSample sample(const Vec2& u) const override {
-        const auto [x, weightX] = x_.sample(u.x);
-        const auto [y, weightY] = y_.sample(u.y);
-        return {Vec2(x, y), weightX * weightY};
+    FilterSample sample(const Vec2& u, uint32_t index, uint64_t pixel) const override {
+        // The first two of a group lie in the majority: after K, at least (K - 2) (1 - 2 minority) more do than do not.
+        const double phase = double(hashCombine(pixel, 0)) * 0x1p-64 * (1 - 2 * minority_);
+        const auto inMinority = [&](uint32_t number) { return uint64_t(double(number) * minority_ + phase); };
+        const uint32_t number = index / kGroups;
+        const bool minority = minority_ > 0 && inMinority(number + 1) > inMinority(number);
+        // A product is negative where one of its factors is, and positive where both or none are.
+        const bool negative = minority != opposite_;
+        const double first = x_.share(false) * y_.share(negative), second = x_.share(true) * y_.share(!negative);
+        const double bound = second > 0 ? first / (first + second) : 1;
+        const bool isFirst = double(u.x) < bound;
+        const double rest = isFirst ? double(u.x) / bound : (double(u.x) - bound) / (1 - bound);
+        const float x = x_.sample(std::min(float(rest), kBelowOne), !isFirst);
+        return {Vec2(x, y_.sample(u.y, isFirst == negative)), minority ? -weight_ : weight_};
     }
 
   private:
+    static constexpr float kBelowOne = 0x1.fffffep-1f;
+
     Axis x_, y_;
+    bool opposite_ = false;
+    double minority_ = 0;  // the share of |f| where f has not the sign of its integral
+    float weight_ = 1;
 };
 
 // A Gaussian, shifted down to reach zero at the radius (PBR 3e, section 7.8.1).

@@ -102,6 +102,8 @@ LensSystem::Cardinal LensSystem::cardinal() const {
 void LensSystem::focus(float distance) {
     // The thin-lens equation 1 / object + 1 / image = 1 / f, in which moving the lens by m makes the object distance
     // smaller and the image distance larger by m.
+    // The result is the same, to the last bit, wherever the lens was before.
+    elements_.back().thickness = 0;
     const Cardinal c = cardinal();
     const double f = double(c.focalLength), object = double(distance - c.front), image = double(c.rear);
     if (!(f > 0) || !std::isfinite(f)) throw Error("the lens does not focus light: its focal length is not positive");
@@ -109,7 +111,7 @@ void LensSystem::focus(float distance) {
     if (!(total > 0 && root >= 0))
         throw Error(fmt::format("the lens, of focal length {:.4g}, cannot be focused as near as {:g}", f, distance));
     const double move = 0.5 * (object - image - std::sqrt(root));
-    const float thickness = float(double(rearZ()) + move);
+    const float thickness = float(move);
     if (!(thickness > 0))
         throw Error(fmt::format("the lens cannot be focused at {:g}: it would have to be behind the film", distance));
     elements_.back().thickness = thickness;

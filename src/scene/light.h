@@ -52,6 +52,7 @@ struct EmittedRay {
     // The emitter's normal, as its shape orients it (zero for points and lights at infinity), and triangle of a mesh.
     Vec3 ng{0.f};
     uint32_t triangle = 0;
+    float error = 0;    // of p along ng, as SpawnPoint::error, apart from the rounding of p
     Rgb radiance{0.f};  // along d; for a point light its intensity, for a distant light the irradiance facing it
     EmissionDensity density;
 };

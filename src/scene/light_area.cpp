@@ -13,7 +13,7 @@ std::optional<EmittedRay> AreaLight::leave(const Vec3& p, const Vec3& ng, const 
         v.x = std::min(u.x >= 0.5f ? 2 * u.x - 1 : 2 * u.x, kOneMinusEpsilon);
     }
     const Vec3 d = Frame::fromNormal(side).toWorld(sampleCosineHemisphere(v));
-    EmittedRay ray{p, d, ng, 0, radiance_, emissionDensity(ng, d, scene)};
+    EmittedRay ray{p, d, ng, 0, 0, radiance_, emissionDensity(ng, d, scene)};
     if (!(ray.density.leaving > 0)) return {};
     return ray;
 }

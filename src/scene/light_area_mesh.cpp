@@ -69,7 +69,9 @@ class MeshAreaLight final : public AreaLight {
         const Emitter& emitter = emitters_[size_t(chosen.index)];
         const Vec2 b = sampleUniformTriangle(Vec2(chosen.uRemapped, uOrigin.y));
         auto ray = leave(emitter.at(b), emitter.ng, uLeaving, scene);
-        if (ray) ray->triangle = static_cast<uint32_t>(chosen.index);
+        if (!ray) return {};
+        ray->triangle = static_cast<uint32_t>(chosen.index);
+        ray->error = planeError(emitter.p[1] - emitter.p[0], emitter.p[2] - emitter.p[0], ray->p - emitter.p[0]);
         return ray;
     }
 

@@ -23,7 +23,7 @@ class DirectedPointLight : public Light {
                                                                   : sampleUniformSphere(uLeaving));
         const Rgb intensity = intensity_ * share(worldToLight_(d));
         if (isBlack(intensity)) return {};
-        return EmittedRay{position_, d, Vec3(0.f), 0, intensity, {1, coneDensity(edge)}};
+        return EmittedRay{position_, d, Vec3(0.f), 0, 0, intensity, {1, coneDensity(edge)}};
     }
     EmissionDensity emissionDensity(const Vec3&, const Vec3& d, const SceneSphere&) const final {
         const float edge = coneCosine();

@@ -63,7 +63,7 @@ class InfiniteLight final : public Light {
         const Vec3 d = -s->wi;
         const Rgb radiance = escaped(s->wi);
         if (isBlack(radiance)) return {};
-        return EmittedRay{scene.inFront(d, uLeaving), d, Vec3(0.f), 0, radiance, {s->pdf, scene.perFacingArea()}};
+        return EmittedRay{scene.inFront(d, uLeaving), d, Vec3(0.f), 0, 0, radiance, {s->pdf, scene.perFacingArea()}};
     }
     EmissionDensity emissionDensity(const Vec3&, const Vec3& d, const SceneSphere& scene) const override {
         return {pdfEscaped(-d), scene.perFacingArea()};

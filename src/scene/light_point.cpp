@@ -16,7 +16,8 @@ class PointLight final : public Light {
         return LightSample{d / distance, intensity_ / distance2, 1, distance, true};
     }
     std::optional<EmittedRay> emit(const Vec2&, const Vec2& uLeaving, const SceneSphere&) const override {
-        return EmittedRay{position_, sampleUniformSphere(uLeaving), Vec3(0.f), 0, intensity_, {1, uniformSpherePdf()}};
+        return EmittedRay{position_,  sampleUniformSphere(uLeaving), Vec3(0.f), 0, 0,
+                          intensity_, {1, uniformSpherePdf()}};
     }
     EmissionDensity emissionDensity(const Vec3&, const Vec3&, const SceneSphere&) const override {
         return {1, uniformSpherePdf()};

@@ -9,8 +9,7 @@ using Vec3d = Imath::V3d;
 
 class QuadricSpace {
   public:
-    QuadricSpace(const Transform& objectToWorld, bool reverseOrientation)
-        : flip_(reverseOrientation != objectToWorld.swapsHandedness()) {
+    QuadricSpace(const Transform& objectToWorld, bool reverseOrientation) : flip_(reverseOrientation) {
         for (int i = 0; i < 3; ++i) {
             for (int j = 0; j < 3; ++j) column_[j][i] = objectToWorld.at(i, j);
             origin_[i] = objectToWorld.at(i, 3);
@@ -32,8 +31,9 @@ class QuadricSpace {
     }
     Vec3d pointToWorld(const Vec3d& p) const { return origin_ + vectorToWorld(p); }
     Vec3d vectorToWorld(const Vec3d& v) const { return column_[0] * v.x + column_[1] * v.y + column_[2] * v.z; }
-    // World-space unit normal for the object-space normal cross(dpdu, dpdv). As in pbrt it is flipped if exactly one of
-    // ReverseOrientation and a change of handedness applies, and then transformed as a normal.
+    // World-space unit normal for the object-space normal cross(dpdu, dpdv): transformed as a normal, so that it stays
+    // on the outside under mirroring, and flipped by ReverseOrientation. (pbrt also flips it under mirroring, but not
+    // where it samples the surface as a light, so that its mirrored lamps lose a part of their light.)
     Vec3 normalToWorld(const Vec3d& n) const {
         const Vec3d w = inverseTransposed(n).normalized();
         return Vec3(flip_ ? -w : w);

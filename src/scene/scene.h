@@ -75,6 +75,8 @@ struct Scene {
     std::vector<LightPtr> lights;  // all lights, including those of emissive primitives
     std::unique_ptr<Camera> camera;
     RenderSettings settings;
+    // What has been subtracted from the file's world coordinates, because floats are finest near zero.
+    Vec3 origin{0.f};
 
     // Bounds of all primitives over their whole motion.
     Bounds bounds() const;

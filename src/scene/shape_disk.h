@@ -13,8 +13,8 @@ struct DiskParams {
     float phiMax = 360;  // degrees from +x towards +y
 };
 
-// u = phi / phiMax, v is 1 at the inner radius and 0 at the outer. ng is +z of object space; as in pbrt,
-// ReverseOrientation and a transform that swaps handedness each flip it.
+// u = phi / phiMax, v is 1 at the inner radius and 0 at the outer. ng is +z of object space; ReverseOrientation flips
+// it.
 ShapePtr makeDisk(const DiskParams& params);
 
 }  // namespace drc

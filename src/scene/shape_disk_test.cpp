@@ -29,7 +29,7 @@ TEST(Disk, HitsWhereItShould) {
     EXPECT_TRUE(std::isfinite(makeDisk({})->intersect(rayFrom(Vec3(0, 0, 1), Vec3(0, 0, -1)), 0)->dpdv.x));
 }
 
-TEST(Disk, OrientationFollowsPbrt) {
+TEST(Disk, FacesUpUnlessReversed) {
     auto up = [](const Transform& t, bool reverse) {
         return makeDisk({.objectToWorld = t, .reverseOrientation = reverse})
                    ->intersect(rayFrom(Vec3(0.1f, 0.1f, 4), Vec3(0, 0, -1)), 0)
@@ -37,8 +37,9 @@ TEST(Disk, OrientationFollowsPbrt) {
     };
     EXPECT_TRUE(up(Transform(), false));
     EXPECT_FALSE(up(Transform(), true));
-    EXPECT_FALSE(up(Transform::scale(-1, 1, 1), false));
-    EXPECT_TRUE(up(Transform::scale(-1, 1, 1), true));
+    EXPECT_TRUE(up(Transform::scale(-1, 1, 1), false));
+    EXPECT_FALSE(up(Transform::scale(-1, 1, 1), true));
+    EXPECT_FALSE(up(Transform::scale(1, 1, -1), false));
     EXPECT_FALSE(up(Transform::rotate(180, Vec3(1, 0, 0)), false));
 }
 

@@ -36,8 +36,7 @@ struct RevolutionProfile {
 };
 
 // Null if the curve has no points. u = phi / phiMax (phiMax in degrees), v runs along the curve. ng is along
-// cross(dpdu, dpdv), which points outward if z increases with v; as in pbrt, ReverseOrientation and a transform that
-// swaps handedness each flip it.
+// cross(dpdu, dpdv) of object space, which points outward if z increases with v; ReverseOrientation flips it.
 ShapePtr makeShapeOfRevolution(const Transform& objectToWorld, bool reverseOrientation, float phiMax,
                                const RevolutionProfile& profile);
 

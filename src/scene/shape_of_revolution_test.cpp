@@ -165,7 +165,7 @@ std::vector<ShapePtr> shapesIn(const Transform& t, bool reverse, bool whole) {
             makeHyperboloid({t, reverse, Vec3(0.3f, 0.7f, 1), Vec3(1, -0.6f, -0.5f), phiMax})};
 }
 
-TEST(ShapeOfRevolution, OrientationFollowsPbrt) {
+TEST(ShapeOfRevolution, FaceOutwardsUnlessReversed) {
     const auto outward = [](const Transform& t, bool reverse) {
         std::vector<bool> result;
         for (const ShapePtr& shape : shapesIn(t, reverse, true))
@@ -176,8 +176,8 @@ TEST(ShapeOfRevolution, OrientationFollowsPbrt) {
     const std::vector<bool> usual = {true, true, true, true, false}, turned = {false, false, false, false, true};
     EXPECT_EQ(outward(Transform(), false), usual);
     EXPECT_EQ(outward(Transform(), true), turned);
-    EXPECT_EQ(outward(Transform::scale(1, -1, 1), false), turned);
-    EXPECT_EQ(outward(Transform::scale(1, -1, 1), true), usual);
+    EXPECT_EQ(outward(Transform::scale(1, -1, 1), false), usual);
+    EXPECT_EQ(outward(Transform::scale(1, -1, 1), true), turned);
 }
 
 TEST(ShapeOfRevolution, Sampling) {

@@ -14,8 +14,8 @@ struct ParaboloidParams {
 };
 
 // u = phi / phiMax, v runs from the smaller z to the larger, which must be positive. ng points outward (downward at the
-// apex) in a right-handed, unreversed frame; as in pbrt, ReverseOrientation and a transform that swaps handedness each
-// flip it.
+// apex), also
+// under mirroring; ReverseOrientation flips it.
 ShapePtr makeParaboloid(const ParaboloidParams& params);
 
 }  // namespace drc

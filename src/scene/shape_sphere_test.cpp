@@ -78,7 +78,7 @@ TEST(Sphere, PartsAreClipped) {
     EXPECT_NEAR(sphere->intersect(rayFrom(Vec3(0, 9, 1.49f), Vec3(0, -1, 0)), 0)->t, 9 - r, 1e-5);
 }
 
-TEST(Sphere, OrientationFollowsPbrt) {
+TEST(Sphere, FacesOutwardsUnlessReversed) {
     const Ray ray = rayFrom(Vec3(5, 0, 0), Vec3(-1, 0, 0));
     auto outward = [&](const Transform& t, bool reverse) {
         const ShapePtr s = makeSphere({.objectToWorld = t, .reverseOrientation = reverse});
@@ -87,8 +87,8 @@ TEST(Sphere, OrientationFollowsPbrt) {
     };
     EXPECT_TRUE(outward(Transform(), false));
     EXPECT_FALSE(outward(Transform(), true));
-    EXPECT_FALSE(outward(Transform::scale(1, -1, 1), false));
-    EXPECT_TRUE(outward(Transform::scale(1, 1, -1), true));
+    EXPECT_TRUE(outward(Transform::scale(1, -1, 1), false));
+    EXPECT_FALSE(outward(Transform::scale(1, 1, -1), true));
 }
 
 TEST(Sphere, TransformedHits) {

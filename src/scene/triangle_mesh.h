@@ -1,5 +1,6 @@
 // Triangles with optional normals and texture coordinates.
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -16,6 +17,21 @@ enum class BumpTangents {
                   // and as steep as if the mesh's texture were one unit wide.
     OppositeUnit,
 };
+
+// A bound on the distance, along the normal, between a point of a triangle and the plane in which a ray that starts
+// there finds the triangle in single precision, apart from the rounding of the point itself. e1, e2: the edges from a
+// corner. p: the point, relative to that corner.
+//
+// A ray-triangle test has the sign of dot(p, n), where n = cross(e1, e2). In each of its three products, the factor p
+// has an error of one rounding, and n of those of its two products and their difference; p and the edges may come from
+// coordinates relative to the ray's origin, which adds as many again. All together is less than the factor below, which
+// SpawnPoint's tests try with triangles of all kinds.
+inline float planeError(const Vec3& e1, const Vec3& e2, const Vec3& p) {
+    const Vec3 x(std::abs(e1.y * e2.z) + std::abs(e1.z * e2.y), std::abs(e1.z * e2.x) + std::abs(e1.x * e2.z),
+                 std::abs(e1.x * e2.y) + std::abs(e1.y * e2.x));
+    const float n = length(cross(e1, e2));
+    return n > 0 ? 0x1p-20f * (std::abs(p.x) * x.x + std::abs(p.y) * x.y + std::abs(p.z) * x.z) / n : 0;
+}
 
 struct TriangleMesh {
     std::vector<Vec3> positions;    // world space, or object space if the object is instanced
