@@ -5,6 +5,7 @@
 #include <xmmintrin.h>
 
 #include <algorithm>
+#include <bit>
 #include <unordered_map>
 
 #include "accel/curve_geometry.h"
@@ -15,6 +16,7 @@
 #include "base/limits.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "math/sampler.h"
 #include "scene/tracing_memory.h"
 
 namespace drc {
@@ -23,6 +25,7 @@ namespace {
 // The data that Embree's callbacks need for one geometry. Lives as long as the Accel.
 struct GeometryData {
     const Primitive* primitive;
+    uint32_t index;                  // among all of the scene's geometries
     std::optional<PackedMesh> mesh;  // set for meshes; otherwise the primitive is a shape,
     const Curves* curves = nullptr;  // or, if this is not null, curves
     const Bsdf* lobes = nullptr;     // see SurfaceInteraction::lobes
@@ -63,12 +66,29 @@ void fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, 
         fillCurve(data.curves->hitAt(primId, u, ray, t), hit);
 }
 
+// Uniform in [0, 1), and independent for the surfaces that a ray meets: a function of the ray and of the part of a
+// geometry.
+float shareOf(const Ray& ray, const GeometryData& data, uint32_t part) {
+    const auto bits = [](const Vec3& v) {
+        const uint64_t low = std::bit_cast<uint32_t>(v.x), middle = std::bit_cast<uint32_t>(v.y);
+        return hashCombine(low << 32 | middle, std::bit_cast<uint32_t>(v.z));
+    };
+    const uint64_t hash = hashCombine(hashCombine(bits(ray.o), bits(ray.d)), uint64_t(data.index) << 32 | part);
+    return float(hash >> 40) * 0x1p-24f;
+}
+
+bool isHole(const GeometryData& data, const FloatTexture* alpha, const SurfaceInteraction& hit, const Ray& ray) {
+    const float value = alpha->eval(hit.textureContext());
+    if (!data.primitive->alphaIsShare || value <= 0 || value >= 1)
+        return value <= 0 && (value == 0 || data.primitive->alphaIsShare);
+    return shareOf(ray, data, hit.triangle) >= value;
+}
 bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
             float t) {
     if (alpha == nullptr) return false;
     SurfaceInteraction hit;
     fillAt(data, ray, t, primId, u, v, hit);
-    return alpha->eval(hit.textureContext()) == 0;
+    return isHole(data, alpha, hit, ray);
 }
 
 Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
@@ -120,13 +140,15 @@ std::optional<ShapeHit> intersectSolid(const GeometryData& data, std::initialize
     for (int i = 0; i < kMaxHits; ++i) {
         auto found = data.primitive->shape->intersect(ray, tMin);
         if (!found) return {};
-        const auto isHole = [&](const FloatTexture* mask) {
+        const auto isOpen = [&](const FloatTexture* mask) {
             if (mask == nullptr) return false;
             SurfaceInteraction hit;
             fill(*found, hit);
-            return mask->eval(hit.textureContext()) == 0;
+            // A ray may meet a shape twice.
+            hit.triangle = uint32_t(i);
+            return isHole(data, mask, hit, ray);
         };
-        if (std::none_of(masks.begin(), masks.end(), isHole)) return found;
+        if (std::none_of(masks.begin(), masks.end(), isOpen)) return found;
         tMin = found->t * (1 + 1e-6f);
     }
     return {};
@@ -174,6 +196,7 @@ struct Accel::Impl {
     const Instance* firstInstance = nullptr;
     bool anythingMoves = false;
     bool hasShadowMasks = false;
+    uint32_t geometries = 0;  // so far
 
     ~Impl() {
         for (Group& g : objects)
@@ -231,6 +254,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
     for (const Primitive& primitive : primitives) {
         auto data = std::make_unique<GeometryData>();
         data->primitive = &primitive;
+        data->index = geometries++;
         hasShadowMasks |= primitive.shadowAlpha != nullptr;
         data->lobes = lobesOf(primitive.material.get());
         RTCGeometry geometry = nullptr;

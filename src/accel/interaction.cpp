@@ -29,30 +29,32 @@ TextureContext SurfaceInteraction::textureContext() const {
     return c;
 }
 
-Frame SurfaceInteraction::bumped(const Frame& shading, const FloatTexture& displacement, TextureContext at) const {
+Frame SurfaceInteraction::withRelief(const Frame& shading, const Relief& relief, TextureContext at) const {
+    if (coneSpread > kWidestForBumps) {
+        at.footprint = at.uvFootprint = 0;
+        at.dpdx = at.dpdy = Vec3(0.f);
+        at.duvdx = at.duvdy = Vec2(0.f);
+    }
+    if (relief.normals) return normalMapFrame(at, shading, *relief.normals);
     if (bumpTangents == BumpTangents::OppositeUnit) {
         at.dpdu = -shading.s;
         // bumpFrame() takes the normal's orientation from dpdu and dpdv, so their order is fixed by the shading frame,
         // not by the texture's parametrisation.
         at.dpdv = -shading.t;
     }
-    if (coneSpread > kWidestForBumps) {
-        at.footprint = at.uvFootprint = 0;
-        at.dpdx = at.dpdy = Vec3(0.f);
-        at.duvdx = at.duvdy = Vec2(0.f);
-    }
-    return bumpFrame(at, shading, displacement);
+    return bumpFrame(at, shading, *relief.heights);
 }
 
 Bsdf SurfaceInteraction::bsdf() const {
     Bsdf bsdf(Frame::fromNormalAndTangent(ns, tangent), ng);
     const Material* material = primitive->material.get();
     if (material == nullptr) return bsdf;
-    const FloatTexture* bump = material->bump();
+    const Relief& relief = material->relief();
+    const bool isUneven = relief.heights || relief.normals;
     if (lobes) bsdf.borrowLobes(*lobes);
-    if (lobes && bump == nullptr) return bsdf;
+    if (lobes && !isUneven) return bsdf;
     const TextureContext context = textureContext();
-    if (bump) bsdf.setFrame(bumped(bsdf.frame(), *bump, context));
+    if (isUneven) bsdf.setFrame(withRelief(bsdf.frame(), relief, context));
     if (lobes == nullptr) material->addLobes(context, Rgb(1.f), bsdf);
     return bsdf;
 }

@@ -28,8 +28,8 @@ struct SurfaceInteraction {
     const Bsdf* lobes = nullptr;
 
     TextureContext textureContext() const;
-    // The shading frame after bump mapping of `shading`.
-    Frame bumped(const Frame& shading, const FloatTexture& displacement, TextureContext at) const;
+    // The shading frame after the relief of the material has changed `shading`.
+    Frame withRelief(const Frame& shading, const Relief& relief, TextureContext at) const;
     // The BSDF at this point; it has no lobes if the material is null or black.
     Bsdf bsdf() const;
     // Le: radiance emitted from p towards wo.

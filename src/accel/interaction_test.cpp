@@ -18,11 +18,11 @@ TEST(SurfaceInteraction, BumpsGoAlongTheTangentsOfTheMesh) {
     hit.dpdv = Vec3(0, 4, 0);
     const Frame shading = Frame::fromNormalAndTangent(hit.ns, hit.tangent);
     // The height changes by 0.6 per half unit of u per metre, and by -0.8 per quarter unit of v per metre.
-    const Vec3 right = hit.bumped(shading, Slope(), hit.textureContext()).n;
+    const Vec3 right = hit.withRelief(shading, Relief(std::make_shared<Slope>()), hit.textureContext()).n;
     EXPECT_LT(length(right - normalize(Vec3(-0.3f, 0.2f, 1))), 1e-4f);
     // As in pbrt-v3: in the opposite direction, with the slopes 0.6 and 0.8.
     hit.bumpTangents = BumpTangents::OppositeUnit;
-    const Vec3 inverted = hit.bumped(shading, Slope(), hit.textureContext()).n;
+    const Vec3 inverted = hit.withRelief(shading, Relief(std::make_shared<Slope>()), hit.textureContext()).n;
     EXPECT_LT(length(inverted - normalize(Vec3(0.6f, -0.8f, 1))), 1e-4f);
 }
 
@@ -43,9 +43,11 @@ TEST(SurfaceInteraction, BumpsAreNotAveragedOverWideCones) {
     hit.footprint = 0.3f;
     const Frame shading;
     hit.coneSpread = 0.01f;
-    EXPECT_EQ(hit.bumped(shading, FineSlope(), hit.textureContext()).n, shading.n);
+    EXPECT_EQ(hit.withRelief(shading, Relief(std::make_shared<FineSlope>()), hit.textureContext()).n, shading.n);
     hit.coneSpread = 0.1f;
-    EXPECT_LT(length(hit.bumped(shading, FineSlope(), hit.textureContext()).n - normalize(Vec3(-1, 0, 1))), 1e-3f);
+    EXPECT_LT(length(hit.withRelief(shading, Relief(std::make_shared<FineSlope>()), hit.textureContext()).n -
+                     normalize(Vec3(-1, 0, 1))),
+              1e-3f);
 }
 
 }  // namespace

@@ -16,8 +16,7 @@ MaterialMaker makerOf(const MaterialTable& table, const std::string& type, const
 }
 
 std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& table, const std::string& type,
-                                                       ParamSet params, const NamedTextures& textures,
-                                                       const NamedMaterials& materials) {
+                                                       ParamSet params, const MaterialSources& sources) {
     auto instance = std::make_shared<MaterialInstance>();
     instance->type = type;
     instance->params = std::move(params);
@@ -35,14 +34,13 @@ std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& tabl
         instance->material = makeMatte({});
         return instance;
     }
-    for (const std::string_view name : table.notBuilt) own.notBuilt({name});
-    const TextureParams textureParams(own, textures);
-    instance->material = make({textureParams, materials});
+    const TextureParams textureParams(own, sources.textures);
+    instance->material = make({textureParams, sources});
     own.warnUnused();
     return instance;
 }
 
-HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string_view colorName, FloatTexturePtr bump) {
+HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string_view colorName, Relief relief) {
     HairParams hair{.sigmaA = p.colorOrNull("sigma_a"),
                     .color = std::move(reflectance),
                     .eumelanin = p.scalarOrNull("eumelanin"),
@@ -51,7 +49,7 @@ HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string
                     .betaM = p.scalarOrNull("beta_m"),
                     .betaN = p.scalarOrNull("beta_n"),
                     .alpha = p.scalarOrNull("alpha"),
-                    .bump = std::move(bump)};
+                    .relief = std::move(relief)};
     const std::string_view counts = hair.sigmaA ? "sigma_a" : colorName;
     const auto ignored = [&](bool given, std::string_view name) {
         if (given)
@@ -74,10 +72,10 @@ void checkLobes(const Material& material, const SourcePos& pos) {
 
 MaterialPtr namedPart(const MaterialContext& c, const std::string& name, const std::string& what,
                       const SourcePos& pos) {
-    const auto found = c.materials.find(name);
+    const auto found = c.sources.materials.find(name);
     if (!found)
         fail(pos, "the mix material's " + what + " '" + name + "' has not been defined" +
-                      suggestion(name, c.materials.names()));
+                      suggestion(name, c.sources.materials.names()));
     if (!found->material) fail(pos, "the mix material's " + what + " '" + name + "' is 'none'");
     return found->material;
 }

@@ -12,29 +12,27 @@ namespace drc::pbrt {
 
 struct MaterialContext {
     const TextureParams& params;
-    const NamedMaterials& materials;
+    const MaterialSources& sources;
 };
 using MaterialMaker = MaterialPtr (*)(const MaterialContext&);
 
 // The materials of one dialect.
 struct MaterialTable {
     std::span<const Registered<MaterialMaker>> makers;
-    std::span<const std::string_view> none;      // types without a surface; so is ""
-    std::string_view placeholder;                // type of the grey material that replaces unsupported ones
-    std::span<const std::string_view> notBuilt;  // parameters that no material supports
+    std::span<const std::string_view> none;  // types without a surface; so is ""
+    std::string_view placeholder;            // type of the grey material that replaces unsupported ones
 };
 bool isNone(const MaterialTable& table, std::string_view type);
 // Null, with a warning, for types that are not supported. Throws Error at pos for types that are not in the table.
 MaterialMaker makerOf(const MaterialTable& table, const std::string& type, const SourcePos& pos);
 std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& table, const std::string& type,
-                                                       ParamSet params, const NamedTextures& textures,
-                                                       const NamedMaterials& materials);
+                                                       ParamSet params, const MaterialSources& sources);
 
 inline bool remapOf(const TextureParams& p) { return p.getBool("remaproughness", true); }
 
 // All parameters of hair except its colour as a reflectance and its bump map, which have different names in the
 // dialects. Warns if the colour is given in several ways; colorName is the name of the reflectance's parameter.
-HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string_view colorName, FloatTexturePtr bump);
+HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string_view colorName, Relief relief);
 
 // Throws Error at pos if a material may have more lobes than a Bsdf can hold.
 void checkLobes(const Material& material, const SourcePos& pos);

@@ -15,7 +15,7 @@
 namespace drc::pbrt {
 namespace {
 
-FloatTexturePtr bumpOf(const TextureParams& p) { return p.scalarOrNull("bumpmap"); }
+Relief reliefOf(const TextureParams& p) { return p.scalarOrNull("bumpmap"); }
 // pbrt has two names for the index; "eta" takes precedence.
 FloatTexturePtr indexOf(const TextureParams& p) {
     const FloatTexturePtr index = p.scalarOrNull("index");
@@ -25,7 +25,7 @@ FloatTexturePtr indexOf(const TextureParams& p) {
 
 MaterialPtr matte(const MaterialContext& c) {
     const TextureParams& p = c.params;
-    return makeMatte({.kd = p.colorOrNull("Kd"), .sigma = p.scalarOrNull("sigma"), .bump = bumpOf(p)});
+    return makeMatte({.kd = p.colorOrNull("Kd"), .sigma = p.scalarOrNull("sigma"), .relief = reliefOf(p)});
 }
 
 MaterialPtr plastic(const MaterialContext& c) {
@@ -34,7 +34,7 @@ MaterialPtr plastic(const MaterialContext& c) {
                         .ks = p.colorOrNull("Ks"),
                         .roughness = p.scalarOrNull("roughness"),
                         .remapRoughness = remapOf(p),
-                        .bump = bumpOf(p)});
+                        .relief = reliefOf(p)});
 }
 
 MaterialPtr metal(const MaterialContext& c) {
@@ -45,11 +45,11 @@ MaterialPtr metal(const MaterialContext& c) {
                       .uRoughness = p.scalarOrNull("uroughness"),
                       .vRoughness = p.scalarOrNull("vroughness"),
                       .remapRoughness = remapOf(p),
-                      .bump = bumpOf(p)});
+                      .relief = reliefOf(p)});
 }
 
 MaterialPtr mirror(const MaterialContext& c) {
-    return makeMirror({.kr = c.params.colorOrNull("Kr"), .bump = bumpOf(c.params)});
+    return makeMirror({.kr = c.params.colorOrNull("Kr"), .relief = reliefOf(c.params)});
 }
 
 MaterialPtr glass(const MaterialContext& c) {
@@ -60,7 +60,7 @@ MaterialPtr glass(const MaterialContext& c) {
                       .uRoughness = p.scalarOrNull("uroughness"),
                       .vRoughness = p.scalarOrNull("vroughness"),
                       .remapRoughness = remapOf(p),
-                      .bump = bumpOf(p)});
+                      .relief = reliefOf(p)});
 }
 
 MaterialPtr uber(const MaterialContext& c) {
@@ -75,7 +75,7 @@ MaterialPtr uber(const MaterialContext& c) {
                      .vRoughness = p.scalarOrNull("vroughness"),
                      .eta = indexOf(p),
                      .remapRoughness = remapOf(p),
-                     .bump = bumpOf(p)});
+                     .relief = reliefOf(p)});
 }
 
 MaterialPtr substrate(const MaterialContext& c) {
@@ -85,7 +85,7 @@ MaterialPtr substrate(const MaterialContext& c) {
                           .uRoughness = p.scalarOrNull("uroughness"),
                           .vRoughness = p.scalarOrNull("vroughness"),
                           .remapRoughness = remapOf(p),
-                          .bump = bumpOf(p)});
+                          .relief = reliefOf(p)});
 }
 
 MaterialPtr translucent(const MaterialContext& c) {
@@ -96,7 +96,7 @@ MaterialPtr translucent(const MaterialContext& c) {
                             .transmit = p.colorOrNull("transmit"),
                             .roughness = p.scalarOrNull("roughness"),
                             .remapRoughness = remapOf(p),
-                            .bump = bumpOf(p)});
+                            .relief = reliefOf(p)});
 }
 
 MaterialPtr disney(const MaterialContext& c) {
@@ -119,11 +119,11 @@ MaterialPtr disney(const MaterialContext& c) {
                        .flatness = p.scalarOrNull("flatness"),
                        .diffTrans = p.scalarOrNull("difftrans"),
                        .thin = p.getBool("thin", false),
-                       .bump = bumpOf(p)});
+                       .relief = reliefOf(p)});
 }
 
 MaterialPtr hair(const MaterialContext& c) {
-    return makeHair(hairOf(c.params, c.params.colorOrNull("color"), "color", bumpOf(c.params)));
+    return makeHair(hairOf(c.params, c.params.colorOrNull("color"), "color", reliefOf(c.params)));
 }
 
 MaterialPtr mix(const MaterialContext& c) {
@@ -155,23 +155,22 @@ constexpr Registered<MaterialMaker> kMaterials[] = {
 };
 
 constexpr std::string_view kNone[] = {"none"};
-constexpr MaterialTable kTable{kMaterials, kNone, "matte", {}};
+constexpr MaterialTable kTable{kMaterials, kNone, "matte"};
 
 }  // namespace
 
 std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
-                                                     const NamedTextures& textures, const NamedMaterials& materials) {
-    return makeMaterialOf(kTable, type, std::move(params), textures, materials);
+                                                     const MaterialSources& sources) {
+    return makeMaterialOf(kTable, type, std::move(params), sources);
 }
 
-MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const NamedTextures& textures,
-                             const NamedMaterials& materials) {
+MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const MaterialSources& sources) {
     const size_t unused = shape.unusedCount();
     if (unused == 0 || isNone(kTable, instance.type)) return instance.material;
     // Parameters that the shape itself has not read may be for its material; making the material shows whether they
     // are.
-    const TextureParams params(instance.params, textures, &shape);
-    MaterialPtr own = makerOf(kTable, instance.type, instance.params.pos())({params, materials});
+    const TextureParams params(instance.params, sources.textures, &shape);
+    MaterialPtr own = makerOf(kTable, instance.type, instance.params.pos())({params, sources});
     return shape.unusedCount() < unused ? own : instance.material;
 }
 

@@ -3,7 +3,9 @@
 #include <memory>
 #include <string>
 
+#include "pbrt/file_search.h"
 #include "pbrt/named_map.h"
+#include "pbrt/texture_files.h"
 #include "pbrt/texture_params.h"
 #include "scene/material.h"
 
@@ -17,13 +19,20 @@ struct MaterialInstance {
 };
 using NamedMaterials = NamedMap<MaterialInstance>;
 
+// What the parameters of a material may name.
+struct MaterialSources {
+    const NamedTextures& textures;
+    const NamedMaterials& materials;
+    const FileSearch& files;
+    TextureFiles& images;
+};
+
 // "" and "none" give a null material. Types that are not supported become grey matte, with a warning. Throws Error for
 // types that pbrt-v3 does not have either, and for wrong parameters.
 std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
-                                                     const NamedTextures& textures, const NamedMaterials& materials);
+                                                     const MaterialSources& sources);
 
 // The material of a shape: that of the instance, unless the shape's parameters override some of its parameters.
-MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const NamedTextures& textures,
-                             const NamedMaterials& materials);
+MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const MaterialSources& sources);
 
 }  // namespace drc::pbrt

@@ -48,10 +48,10 @@ inline void checkDefaults(const MaterialLoader& loader, const DefaultsCase& c) {
 // Tests bump maps, under the parameter name of the dialect.
 inline void checkBump(const MaterialLoader& loader, const std::string& type, const std::string& name) {
     const std::string height = "Texture \"height\" \"float\" \"constant\" \"float value\" .1\n";
-    EXPECT_EQ(loader.load(type, "")->bump(), nullptr) << type;
+    EXPECT_EQ(loader.load(type, "")->relief().heights, nullptr) << type;
     const MaterialPtr bumpy = loader.load(type, "\"texture " + name + "\" \"height\"", height);
-    ASSERT_NE(bumpy->bump(), nullptr) << type;
-    EXPECT_EQ(bumpy->bump()->eval({}), .1f) << type;
+    ASSERT_NE(bumpy->relief().heights, nullptr) << type;
+    EXPECT_EQ(bumpy->relief().heights->eval({}), .1f) << type;
 }
 
 // Parameters of a material: `others` are always given; `scalars` and `colors` are names separated by spaces, each

@@ -8,11 +8,22 @@
 #include "scene/material_matte.h"
 #include "scene/material_mix.h"
 #include "scene/texture_convert.h"
+#include "scene/texture_imagemap.h"
 
 namespace drc::pbrt {
 namespace {
 
-FloatTexturePtr bumpOf(const TextureParams& p) { return p.scalarOrNull("displacement"); }
+// The colours of a normal map are numbers, whatever the file format.
+Relief reliefOf(const MaterialContext& c) {
+    FloatTexturePtr heights = c.params.scalarOrNull("displacement");
+    const Param* map = c.params.own().find("normalmap", {ParamType::String});
+    if (map == nullptr) return heights;
+    const std::string path = c.sources.files.find(c.params.getString("normalmap", ""), map->valuePos, "normal map");
+    if (heights)
+        warn(map->valuePos,
+             c.params.own().owner() + " has a 'normalmap' and a 'displacement'; as in pbrt, the normal map counts");
+    return {nullptr, makeImageMap(c.sources.images.color(path, TexelGamma::Linear, map->valuePos), ImageMapParams())};
+}
 
 // A reflectance may be given as a number, which is a grey.
 RgbTexturePtr reflectanceOf(const TextureParams& p, std::string_view name = "reflectance") {
@@ -36,7 +47,7 @@ void checkReflectance(const TextureParams& p, bool indices, bool reflectance, co
 }
 
 MaterialPtr diffuse(const MaterialContext& c) {
-    return makeMatte({.kd = reflectanceOf(c.params), .sigma = {}, .bump = bumpOf(c.params)});
+    return makeMatte({.kd = reflectanceOf(c.params), .sigma = {}, .relief = reliefOf(c)});
 }
 
 MaterialPtr conductor(const MaterialContext& c) {
@@ -48,7 +59,7 @@ MaterialPtr conductor(const MaterialContext& c) {
                          .uRoughness = p.scalarOrNull("uroughness"),
                          .vRoughness = p.scalarOrNull("vroughness"),
                          .remapRoughness = remapOf(p),
-                         .bump = bumpOf(p)};
+                         .relief = reliefOf(c)};
     checkReflectance(p, made.eta || made.k, made.reflectance != nullptr, "");
     return makeConductor(std::move(made));
 }
@@ -60,11 +71,11 @@ MaterialPtr dielectric(const MaterialContext& c) {
                            .uRoughness = p.scalarOrNull("uroughness"),
                            .vRoughness = p.scalarOrNull("vroughness"),
                            .remapRoughness = remapOf(p),
-                           .bump = bumpOf(p)});
+                           .relief = reliefOf(c)});
 }
 
 MaterialPtr thinDielectric(const MaterialContext& c) {
-    return makeThinDielectric({.eta = indexOf(c.params), .bump = bumpOf(c.params)});
+    return makeThinDielectric({.eta = indexOf(c.params), .relief = reliefOf(c)});
 }
 
 MaterialPtr diffuseTransmission(const MaterialContext& c) {
@@ -72,7 +83,7 @@ MaterialPtr diffuseTransmission(const MaterialContext& c) {
     return makeDiffuseTransmission({.reflectance = reflectanceOf(p),
                                     .transmittance = reflectanceOf(p, "transmittance"),
                                     .scale = p.getFloat("scale", 1),
-                                    .bump = bumpOf(p)});
+                                    .relief = reliefOf(c)});
 }
 
 // The parameters shared by both coated materials, with names that begin with prefix.
@@ -91,7 +102,7 @@ CoatParams coatOf(const TextureParams& p, const std::string& prefix) {
 MaterialPtr coatedDiffuse(const MaterialContext& c) {
     const TextureParams& p = c.params;
     return makeCoatedDiffuse(
-        {.coat = coatOf(p, ""), .reflectance = reflectanceOf(p), .remapRoughness = remapOf(p), .bump = bumpOf(p)});
+        {.coat = coatOf(p, ""), .reflectance = reflectanceOf(p), .remapRoughness = remapOf(p), .relief = reliefOf(c)});
 }
 
 MaterialPtr coatedConductor(const MaterialContext& c) {
@@ -104,7 +115,7 @@ MaterialPtr coatedConductor(const MaterialContext& c) {
                                .uRoughness = p.scalarOrNull("conductor.uroughness"),
                                .vRoughness = p.scalarOrNull("conductor.vroughness"),
                                .remapRoughness = remapOf(p),
-                               .bump = bumpOf(p)};
+                               .relief = reliefOf(c)};
     checkReflectance(p, made.eta || made.k, made.reflectance != nullptr, "conductor.");
     return makeCoatedConductor(std::move(made));
 }
@@ -114,7 +125,7 @@ MaterialPtr hair(const MaterialContext& c) {
     RgbTexturePtr reflectance = reflectanceOf(p);
     const RgbTexturePtr color = p.colorOrNull("color");  // pbrt accepts this name, too
     const std::string_view name = reflectance || !color ? "reflectance" : "color";
-    return makeHair(hairOf(p, reflectance ? std::move(reflectance) : color, name, bumpOf(p)));
+    return makeHair(hairOf(p, reflectance ? std::move(reflectance) : color, name, reliefOf(c)));
 }
 
 // Unlike in pbrt-v3, the amount is a number, and it is the weight of the second material.
@@ -147,14 +158,13 @@ constexpr Registered<MaterialMaker> kMaterials[] = {
 };
 
 constexpr std::string_view kNone[] = {"interface", "none"};
-constexpr std::string_view kNotBuilt[] = {"normalmap"};
-constexpr MaterialTable kTable{kMaterials, kNone, "diffuse", kNotBuilt};
+constexpr MaterialTable kTable{kMaterials, kNone, "diffuse"};
 
 }  // namespace
 
 std::shared_ptr<const MaterialInstance> makeMaterialV4(const std::string& type, ParamSet params,
-                                                       const NamedTextures& textures, const NamedMaterials& materials) {
-    return makeMaterialOf(kTable, type, std::move(params), textures, materials);
+                                                       const MaterialSources& sources) {
+    return makeMaterialOf(kTable, type, std::move(params), sources);
 }
 
 }  // namespace drc::pbrt

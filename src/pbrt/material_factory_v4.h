@@ -10,11 +10,10 @@ namespace drc::pbrt {
 // "interface", "" and "none" give a null material. Types that are not supported become grey diffuse, with a warning.
 // Throws Error for types that pbrt-v4 does not have either, and for wrong parameters; warns of unknown parameters.
 std::shared_ptr<const MaterialInstance> makeMaterialV4(const std::string& type, ParamSet params,
-                                                       const NamedTextures& textures, const NamedMaterials& materials);
+                                                       const MaterialSources& sources);
 
 // In pbrt-v4, shapes cannot override parameters of their material.
-inline MaterialPtr materialForShapeV4(const MaterialInstance& instance, const ParamSet&, const NamedTextures&,
-                                      const NamedMaterials&) {
+inline MaterialPtr materialForShapeV4(const MaterialInstance& instance, const ParamSet&, const MaterialSources&) {
     return instance.material;
 }
 

@@ -43,7 +43,9 @@ TEST(MaterialFactoryV4, Defaults) {
     for (const DefaultsCase& c : kAll) {
         checkDefaults(kLoader, c);
         checkBump(kLoader, c.type, "displacement");
-        EXPECT_EQ(warningsOf(c.type, "\"string normalmap\" \"n.png\""), 1) << c.type;
+        EXPECT_THAT(errorOf([&] { load(c.type, "\"string normalmap\" \"n.png\""); }),
+                    testing::HasSubstr("cannot find the normal map 'n.png'"))
+            << c.type;
     }
 }
 

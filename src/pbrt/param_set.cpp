@@ -186,6 +186,11 @@ Vec3 ParamSet::getPoint(std::string_view name, const Vec3& fallback) const {
     return param != nullptr ? vec3At(param->numbers, 0) : fallback;
 }
 
+Vec3 ParamSet::getVector(std::string_view name, const Vec3& fallback) const {
+    const Param* param = findOne(name, ParamType::Vector3);
+    return param != nullptr ? vec3At(param->numbers, 0) : fallback;
+}
+
 Rgb ParamSet::getColor(std::string_view name, const Rgb& fallback) const {
     const Param* param = findOne(name, ParamType::Color);
     return param != nullptr ? param->colors[0] : fallback;

@@ -56,6 +56,7 @@ class ParamSet {
     bool getBool(std::string_view name, bool fallback) const;
     std::string getString(std::string_view name, const std::string& fallback) const;
     Vec3 getPoint(std::string_view name, const Vec3& fallback) const;
+    Vec3 getVector(std::string_view name, const Vec3& fallback) const;
     Rgb getColor(std::string_view name, const Rgb& fallback) const;
 
     // Any number of values; null if there is no such parameter. Throws Error if it has none of these types.

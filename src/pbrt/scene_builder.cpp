@@ -34,8 +34,7 @@ SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect, const Vec3&
     filter_ = setting("pixel filter", make_.defaultFilter);
     sampler_ = setting("sampler", make_.defaultSampler);
     integrator_ = setting("integrator", make_.defaultIntegrator);
-    state_.material = make_.material(make_.defaultMaterial, ParamSet("the default material", {}), state_.textures,
-                                     state_.namedMaterials);
+    state_.material = make_.material(make_.defaultMaterial, ParamSet("the default material", {}), materialSources());
 }
 
 void SceneBuilder::apply(const Transform& t, const SourcePos& pos) {
@@ -196,16 +195,15 @@ ParamSet SceneBuilder::completed(const std::string& target, ParamSet params) con
 }
 
 void SceneBuilder::material(const std::string& type, ParamSet params) {
-    state_.material =
-        make_.material(type, completed("material", std::move(params)), state_.textures, state_.namedMaterials);
+    state_.material = make_.material(type, completed("material", std::move(params)), materialSources());
 }
 
 void SceneBuilder::makeNamedMaterial(const std::string& name, ParamSet params) {
     const Param* type = params.find("type", {ParamType::String});
     if (type == nullptr) fail(params.pos(), "the named material '" + name + "' needs the parameter \"string type\"");
     const std::string typeName = params.getString("type", "");
-    state_.namedMaterials.set(name, make_.material(typeName, completed("material", std::move(params)), state_.textures,
-                                                   state_.namedMaterials));
+    state_.namedMaterials.set(name,
+                              make_.material(typeName, completed("material", std::move(params)), materialSources()));
 }
 
 void SceneBuilder::namedMaterial(const std::string& name, const SourcePos& pos) {
@@ -263,8 +261,8 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     pending.primitive.shape = pending.geometry.shape;
     pending.primitive.alpha = pending.geometry.alpha;
     pending.primitive.shadowAlpha = pending.geometry.shadowAlpha;
-    pending.primitive.material =
-        make_.materialOfShape(*state_.material, params, state_.textures, state_.namedMaterials);
+    pending.primitive.alphaIsShare = pending.geometry.alphaIsShare;
+    pending.primitive.material = make_.materialOfShape(*state_.material, params, materialSources());
     params.warnUnused();
     if (placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
     if (state_.areaLight && openObject_) {

@@ -114,6 +114,7 @@ class SceneBuilder {
     void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
     // Appends curves to the preceding ones if they are of the same type, because hair comes as one shape per curve.
     bool joinCurves(const PendingPrimitive& next);
+    MaterialSources materialSources() { return {state_.textures, state_.namedMaterials, files_, textureFiles_}; }
     void pop(const std::string& kind, const SourcePos& pos);
     void loadMeshes(const LoadOptions& options);
 

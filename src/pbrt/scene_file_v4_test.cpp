@@ -149,10 +149,15 @@ TEST(SceneFileV4, MaterialsAndTextures) {
     expectNear(albedoOf(texture + "\"mix\" \"rgb tex1\" [0 0 0] \"rgb tex2\" [1 1 1] \"float amount\" .25" + use),
                Rgb(.25f));
     EXPECT_EQ(warningsOf([&] {
-                  expectNear(albedoOf(texture + "\"directionmix\" \"rgb tex1\" [1 0 0] \"vector dir\" [0 1 0]" + use),
-                             Rgb(1, .5f, .5f));
+                  // The surface faces z.
+                  const std::string mix = texture + "\"directionmix\" \"rgb tex1\" [1 0 0] \"rgb tex2\" [0 0 1] ";
+                  expectNear(albedoOf(mix + use), Rgb(0, 0, 1));
+                  expectNear(albedoOf(mix + "\"vector dir\" [0 0 -3]" + use), Rgb(1, 0, 0));
+                  expectNear(albedoOf(mix + "\"vector dir\" [0 3 4]" + use), Rgb(.8f, 0, .2f));
+                  expectNear(albedoOf("Rotate 90 1 0 0 " + mix + use + " Identity"), Rgb(1, 0, 0));
               }),
-              1);
+              0);
+    EXPECT_THAT(errorOfWorldV4(texture + "\"directionmix\" \"vector dir\" [0 0 0]"), HasSubstr("must not be zero"));
     EXPECT_THAT(errorOfWorldV4(texture + "\"imagemap\" \"string filename\" \"no.png\""), HasSubstr("no.png"));
 }
 

@@ -94,10 +94,11 @@ Geometry hyperboloid(const ShapeContext& context) {
     return {.shape = std::move(shape)};
 }
 
-// Null if opaque. A numeric mask needs a texture only if it is zero, that is, transparent everywhere.
+// Null if opaque. pbrt-v3's surfaces are transparent only where a mask is zero; pbrt-v4's let a share of the rays pass.
 FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
     FloatTexturePtr mask = TextureParams(context.params, context.textures).scalarOrNull(name);
-    return mask && mask->isConstant() && mask->eval({}) != 0 ? nullptr : mask;
+    const auto isOpaque = [&](float value) { return context.dialect == Dialect::V4 ? value >= 1 : value != 0; };
+    return mask && mask->isConstant() && isOpaque(mask->eval({})) ? nullptr : mask;
 }
 
 using ShapeMaker = Geometry (*)(const ShapeContext&);
@@ -128,6 +129,7 @@ std::optional<Geometry> make(std::span<const Registered<ShapeMaker>> table, cons
     Geometry geometry = maker(context);
     if (!geometry.shape && !geometry.loadMesh) return std::nullopt;
     geometry.alpha = maskOf(context, "alpha");
+    geometry.alphaIsShare = context.dialect == Dialect::V4;
     return geometry;
 }
 

@@ -33,6 +33,7 @@ struct Geometry {
     std::function<TriangleMeshPtr()> loadMesh{};
     double subdivided = 0;                   // number of triangles after subdivision
     FloatTexturePtr alpha{}, shadowAlpha{};  // for all shapes; set by makeShape()
+    bool alphaIsShare = false;               // Primitive::alphaIsShare
 };
 
 // None, with a warning, for types that are not supported. Throws Error for types that pbrt-v3 does not have either, and

@@ -10,6 +10,7 @@
 #include "scene/texture_bilerp.h"
 #include "scene/texture_checkerboard.h"
 #include "scene/texture_convert.h"
+#include "scene/texture_direction.h"
 #include "scene/texture_dots.h"
 #include "scene/texture_imagemap.h"
 #include "scene/texture_marble.h"
@@ -82,9 +83,10 @@ TexturePtr<T> mix(const TextureRequest& request) {
 template <typename T>
 TexturePtr<T> directionMix(const TextureRequest& request) {
     const ParamSet& own = request.params.own();
-    own.ignore({"dir"});
-    warn(own.pos(), "texture 'directionmix' is not supported yet; its two textures are mixed evenly");
-    return makeMixTexture<T>(part<T>(request, "tex1", 0), part<T>(request, "tex2", 1), constantTexture(0.5f));
+    const Vec3 direction = request.textureToWorld.vector(own.getVector("dir", Vec3(0, 1, 0)));
+    if (!(lengthSquared(direction) > 0)) fail(own.pos(), "the 'dir' of " + own.owner() + " must not be zero");
+    // The amount is the weight of the first texture here.
+    return makeMixTexture<T>(part<T>(request, "tex2", 1), part<T>(request, "tex1", 0), makeDirectionTexture(direction));
 }
 
 CheckerboardEdges edgesOf(const ParamSet& own) {

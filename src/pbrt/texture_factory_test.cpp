@@ -182,7 +182,7 @@ TEST_F(TextureFactoryTest, Errors) {
     EXPECT_THAT(errorOfColor("fbm", "\"integer octaves\" 0"),
                 HasSubstr("texture 't' must have 1 to 64 octaves, not 0"));
     EXPECT_THAT(errorOfColor("uv", "\"string mapping\" \"planar\" \"vector v1\" [1 0 0 0 1 0]"),
-                HasSubstr("'v1' of texture 't' must have one value of type 'vector', not 2"));
+                HasSubstr("'v1' of texture 't' must have one value of type 'vector3', not 2"));
     EXPECT_THAT(errorOfColor("scale", "\"texture tex1\" \"half\""),
                 StartsWith("t.pbrt:1:16: no spectrum texture 'half' has been defined; the texture of that name has "
                            "the other type"));

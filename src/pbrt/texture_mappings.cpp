@@ -5,14 +5,6 @@
 namespace drc::pbrt {
 namespace {
 
-Vec3 vectorOf(const ParamSet& texture, std::string_view name, const Vec3& fallback) {
-    const Param* param = texture.find(name, {ParamType::Vector3});
-    if (param == nullptr) return fallback;
-    if (param->count() != 1)
-        texture.failAt(*param, "must have one value of type 'vector', not " + std::to_string(param->count()));
-    return vec3At(param->numbers, 0);
-}
-
 // Only warns, since exporters write the parameters of all mappings.
 void warnOfOthers(const ParamSet& texture, const std::string& mapping, std::initializer_list<std::string_view> others) {
     for (const std::string_view name : others)
@@ -46,7 +38,7 @@ Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld
         return mapping;
     }
     if (type == "planar") {
-        const Vec3 vs = vectorOf(texture, "v1", Vec3(1, 0, 0)), vt = vectorOf(texture, "v2", Vec3(0, 1, 0));
+        const Vec3 vs = texture.getVector("v1", Vec3(1, 0, 0)), vt = texture.getVector("v2", Vec3(0, 1, 0));
         const Vec2 delta(texture.getFloat("udelta", 0), texture.getFloat("vdelta", 0));
         warnOfOthers(texture, type, {"uscale", "vscale"});
         return planarIn(dialect == Dialect::V3 ? toFile : textureToWorld.inverse() * toFile, vs, vt, delta);

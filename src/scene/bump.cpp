@@ -32,4 +32,14 @@ Frame bumpFrame(const TextureContext& at, const Frame& shading, const FloatTextu
     return Frame::fromNormalAndTangent(faceForward(normal * (1 / std::sqrt(l2)), n), displacedU);
 }
 
+Frame normalMapFrame(const TextureContext& at, const Frame& shading, const RgbTexture& normals) {
+    const Rgb color = normals.eval(at);
+    const Vec3 local(2 * color.x - 1, 2 * color.y - 1, 2 * color.z - 1);
+    if (!(local.z > 0) || !isFinite(color)) return shading;
+    const Frame alongU = Frame::fromNormalAndTangent(shading.n, at.dpdu);
+    const Vec3 t = dot(alongU.t, at.dpdv) < 0 ? -alongU.t : alongU.t;
+    const Vec3 n = normalize(alongU.s * local.x + t * local.y + shading.n * local.z);
+    return Frame::fromNormalAndTangent(n, at.dpdu);
+}
+
 }  // namespace drc

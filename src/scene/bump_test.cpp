@@ -71,5 +71,34 @@ TEST(Bump, HeightOverACurvedSurface) {
     EXPECT_NEAR(-tilted.n.x / tilted.n.z, 0.4f, 1e-3f);
 }
 
+// The map of a plane's normals is that of its heights, on either side of a surface and in texture coordinates of both
+// hands.
+TEST(NormalMap, IsTheBumpMapOfItsHeights) {
+    for (const float side : {1.f, -1.f})
+        for (const float hand : {1.f, -1.f}) {
+            const Frame frame = Frame::fromNormal(normalize(Vec3(0.3f, 0.2f, -0.9f)) * side);
+            TextureContext at = contextFor(frame);
+            at.dpdv *= hand;
+            // Slopes per unit length: 0.6 / 2 along u and -0.8 / 4 along v.
+            const Vec3 n = normalize(Vec3(-0.3f, 0.2f, 1));
+            const ConstantTexture<Rgb> map(Rgb(0.5f + 0.5f * n.x, 0.5f + 0.5f * n.y, 0.5f + 0.5f * n.z));
+            const Frame bumped = bumpFrame(at, frame, Plane(0.6f, -0.8f, 0.1f)),
+                        mapped = normalMapFrame(at, frame, map);
+            EXPECT_LT(length(bumped.n - mapped.n), 1e-4f) << side << hand;
+            EXPECT_NEAR(dot(mapped.s, mapped.n), 0, 1e-5f);
+            EXPECT_GT(dot(mapped.s, frame.s), 0.9f);
+        }
+}
+
+TEST(NormalMap, SaysNothingWhereItHasNoNormal) {
+    const Frame frame = Frame::fromNormal(normalize(Vec3(0.3f, 0.2f, -0.9f)));
+    const auto mapped = [&](const Rgb& color) {
+        return normalMapFrame(contextFor(frame), frame, ConstantTexture<Rgb>(color));
+    };
+    EXPECT_LT(length(mapped(Rgb(0.5f, 0.5f, 1)).n - frame.n), 1e-6f);
+    for (const Rgb& color : {Rgb(0.5f), Rgb(0.f), Rgb(0.7f, 0.5f, 0.2f), Rgb(NAN)})
+        EXPECT_EQ(mapped(color).n, frame.n) << color;
+}
+
 }  // namespace
 }  // namespace drc

@@ -8,21 +8,29 @@
 
 namespace drc {
 
+// What makes a surface look uneven that is not: a height field, in world units along the normal, or a normal map.
+// Either may be null; a normal map has precedence.
+struct Relief {
+    Relief() = default;
+    Relief(FloatTexturePtr h, RgbTexturePtr n = nullptr) : heights(std::move(h)), normals(std::move(n)) {}  // implicit
+    FloatTexturePtr heights;
+    RgbTexturePtr normals;  // see normalMapFrame (scene/bump.h)
+};
+
 class Material {
   public:
     virtual ~Material() = default;
     // Adds this material's lobes to the BSDF, scaled by weight. A mix calls this for each of its two materials.
     virtual void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const = 0;
-    // Whether the lobes are the same everywhere. A bump map does not matter, since it only changes the shading frame.
+    // Whether the lobes are the same everywhere. Relief does not matter, since it only changes the shading frame.
     virtual bool isConstant() const = 0;
     // Maximum number of lobes that addLobes() adds. Front ends reject materials with more lobes than a Bsdf can hold.
     virtual int maxLobes() const = 0;
-    // Height field for bump mapping, in world units along the normal; null if there is none.
-    virtual const FloatTexture* bump() const { return bump_.get(); }
-    void setBump(FloatTexturePtr bump) { bump_ = std::move(bump); }
+    virtual const Relief& relief() const { return relief_; }
+    void setRelief(Relief relief) { relief_ = std::move(relief); }
 
   private:
-    FloatTexturePtr bump_;
+    Relief relief_;
 };
 
 using MaterialPtr = std::shared_ptr<const Material>;

@@ -70,7 +70,7 @@ class CoatedDiffuseMaterial final : public Material {
         : coat_(std::move(params.coat)),
           reflectance_(orConstant(std::move(params.reflectance), Rgb(0.5f))),
           remap_(params.remapRoughness) {
-        setBump(std::move(params.bump));
+        setRelief(std::move(params.relief));
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Coat coat = coat_.at(at, remap_);
@@ -96,7 +96,7 @@ class CoatedConductorMaterial final : public Material {
           params_(std::move(params)),
           index_(params_.eta, params_.k, params_.reflectance) {
         params_.roughness = orConstant(params_.roughness, 0);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Coat coat = coat_.at(at, params_.remapRoughness);

@@ -20,7 +20,7 @@ struct CoatedDiffuseParams {
     CoatParams coat;
     RgbTexturePtr reflectance;   // 0.5
     bool remapRoughness = true;  // roughness is alpha squared, not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeCoatedDiffuse(CoatedDiffuseParams params);
 
@@ -33,7 +33,7 @@ struct CoatedConductorParams {
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness
     bool remapRoughness = true;  // for coat and conductor: roughness is alpha squared, not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeCoatedConductor(CoatedConductorParams params);
 

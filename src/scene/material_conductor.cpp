@@ -10,7 +10,7 @@ class Conductor final : public Material {
     explicit Conductor(ConductorParams params)
         : params_(std::move(params)), index_(params_.eta, params_.k, params_.reflectance) {
         params_.roughness = orConstant(params_.roughness, 0);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Fresnel fresnel = index_.at(at);

@@ -13,7 +13,7 @@ struct ConductorParams {
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness
     bool remapRoughness = true;  // roughness is alpha squared, not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeConductor(ConductorParams params);
 

@@ -10,7 +10,7 @@ class DielectricMaterial final : public Material {
     explicit DielectricMaterial(DielectricParams params) : params_(std::move(params)) {
         params_.eta = orConstant(params_.eta, 1.5f);
         params_.roughness = orConstant(params_.roughness, 0);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const float eta = params_.eta->eval(at);
@@ -37,7 +37,7 @@ class DielectricMaterial final : public Material {
 class ThinDielectricMaterial final : public Material {
   public:
     explicit ThinDielectricMaterial(ThinDielectricParams params) : eta_(orConstant(std::move(params.eta), 1.5f)) {
-        setBump(std::move(params.bump));
+        setRelief(std::move(params.relief));
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         bsdf.add(ThinDielectric(eta_->eval(at)), weight);

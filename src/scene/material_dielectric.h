@@ -12,13 +12,13 @@ struct DielectricParams {
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness
     bool remapRoughness = true;  // roughness is alpha squared, not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeDielectric(DielectricParams params);
 
 struct ThinDielectricParams {
-    FloatTexturePtr eta;   // 1.5
-    FloatTexturePtr bump;  // none
+    FloatTexturePtr eta;  // 1.5
+    Relief relief;        // none
 };
 MaterialPtr makeThinDielectric(ThinDielectricParams params);
 

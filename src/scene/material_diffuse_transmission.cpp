@@ -10,7 +10,7 @@ class DiffuseTransmission final : public Material {
     explicit DiffuseTransmission(DiffuseTransmissionParams params) : params_(std::move(params)) {
         params_.reflectance = orConstant(params_.reflectance, Rgb(0.25f));
         params_.transmittance = orConstant(params_.transmittance, Rgb(0.25f));
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb r = evalClamped(*params_.reflectance, at) * params_.scale;

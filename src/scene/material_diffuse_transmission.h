@@ -9,7 +9,7 @@ struct DiffuseTransmissionParams {
     RgbTexturePtr reflectance;    // 0.25
     RgbTexturePtr transmittance;  // 0.25
     float scale = 1;              // multiplies both
-    FloatTexturePtr bump;         // none
+    Relief relief;                // none
 };
 MaterialPtr makeDiffuseTransmission(DiffuseTransmissionParams params);
 

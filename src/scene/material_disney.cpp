@@ -24,7 +24,7 @@ class Disney final : public Material {
         params_.specTrans = orConstant(params_.specTrans, 0);
         params_.flatness = orConstant(params_.flatness, 0);
         params_.diffTrans = orConstant(params_.diffTrans, 1);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb color = evalClamped(*params_.color, at);

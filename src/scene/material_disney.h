@@ -21,9 +21,9 @@ struct DisneyParams {
     FloatTexturePtr specTrans;       // 0; share of the dielectric part that is glass
     FloatTexturePtr flatness;        // 0; thin surfaces only: blend towards shallow subsurface scattering
     FloatTexturePtr
-        diffTrans;         // 1; thin surfaces only: from 0 (all diffuse light is reflected) to 2 (all is transmitted)
-    bool thin = false;     // a sheet without interior
-    FloatTexturePtr bump;  // none
+        diffTrans;      // 1; thin surfaces only: from 0 (all diffuse light is reflected) to 2 (all is transmitted)
+    bool thin = false;  // a sheet without interior
+    Relief relief;      // none
 };
 MaterialPtr makeDisney(DisneyParams params);
 

@@ -13,7 +13,7 @@ class Glass final : public Material {
         params_.eta = orConstant(params_.eta, 1.5f);
         params_.uRoughness = orConstant(params_.uRoughness, 0);
         params_.vRoughness = orConstant(params_.vRoughness, 0);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb kr = evalClamped(*params_.kr, at), kt = evalClamped(*params_.kt, at);

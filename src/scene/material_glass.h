@@ -12,7 +12,7 @@ struct GlassParams {
     FloatTexturePtr uRoughness;  // 0; smooth if both roughnesses are 0
     FloatTexturePtr vRoughness;  // 0
     bool remapRoughness = true;  // roughness is in [0, 1], not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeGlass(GlassParams params);
 

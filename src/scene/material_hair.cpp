@@ -15,7 +15,7 @@ class Hair final : public Material {
         params_.betaM = orConstant(params_.betaM, 0.3f);
         params_.betaN = orConstant(params_.betaN, 0.3f);
         params_.alpha = orConstant(params_.alpha, 2);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const HairScattering::Shape shape{.eta = params_.eta->eval(at),

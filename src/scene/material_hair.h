@@ -24,7 +24,7 @@ struct HairParams {
     FloatTexturePtr betaM;        // 0.3; longitudinal roughness, in [0, 1]
     FloatTexturePtr betaN;        // 0.3; azimuthal roughness, in [0, 1]
     FloatTexturePtr alpha;        // 2; angle of the scales, degrees
-    FloatTexturePtr bump;         // none
+    Relief relief;                // none
 };
 MaterialPtr makeHair(HairParams params);
 

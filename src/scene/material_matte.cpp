@@ -10,7 +10,7 @@ class Matte final : public Material {
     explicit Matte(MatteParams params) : params_(std::move(params)) {
         params_.kd = orConstant(params_.kd, Rgb(0.5f));
         params_.sigma = orConstant(params_.sigma, 0);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb kd = evalClamped(*params_.kd, at);

@@ -8,7 +8,7 @@ namespace drc {
 struct MatteParams {
     RgbTexturePtr kd;       // 0.5
     FloatTexturePtr sigma;  // 0; Oren-Nayar roughness in degrees, clamped to [0, 90]
-    FloatTexturePtr bump;   // none
+    Relief relief;          // none
 };
 MaterialPtr makeMatte(MatteParams params);
 

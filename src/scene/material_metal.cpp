@@ -9,7 +9,7 @@ class Metal final : public Material {
   public:
     explicit Metal(MetalParams params) : params_(std::move(params)), index_(params_.eta, params_.k) {
         params_.roughness = orConstant(params_.roughness, 0.01f);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const FloatTexture& u = params_.uRoughness ? *params_.uRoughness : *params_.roughness;

@@ -12,7 +12,7 @@ struct MetalParams {
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness
     bool remapRoughness = true;  // roughness is in [0, 1], not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeMetal(MetalParams params);
 

@@ -9,7 +9,7 @@ class Mirror final : public Material {
   public:
     explicit Mirror(MirrorParams params) : params_(std::move(params)) {
         params_.kr = orConstant(params_.kr, Rgb(0.9f));
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb kr = evalClamped(*params_.kr, at);

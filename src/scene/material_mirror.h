@@ -6,8 +6,8 @@ namespace drc {
 
 // The comments give the defaults for null textures, which are those of pbrt.
 struct MirrorParams {
-    RgbTexturePtr kr;      // 0.9
-    FloatTexturePtr bump;  // none
+    RgbTexturePtr kr;  // 0.9
+    Relief relief;     // none
 };
 MaterialPtr makeMirror(MirrorParams params);
 

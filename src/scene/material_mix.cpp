@@ -20,7 +20,7 @@ class Mix final : public Material {
         return areConstant(params_.amount) && params_.first->isConstant() && params_.second->isConstant();
     }
     int maxLobes() const override { return params_.first->maxLobes() + params_.second->maxLobes(); }
-    const FloatTexture* bump() const override { return params_.first->bump(); }
+    const Relief& relief() const override { return params_.first->relief(); }
 
   private:
     MixParams params_;

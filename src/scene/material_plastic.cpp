@@ -11,7 +11,7 @@ class Plastic final : public Material {
         params_.kd = orConstant(params_.kd, Rgb(0.25f));
         params_.ks = orConstant(params_.ks, Rgb(0.25f));
         params_.roughness = orConstant(params_.roughness, 0.1f);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb kd = evalClamped(*params_.kd, at);

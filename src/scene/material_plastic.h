@@ -10,7 +10,7 @@ struct PlasticParams {
     RgbTexturePtr ks;            // 0.25
     FloatTexturePtr roughness;   // 0.1
     bool remapRoughness = true;  // roughness is in [0, 1], not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makePlastic(PlasticParams params);
 

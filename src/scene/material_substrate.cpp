@@ -12,7 +12,7 @@ class Substrate final : public Material {
         params_.ks = orConstant(params_.ks, Rgb(0.5f));
         params_.uRoughness = orConstant(params_.uRoughness, 0.1f);
         params_.vRoughness = orConstant(params_.vRoughness, 0.1f);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb kd = evalClamped(*params_.kd, at), ks = evalClamped(*params_.ks, at);

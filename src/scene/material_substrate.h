@@ -11,7 +11,7 @@ struct SubstrateParams {
     FloatTexturePtr uRoughness;  // 0.1
     FloatTexturePtr vRoughness;  // 0.1
     bool remapRoughness = true;  // roughness is in [0, 1], not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeSubstrate(SubstrateParams params);
 

@@ -19,9 +19,9 @@ using namespace test;
 
 TEST(Matte, Bsdf) {
     checkMaterial(makeMatte({}));
-    checkMaterial(makeMatte({.kd = colour(0.2f, 0.5f, 0.8f), .sigma = number(25), .bump = {}}));
+    checkMaterial(makeMatte({.kd = colour(0.2f, 0.5f, 0.8f), .sigma = number(25), .relief = {}}));
     EXPECT_NEAR(weightAtNormal(makeMatte({})), 0.5f, 1e-5f);
-    EXPECT_EQ(bsdfOf(makeMatte({.kd = colour(0, 0, 0), .sigma = {}, .bump = {}})).size(), 0);
+    EXPECT_EQ(bsdfOf(makeMatte({.kd = colour(0, 0, 0), .sigma = {}, .relief = {}})).size(), 0);
 }
 
 TEST(Plastic, Bsdf) {
@@ -243,10 +243,10 @@ TEST(Mix, Bsdf) {
 TEST(Material, BumpBelongsToTheFirstOfAMix) {
     const FloatTexturePtr bump = number(1);
     MixParams p;
-    p.first = makeMatte({.kd = {}, .sigma = {}, .bump = bump});
+    p.first = makeMatte({.kd = {}, .sigma = {}, .relief = bump});
     p.second = makeMirror({});
-    EXPECT_EQ(makeMix(p)->bump(), bump.get());
-    EXPECT_EQ(makeGlass({})->bump(), nullptr);
+    EXPECT_EQ(makeMix(p)->relief().heights, bump);
+    EXPECT_EQ(makeGlass({})->relief().heights, nullptr);
 }
 
 TEST(Material, IsConstantUnlessATextureVaries) {
@@ -272,7 +272,7 @@ TEST(Material, IsConstantUnlessATextureVaries) {
                                  &DisneyParams::diffTrans);
     EXPECT_FALSE(makeHair({})->isConstant());
     const MaterialPtr plain = makeMatte({});
-    const MaterialPtr textured = makeMatte({.kd = std::make_shared<VaryingColour>(), .sigma = {}, .bump = {}});
+    const MaterialPtr textured = makeMatte({.kd = std::make_shared<VaryingColour>(), .sigma = {}, .relief = {}});
     checkConstancy<MixParams>(makeMix, {plain, plain, {}}, &MixParams::amount);
     EXPECT_FALSE(makeMix({plain, textured, {}})->isConstant());
     EXPECT_FALSE(makeMix({textured, plain, {}})->isConstant());

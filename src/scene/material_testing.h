@@ -62,9 +62,9 @@ void checkConstancy(MaterialPtr (*make)(Params), const Params& params, Members..
     };
     (vary(members), ...);
     // A bump map changes the frame but not the lobes.
-    if constexpr (requires { params.bump; }) {
+    if constexpr (requires { params.relief; }) {
         Params bumpy = params;
-        bumpy.bump = std::make_shared<VaryingNumber>();
+        bumpy.relief = Relief(std::make_shared<VaryingNumber>());
         EXPECT_TRUE(make(bumpy)->isConstant());
     }
 }

@@ -15,7 +15,7 @@ class Translucent final : public Material {
         params_.reflect = orConstant(params_.reflect, Rgb(0.5f));
         params_.transmit = orConstant(params_.transmit, Rgb(0.5f));
         params_.roughness = orConstant(params_.roughness, 0.1f);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb r = evalClamped(*params_.reflect, at), t = evalClamped(*params_.transmit, at);

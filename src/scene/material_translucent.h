@@ -13,7 +13,7 @@ struct TranslucentParams {
     RgbTexturePtr transmit;      // 0.5; share that is transmitted
     FloatTexturePtr roughness;   // 0.1
     bool remapRoughness = true;  // roughness is in [0, 1], not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeTranslucent(TranslucentParams params);
 

@@ -15,7 +15,7 @@ class Uber final : public Material {
         params_.opacity = orConstant(params_.opacity, Rgb(1.f));
         params_.roughness = orConstant(params_.roughness, 0.1f);
         params_.eta = orConstant(params_.eta, 1.5f);
-        setBump(params_.bump);
+        setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const float eta = params_.eta->eval(at);

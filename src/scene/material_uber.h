@@ -16,7 +16,7 @@ struct UberParams {
     FloatTexturePtr vRoughness;  // uRoughness
     FloatTexturePtr eta;         // 1.5
     bool remapRoughness = true;  // roughness is in [0, 1], not alpha
-    FloatTexturePtr bump;        // none
+    Relief relief;               // none
 };
 MaterialPtr makeUber(UberParams params);
 

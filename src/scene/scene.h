@@ -23,6 +23,7 @@ struct Primitive {
     std::shared_ptr<const AreaLight> areaLight;  // null if it does not emit; also listed in Scene::lights
     FloatTexturePtr alpha;                       // transparent where 0, for all rays; null: opaque
     FloatTexturePtr shadowAlpha;                 // the same for shadow rays only; null: as alpha
+    bool alphaIsShare = false;                   // of the rays that alpha lets hit the surface (pbrt-v4), at random
 };
 
 // What pbrt calls an object: primitives in their own space, to be instanced.
