@@ -21,16 +21,17 @@ std::string square(const std::string& uv, const std::string& more) {
            uv + "] " + more + "\n";
 }
 
-// A map whose normals all lean by 3 / 5 towards increasing u, on a floor under a light from that side: as bright as a
-// floor that leans. Also where u and v are mirrored, or turned.
+// A map whose normals all lean by .48 towards increasing u and .36 towards increasing v, on a floor under a light from
+// that side: as bright as a floor that leans. Also where u is mirrored, and where u and v are exchanged.
 TEST(NormalMaps, LightALeaningFloor) {
     const TemporaryFolder folder;
     Image image(2, 2);
-    for (int i = 0; i < 4; ++i) image.setRgb(i % 2, i / 2, Rgb(0.8f, 0.5f, 0.9f));
+    for (int i = 0; i < 4; ++i) image.setRgb(i % 2, i / 2, Rgb(0.74f, 0.68f, 0.9f));
     writeExr(folder.path() + "/map.exr", image);
     const struct {
         const char *uv, *light;
-    } cases[] = {{"0 0 1 0 1 1 0 1", "[3 0 4]"}, {"1 0 0 0 0 1 1 1", "[-3 0 4]"}, {"0 0 0 1 1 1 1 0", "[0 3 4]"}};
+    } cases[] = {
+        {"0 0 1 0 1 1 0 1", "[48 36 80]"}, {"1 0 0 0 0 1 1 1", "[-48 36 80]"}, {"0 0 0 1 1 1 1 0", "[36 48 80]"}};
     for (const auto& c : cases)
         for (const char* integrator : kIntegrators) {
             const auto loaded = pbrt::loadPbrtString(

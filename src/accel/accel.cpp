@@ -68,7 +68,7 @@ void fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, 
 
 // Uniform in [0, 1), and independent for the surfaces that a ray meets: a function of the ray and of the part of a
 // geometry.
-float shareOf(const Ray& ray, const GeometryData& data, uint32_t part) {
+float uniformOf(const Ray& ray, const GeometryData& data, uint32_t part) {
     const auto bits = [](const Vec3& v) {
         const uint64_t low = std::bit_cast<uint32_t>(v.x), middle = std::bit_cast<uint32_t>(v.y);
         return hashCombine(low << 32 | middle, std::bit_cast<uint32_t>(v.z));
@@ -77,18 +77,19 @@ float shareOf(const Ray& ray, const GeometryData& data, uint32_t part) {
     return float(hash >> 40) * 0x1p-24f;
 }
 
-bool isHole(const GeometryData& data, const FloatTexture* alpha, const SurfaceInteraction& hit, const Ray& ray) {
-    const float value = alpha->eval(hit.textureContext());
-    if (!data.primitive->alphaIsShare || value <= 0 || value >= 1)
-        return value <= 0 && (value == 0 || data.primitive->alphaIsShare);
-    return shareOf(ray, data, hit.triangle) >= value;
+// Whether the ray passes through the surface. part: of the geometry, any number.
+bool isHole(const GeometryData& data, const FloatTexture& alpha, const SurfaceInteraction& hit, const Ray& ray,
+            uint32_t part) {
+    const float value = alpha.eval(hit.textureContext());
+    if (!data.primitive->alphaIsShare) return value == 0;
+    return value < 1 && uniformOf(ray, data, part) >= value;
 }
 bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
             float t) {
     if (alpha == nullptr) return false;
     SurfaceInteraction hit;
     fillAt(data, ray, t, primId, u, v, hit);
-    return isHole(data, alpha, hit, ray);
+    return isHole(data, *alpha, hit, ray, primId);
 }
 
 Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
@@ -144,9 +145,8 @@ std::optional<ShapeHit> intersectSolid(const GeometryData& data, std::initialize
             if (mask == nullptr) return false;
             SurfaceInteraction hit;
             fill(*found, hit);
-            // A ray may meet a shape twice.
-            hit.triangle = uint32_t(i);
-            return isHole(data, mask, hit, ray);
+            // A ray may meet a shape several times.
+            return isHole(data, *mask, hit, ray, uint32_t(i));
         };
         if (std::none_of(masks.begin(), masks.end(), isOpen)) return found;
         tMin = found->t * (1 + 1e-6f);

@@ -71,17 +71,18 @@ void PackedMesh::fill(uint32_t triangle, float b1, float b2, SurfaceInteraction&
 }
 
 void PackedMesh::keepOffEdges(uint32_t triangle, float b1, float b2, float rounding, SurfaceInteraction& hit) const {
+    const float b0 = 1 - b1 - b2, nearest = std::min({b0, b1, b2});
+    if (nearest >= kFarthestInside) return;
     const Face& face = faces_[triangle];
     const Vec3 &v0 = vertices_[face.v[0]].p, &v1 = vertices_[face.v[1]].p, &v2 = vertices_[face.v[2]].p;
     const Vec3 e1 = v1 - v0, e2 = v2 - v0;
     // The height above the longest edge is the least.
     const float longest = std::max({lengthSquared(e1), lengthSquared(e2), lengthSquared(e2 - e1)});
     const float far = 2 * (hit.error + rounding) * std::sqrt(longest / lengthSquared(cross(e1, e2)));
-    float b[3] = {1 - b1 - b2, b1, b2};
-    if (!(std::min({b[0], b[1], b[2]}) < far)) return;
-    float sum = 0;
-    for (float& x : b) sum += x = std::max(x, std::min(far, kFarthestInside));
-    hit.p = (v0 * b[0] + v1 * b[1] + v2 * b[2]) * (1 / sum);
+    if (!(nearest < far)) return;
+    const float least = std::min(far, kFarthestInside);
+    const float inside0 = std::max(b0, least), inside1 = std::max(b1, least), inside2 = std::max(b2, least);
+    hit.p = (v0 * inside0 + v1 * inside1 + v2 * inside2) * (1 / (inside0 + inside1 + inside2));
 }
 
 }  // namespace drc

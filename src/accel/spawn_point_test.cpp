@@ -94,46 +94,40 @@ int hitsAgain(const Accel& accel, const Vec3 corners[3], const Vec3& n, const Ki
     return again;
 }
 
-TEST(SpawnPoint, TrianglesAreNotHitAgain) {
+Transform randomPlacing(Pcg32& rng) {
+    return Transform::translate(sampleUniformSphere(rng.nextVec2()) * 30.f * rng.nextFloat()) *
+           Transform::rotate(360 * rng.nextFloat(), sampleUniformSphere(rng.nextVec2())) *
+           Transform::scale(0.2f + 3 * rng.nextFloat(), 1.5f, 0.7f);
+}
+
+class SpawnPoints : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(On, SpawnPoints, testing::Bool(),
+                         [](const auto& i) { return i.param ? "Instances" : "Meshes"; });
+
+TEST_P(SpawnPoints, DoNotHitTheirTriangleAgain) {
+    const bool instanced = GetParam();
     for (const Kind& kind : kKinds) {
         SCOPED_TRACE(kind.name);
         Triangles triangles(kind);
         int again = 0, tried = 0;
         for (int i = 0; i < 1000; ++i) {
-            Scene scene;
-            const TriangleMesh mesh = triangles.next(0);
+            TriangleMesh mesh = triangles.next(0);
             if (!(mesh.area(0) > 0)) continue;
-            scene.primitives.push_back(primitiveOf(mesh));
+            Scene scene;
+            if (instanced) {
+                const Transform toWorld = randomPlacing(triangles.random());
+                scene.objects.push_back({"o", {}});
+                scene.objects[0].primitives.push_back(primitiveOf(mesh));
+                scene.instances.push_back({0, AnimatedTransform(toWorld, toWorld)});
+                mesh.apply(toWorld);
+            } else {
+                scene.primitives.push_back(primitiveOf(mesh));
+            }
             again += hitsAgain(Accel(scene), mesh.positions.data(), mesh.geometricNormal(0), kind, triangles.random(),
                                tried);
         }
-        EXPECT_GT(tried, 5000);
-        EXPECT_EQ(again, 0) << "of " << tried;
-    }
-}
-
-TEST(SpawnPoint, TrianglesOfInstancesAreNotHitAgain) {
-    for (const Kind& kind : kKinds) {
-        SCOPED_TRACE(kind.name);
-        Triangles triangles(kind);
-        int again = 0, tried = 0;
-        for (int i = 0; i < 300; ++i) {
-            Scene scene;
-            const TriangleMesh mesh = triangles.next(0);
-            if (!(mesh.area(0) > 0)) continue;
-            Pcg32& rng = triangles.random();
-            const Transform toWorld =
-                Transform::translate(sampleUniformSphere(rng.nextVec2()) * 30.f * rng.nextFloat()) *
-                Transform::rotate(360 * rng.nextFloat(), sampleUniformSphere(rng.nextVec2())) *
-                Transform::scale(0.2f + 3 * rng.nextFloat(), 1.5f, 0.7f);
-            scene.objects.push_back({"o", {}});
-            scene.objects[0].primitives.push_back(primitiveOf(mesh));
-            scene.instances.push_back({0, AnimatedTransform(toWorld, toWorld)});
-            TriangleMesh placed = mesh;
-            placed.apply(toWorld);
-            again += hitsAgain(Accel(scene), placed.positions.data(), placed.geometricNormal(0), kind, rng, tried);
-        }
-        EXPECT_GT(tried, 500);
+        // Rays that are aimed at tiny triangles far away often miss them.
+        EXPECT_GT(tried, 1500);
         EXPECT_EQ(again, 0) << "of " << tried;
     }
 }

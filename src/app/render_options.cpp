@@ -137,7 +137,8 @@ void addCells(CLI::App& command, RenderOptions& o) {
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& o) {
-    command.add_option("SCENE", o.scene, "Scene file in the format of pbrt-v3 or pbrt-v4")->required();
+    command.add_option("SCENE", o.scene, "Scene file in the format of pbrt-v3 or pbrt-v4, or - for standard input")
+        ->required();
     std::vector<std::string> integrators = integratorNames();
     integrators.push_back("scene");
     command

@@ -12,8 +12,7 @@ class FileSearch {
     // The path of a file that is named at pos. Absolute paths are used as they are. Others are searched for in the
     // directory of the naming file, then in that of the main scene file, then where a symbolic link to the naming file
     // points, and in each of them also with / for every backslash. Throws Error at pos with every path that was tried.
-    // `what` is used in messages: "texture", "ply file",
-    // ...
+    // `what` is used in messages: "texture", "ply file", ...
     std::string find(const std::string& name, const SourcePos& pos, const std::string& what) const;
 
   private:

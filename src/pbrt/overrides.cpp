@@ -116,9 +116,7 @@ class Reader {
                 const std::string_view word = value_.substr(begin, end - begin);
                 const auto number = numberOf(word);
                 if (!number) expect("a number", word);
-                if (p.type == ParamType::Integer &&
-                    (*number != std::trunc(*number) || *number < std::numeric_limits<int>::min() ||
-                     *number > std::numeric_limits<int>::max()))
+                if (p.type == ParamType::Integer && !isInteger(*number))
                     expect("a whole number from -2^31 to 2^31 - 1", word);
                 p.numbers.push_back(*number);
             }

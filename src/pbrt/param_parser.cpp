@@ -103,11 +103,8 @@ class ParamParser {
     static std::string adviceForBool(const Token& token) {
         std::string lower(token.text);
         std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-        for (const auto& [written, meant] :
-             {std::pair("true", "true"), std::pair("1", "true"), std::pair("yes", "true"), std::pair("on", "true"),
-              std::pair("false", "false"), std::pair("0", "false"), std::pair("no", "false"),
-              std::pair("off", "false")})
-            if (lower == written) return "; write " + std::string(meant);
+        if (lower == "true" || lower == "1" || lower == "yes" || lower == "on") return "; write true";
+        if (lower == "false" || lower == "0" || lower == "no" || lower == "off") return "; write false";
         return "";
     }
 
@@ -123,8 +120,7 @@ class ParamParser {
             convertColors();
         } else if (param_.type == ParamType::Integer) {
             for (const double number : param_.numbers)
-                if (number != std::trunc(number) || number < std::numeric_limits<int>::min() ||
-                    number > std::numeric_limits<int>::max())
+                if (!isInteger(number))
                     fail(param_.valuePos, "parameter '" + param_.name + "' of " + owner_ +
                                               " is of type 'integer' and takes whole numbers from -2^31 to 2^31 - 1");
         } else {

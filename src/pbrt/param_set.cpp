@@ -1,6 +1,8 @@
 #include "pbrt/param_set.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/limits.h"
 
@@ -136,6 +138,11 @@ const Param* ParamSet::find(std::string_view name, std::initializer_list<ParamTy
         failAt(param, "must be of type " + expected + ", not '" + param.typeName + "'");
     }
     return nullptr;
+}
+
+bool isInteger(double number) {
+    return number == std::trunc(number) && number >= std::numeric_limits<int>::min() &&
+           number <= std::numeric_limits<int>::max();
 }
 
 const Param* ParamSet::findOne(std::string_view name, ParamType type) const {

@@ -108,5 +108,7 @@ size_t componentsOf(ParamType type);
 
 Vec2 vec2At(const std::vector<double>& numbers, size_t index);
 Vec3 vec3At(const std::vector<double>& numbers, size_t index);
+// Whether a number of type 'integer' may have this value: a whole one from -2^31 to 2^31 - 1.
+bool isInteger(double number);
 
 }  // namespace drc::pbrt

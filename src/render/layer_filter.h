@@ -7,13 +7,14 @@
 // the noise does.
 #pragma once
 #include "render/lobe_g_buffer.h"
+#include "scene/filter.h"
 
 namespace drc {
 
 class LayerFilter {
   public:
     // Groups that a layer's samples are divided into: enough to estimate their noise, and few enough to keep in memory.
-    static constexpr int kGroups = 4;
+    static constexpr int kGroups = int(Filter::kGroups);
 
     // Filters layers of light that these lobes scatter. Such a layer is demodulated by their albedo while it is
     // averaged, so that textures stay sharp. surfaces must outlive the filter.

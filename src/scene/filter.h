@@ -24,8 +24,8 @@ class Filter {
     // The position of a pixel's sample number `index`. pixel: any number that all samples of a pixel share; pixels have
     // their negative samples at different times.
     virtual FilterSample sample(const Vec2& u, uint32_t index, uint64_t pixel) const = 0;
-    // Samples of which the film keeps groups apart (halves, quarters by their number): each group has its share of
-    // those in negative lobes.
+    // Films keep groups of samples apart, by the sample's number modulo this: each group has its share of those in
+    // negative lobes.
     static constexpr uint32_t kGroups = 4;
 };
 

@@ -13,8 +13,8 @@ struct CylinderParams {
     float phiMax = 360;  // degrees from +x towards +y
 };
 
-// u = phi / phiMax, v runs from the smaller z to the larger. ng points outward, also
-// under mirroring; ReverseOrientation flips it.
+// u = phi / phiMax, v runs from the smaller z to the larger. ng points outward, also under mirroring;
+// ReverseOrientation flips it.
 ShapePtr makeCylinder(const CylinderParams& params);
 
 }  // namespace drc

@@ -15,8 +15,7 @@ struct HyperboloidParams {
 };
 
 // Null if the surface has no point between p1 and p2. u = phi / phiMax, with phi measured from the segment; v runs from
-// p1 to p2. If p2 is above p1, ng points outward, also
-// under mirroring; ReverseOrientation flips it.
+// p1 to p2. If p2 is above p1, ng points outward, also under mirroring; ReverseOrientation flips it.
 ShapePtr makeHyperboloid(const HyperboloidParams& params);
 
 }  // namespace drc

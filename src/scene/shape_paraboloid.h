@@ -14,8 +14,7 @@ struct ParaboloidParams {
 };
 
 // u = phi / phiMax, v runs from the smaller z to the larger, which must be positive. ng points outward (downward at the
-// apex), also
-// under mirroring; ReverseOrientation flips it.
+// apex), also under mirroring; ReverseOrientation flips it.
 ShapePtr makeParaboloid(const ParaboloidParams& params);
 
 }  // namespace drc
