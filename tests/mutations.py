@@ -73,7 +73,7 @@ FAULTS = [
           "answer.training * sample.training", "answer.training", "FinalGather*"),
     Fault("mirrored quadrics are inside out", "src/scene/quadric_space.h", ": flip_(reverseOrientation) {",
           ": flip_(reverseOrientation != objectToWorld.swapsHandedness()) {", "Mirroring*"),
-    Fault("rays start at the rounded point", "src/accel/spawn_point.h", "(dot(ng, d) < 0 ? -error : error)", "0.f",
+    Fault("rays start at the rounded point", "src/accel/spawn_point.h", "(dot(ng, d) < 0 ? -error : error)", "(0 * dot(ng, d))",
           "Precision*"),
     Fault("rays start too far from their surface", "src/accel/spawn_point.h", "return 8 * 0x1p-23f * largest;",
           "return 256 * 0x1p-23f * largest;", "Precision*"),
