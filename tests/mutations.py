@@ -88,7 +88,7 @@ FAULTS = [
     Fault("negative lobes come in the first samples", "src/scene/filter.cpp", "const uint32_t number = index / kGroups;",
           "const uint32_t number = index / kGroups + 7;", "*FilterOfFurnace*"),
     Fault("alpha between 0 and 1 is opaque", "src/accel/accel.cpp",
-          "return value < 1 && uniformOf(ray, data, part) >= value;", "return value <= 0;", "Alpha*"),
+          "return value < 1 && uniformOf(ray, data, part) >= value;", "return uniformOf(ray, data, part) >= 1 || value <= 0;", "Alpha*"),
     Fault("normal maps do not follow mirrored coordinates", "src/scene/bump.cpp",
           "dot(alongU.t, at.dpdv) < 0 ? -alongU.t : alongU.t", "alongU.t", "NormalMaps*"),
 ]

@@ -1,6 +1,7 @@
 #include "pbrt/material_factory.h"
 
 #include "pbrt/material_common.h"
+#include "pbrt/material_principled_params.h"
 #include "scene/material_disney.h"
 #include "scene/material_glass.h"
 #include "scene/material_matte.h"
@@ -126,6 +127,8 @@ MaterialPtr hair(const MaterialContext& c) {
     return makeHair(hairOf(c.params, c.params.colorOrNull("color"), "color", reliefOf(c.params)));
 }
 
+MaterialPtr principled(const MaterialContext& c) { return principledOf(c.params, reliefOf(c.params)); }
+
 MaterialPtr mix(const MaterialContext& c) {
     const auto part = [&](const std::string& param) {
         return namedPart(c, c.params.getString(param, ""), param, c.params.own().pos());
@@ -138,20 +141,11 @@ MaterialPtr mix(const MaterialContext& c) {
 }
 
 constexpr Registered<MaterialMaker> kMaterials[] = {
-    {"disney", disney},
-    {"fourier", nullptr},
-    {"glass", glass},
-    {"hair", hair},
-    {"kdsubsurface", nullptr},
-    {"matte", matte},
-    {"metal", metal},
-    {"mirror", mirror},
-    {"mix", mix},
-    {"plastic", plastic},
-    {"subsurface", nullptr},
-    {"substrate", substrate},
-    {"translucent", translucent},
-    {"uber", uber},
+    {"disney", disney},       {"fourier", nullptr},         {"glass", glass},
+    {"hair", hair},           {"kdsubsurface", nullptr},    {"matte", matte},
+    {"metal", metal},         {"mirror", mirror},           {"mix", mix},
+    {"plastic", plastic},     {"principled", principled},   {"subsurface", nullptr},
+    {"substrate", substrate}, {"translucent", translucent}, {"uber", uber},
 };
 
 constexpr std::string_view kNone[] = {"none"};

@@ -1,6 +1,7 @@
 #include "pbrt/material_factory_v4.h"
 
 #include "pbrt/material_common.h"
+#include "pbrt/material_principled_params.h"
 #include "scene/material_coated.h"
 #include "scene/material_conductor.h"
 #include "scene/material_dielectric.h"
@@ -128,6 +129,8 @@ MaterialPtr hair(const MaterialContext& c) {
     return makeHair(hairOf(p, reflectance ? std::move(reflectance) : color, name, reliefOf(c)));
 }
 
+MaterialPtr principled(const MaterialContext& c) { return principledOf(c.params, reliefOf(c)); }
+
 // Unlike in pbrt-v3, the amount is a number, and it is the weight of the second material.
 MaterialPtr mix(const MaterialContext& c) {
     const ParamSet& own = c.params.own();
@@ -153,6 +156,7 @@ constexpr Registered<MaterialMaker> kMaterials[] = {
     {"hair", hair},
     {"measured", nullptr},
     {"mix", mix},
+    {"principled", principled},
     {"subsurface", nullptr},
     {"thindielectric", thinDielectric},
 };

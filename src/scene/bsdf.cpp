@@ -13,6 +13,7 @@ Bsdf::Lobes& Bsdf::Lobes::operator=(const Lobes& other) {
         flags[size_t(i)] = other.flags[size_t(i)];
         alphas[size_t(i)] = other.alphas[size_t(i)];
         weights[size_t(i)] = other.weights[size_t(i)];
+        hasSides[size_t(i)] = other.hasSides[size_t(i)];
     }
     return *this;
 }

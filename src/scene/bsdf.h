@@ -44,6 +44,7 @@ class Bsdf {
         own_.flags[own_.count] = lobe.flags();
         own_.alphas[own_.count] = lobe.alpha();
         own_.weights[own_.count] = weight;
+        own_.hasSides[own_.count] = !requires { L::kWithoutSides; };
         ++own_.count;
     }
 
@@ -80,6 +81,9 @@ class Bsdf {
     float alpha(int i) const { return lobes_->alphas[size_t(i)]; }
     bool isWithin(int i, const LobeMask& mask) const { return mask.has(flags(i), alpha(i)); }
     const Rgb& weight(int i) const { return lobes_->weights[size_t(i)]; }
+    // Whether light that the lobe scatters from wi to wo is reflected if both are on the same side of the shading
+    // frame, and transmitted otherwise.
+    bool hasSides(int i) const { return lobes_->hasSides[size_t(i)]; }
 
   private:
     struct Lobes {
@@ -91,6 +95,7 @@ class Bsdf {
         std::array<LobeFlags, kMaxLobes> flags;
         std::array<float, kMaxLobes> alphas;
         std::array<Rgb, kMaxLobes> weights;
+        std::array<bool, kMaxLobes> hasSides;
         // Raw memory, because a Bsdf is made at every hit, and constructing twelve lobes where two are used would be
         // wasteful.
         alignas(Lobe) std::byte storage[kMaxLobes * sizeof(Lobe)];

@@ -153,6 +153,30 @@ TEST(Bsdf, GeometricNormalDecidesTheSide) {
     checkBsdf(opaque, LobeFlags::All, {0.9f});
 }
 
+TEST(Bsdf, ALobeOfBothSidesLeaksNoLight) {
+    // As above, but with a lobe that reflects and refracts: it may do neither where the two normals disagree.
+    const Vec3 ng(0, 0, 1);
+    const Frame shading = Frame::fromNormal(normalize(Vec3(1, 0, 0.3f)));
+    Bsdf bsdf(shading, ng);
+    bsdf.add(MicrofacetDielectric(Rgb(1.f), Rgb(1.f), kRough, 1.5f));
+    const Vec3 wo = normalize(Vec3(0.2f, 0, 1)), wi = normalize(Vec3(1, 0, -0.1f));
+    ASSERT_GT(dot(wi, shading.n), 0);
+    EXPECT_TRUE(isBlack(bsdf.f(wo, wi)));
+    std::mt19937 rng(2);
+    int reflected = 0, refracted = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const float uLobe = uniform(rng);
+        const auto s = bsdf.sample(wo, uLobe, uniform2(rng));
+        if (!s) continue;
+        EXPECT_EQ(s->isTransmission(), s->wi.z < 0);
+        EXPECT_EQ(s->isTransmission(), dot(s->wi, shading.n) < 0);
+        ++(s->isTransmission() ? refracted : reflected);
+    }
+    EXPECT_GT(reflected, 10);
+    EXPECT_GT(refracted, 100);
+    checkBsdf(bsdf, LobeFlags::All, {0.9f});
+}
+
 TEST(Bsdf, LobesWithAVanishingEstimateAreStillSampled) {
     // Beyond the critical angle of the smooth surface some facets still refract.
     Bsdf bsdf(kFrame, kFrame.n);

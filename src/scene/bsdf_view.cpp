@@ -16,6 +16,8 @@ LobeValue evaluateLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi, Transpo
         [&](const auto& l) -> LobeValue {
             if constexpr (requires { l.evaluate(wo, wi); })
                 return l.evaluate(wo, wi);
+            else if constexpr (requires { l.evaluate(wo, wi, mode); })
+                return l.evaluate(wo, wi, mode);
             else if constexpr (requires { l.f(wo, wi, mode); })
                 return {l.f(wo, wi, mode), l.pdf(wo, wi)};
             else
@@ -59,12 +61,20 @@ LobeFlags BsdfView::sideOf(const Vec3& wi) const {
     return dot(wi, bsdf_.ng()) * woSide_ > 0 ? LobeFlags::Reflection : LobeFlags::Transmission;
 }
 
+// A lobe that both reflects and transmits takes the one for the other where the shading frame has wi on another side
+// than the geometry has it.
+bool BsdfView::scatters(const Choice& choice, const Vec3& wi, LobeFlags side) const {
+    constexpr LobeFlags kBoth = LobeFlags::Reflection | LobeFlags::Transmission;
+    if ((choice.flags & kBoth) != kBoth || !bsdf_.hasSides(choice.lobe)) return any(choice.flags & side);
+    return (wo_.z * wi.z > 0) == (side == LobeFlags::Reflection);
+}
+
 LobeValue BsdfView::allBut(const Choice* one, const Vec3& wi, LobeFlags side) const {
     LobeValue sum;
     for (const Choice* c = choices_; c != choices_ + count_; ++c) {
         if (c == one || isSpecular(c->flags)) continue;
         const LobeValue value = evaluateLobe(bsdf_.lobe(c->lobe), wo_, wi, mode_);
-        if (any(c->flags & side)) sum.f += bsdf_.weight(c->lobe) * value.f;
+        if (scatters(*c, wi, side)) sum.f += bsdf_.weight(c->lobe) * value.f;
         sum.pdf += c->probability * value.pdf;
     }
     return sum;
@@ -103,7 +113,7 @@ std::optional<BsdfSample> BsdfView::sample(float uLobe, const Vec2& u) const {
     result.pdf = chosen->probability * s.pdf;
     if (!isSpecular(s.flags)) {
         const LobeFlags side = sideOf(result.wi);
-        if (!any(chosen->flags & side)) result.f = Rgb(0.f);
+        if (!scatters(*chosen, s.wi, side)) result.f = Rgb(0.f);
         if (count_ > 1) {
             const LobeValue others = allBut(chosen, s.wi, side);
             result.f += others.f;

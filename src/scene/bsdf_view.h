@@ -30,6 +30,8 @@ class BsdfView {
     // The sums over all non-specular lobes except `one`; wi in the shading frame.
     LobeValue allBut(const Choice* one, const Vec3& wi, LobeFlags side) const;
     LobeFlags sideOf(const Vec3& wiWorld) const;
+    // Whether a lobe scatters light from wi, in the shading frame and on this geometric side.
+    bool scatters(const Choice& choice, const Vec3& wi, LobeFlags side) const;
 
     const Bsdf& bsdf_;
     Vec3 woWorld_, wo_;

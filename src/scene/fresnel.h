@@ -44,6 +44,19 @@ inline Rgb fresnelSchlick(float cosTheta, const Rgb& atNormal) {
     return atNormal + (Rgb(1.f) - atNormal) * schlickWeight(cosTheta);
 }
 
+// Schlick's weight s of a smooth dielectric's reflectance, which is F0 + (1 - F0) s. A dielectric with another, perhaps
+// tinted, reflectance at normal incidence takes the weight of the true one.
+class DielectricBlend {
+  public:
+    // eta: index of refraction relative to the outside.
+    explicit DielectricBlend(float eta)
+        : atNormal_(sqr((eta - 1) / (eta + 1))), scale_(atNormal_ < 1 ? 1 / (1 - atNormal_) : 0) {}
+    float weight(float reflectance) const { return std::max(0.f, (reflectance - atNormal_) * scale_); }
+
+  private:
+    float atNormal_, scale_;
+};
+
 // One of the Fresnel terms above, as a member of a lobe.
 class Fresnel {
   public:
@@ -83,6 +96,31 @@ class Fresnel {
         return f;
     }
 
+    // A dielectric of index eta whose reflectance at normal incidence is given, and may be tinted; towards grazing
+    // angles it rises to 1 as the untinted one's does. A coat is seen from outside on both sides of the surface; so is
+    // a sheet, which reflects off both of its faces.
+    enum class Of { Boundary, Coat, Sheet };
+    static Fresnel tinted(const Rgb& atNormal, float eta, Of what) {
+        Fresnel f;
+        f.kind_ = what == Of::Boundary ? Kind::TintedBoundary : what == Of::Coat ? Kind::TintedCoat : Kind::TintedSheet;
+        f.ratio_ = IndexRatio(1, eta);
+        f.eta_ = atNormal;
+        f.blend_ = DielectricBlend(eta);
+        return f;
+    }
+    // Schlick's approximation of a metal, multiplied by a tint at the angle of which the cosine is 1/7, about 82
+    // degrees, where metals differ most from it (Kutz, Hasan and Edmondson, "Novel Aspects of the Adobe Standard
+    // Material", 2021).
+    static Fresnel metalWithEdge(const Rgb& atNormal, const Rgb& edgeTint) {
+        Fresnel f;
+        f.kind_ = Kind::MetalWithEdge;
+        f.eta_ = atNormal;
+        constexpr float kCosine = 1.f / 7, kSine2 = 6.f / 7;  // kSine2: one minus the cosine
+        constexpr float kSine6 = kSine2 * kSine2 * kSine2 * kSine2 * kSine2 * kSine2;
+        f.k_ = fresnelSchlick(kCosine, atNormal) * (Rgb(1.f) - edgeTint) * (1 / (kCosine * kSine6));
+        return f;
+    }
+
     Rgb eval(float cosThetaI) const {
         switch (kind_) {
             case Kind::Dielectric:
@@ -93,11 +131,25 @@ class Fresnel {
                 return fresnelConductor(cosThetaI, eta_, k_);
             case Kind::Metallic:
                 return lerp(metallic_, Rgb(metallicsDielectric(cosThetaI)), fresnelSchlick(std::abs(cosThetaI), eta_));
+            case Kind::TintedCoat:
+                return tintedBy(ratio_.reflectance(std::abs(cosThetaI)));
+            case Kind::TintedSheet: {
+                const Rgb once = tintedBy(ratio_.reflectance(std::abs(cosThetaI)));
+                return Rgb(2 * once.x / (1 + once.x), 2 * once.y / (1 + once.y), 2 * once.z / (1 + once.z));
+            }
+            case Kind::TintedBoundary:
+                return tintedBy(ratio_.reflectance(cosThetaI));
+            case Kind::MetalWithEdge: {
+                const float c = std::min(1.f, std::abs(cosThetaI)), schlick = schlickWeight(c);
+                return clampNonNegative(eta_ + (Rgb(1.f) - eta_) * schlick - k_ * (c * (1 - c) * schlick));
+            }
             case Kind::None:
                 break;
         }
         return Rgb(1.f);
     }
+    // The mean of eval() from outside, weighted by the cosine; for metalWithEdge().
+    Rgb meanOfMetalWithEdge() const { return eta_ + (Rgb(1.f) - eta_) * (1.f / 21) - k_ * (1.f / 126); }
 
   private:
     float metallicsDielectric(float cosThetaI) const {
@@ -106,11 +158,26 @@ class Fresnel {
         return lerp(transmissive_, outside, ratio_.reflectance(cosThetaI));
     }
 
-    enum class Kind { None, Dielectric, Coat, Conductor, Metallic };
+    Rgb tintedBy(float reflectance) const { return eta_ + (Rgb(1.f) - eta_) * blend_.weight(reflectance); }
+
+    enum class Kind {
+        None,
+        Dielectric,
+        Coat,
+        Conductor,
+        Metallic,
+        TintedBoundary,
+        TintedCoat,
+        TintedSheet,
+        MetalWithEdge
+    };
     Kind kind_ = Kind::None;
     IndexRatio ratio_{1, 1};
     float metallic_ = 0, transmissive_ = 0;
-    Rgb eta_{1.f}, k_{0.f};  // of a conductor; for metallic(), eta_ is the metal's reflectance at normal incidence
+    DielectricBlend blend_{1};
+    // Of a conductor; for metallic(), tinted() and metalWithEdge(), eta_ is the reflectance at normal incidence, and
+    // for the last k_ is what lacks, over c (1 - c)^6.
+    Rgb eta_{1.f}, k_{0.f};
 };
 
 }  // namespace drc

@@ -28,6 +28,7 @@ class HairScattering {
     // fibre's radius.
     HairScattering(float h, const Rgb& absorption, const Shape& shape);
 
+    static constexpr bool kWithoutSides = true;
     static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Glossy; }
     static constexpr float alpha() { return 0; }  // never broad, see LobeMask
     LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;

@@ -57,17 +57,16 @@ void checkSampling(const L& lobe, std::vector<float> cosines = {0.97f, 0.4f, 0.0
     }
 }
 
-// The albedo of the lobe: the mean weight of samples, in importance mode, which leaves out the scaling of radiance by
-// refraction.
+// The albedo of the lobe: the mean weight of samples, without the scaling of radiance by refraction.
 template <typename L>
 Rgb furnace(const L& lobe, const Vec3& wo, int samples = 20000) {
     std::mt19937 rng(3);
     double sum[3] = {};
     for (int i = 0; i < samples; ++i) {
         const float uLobe = uniform(rng);
-        const LobeSample s = lobe.sample(wo, uLobe, uniform2(rng), TransportMode::Importance);
+        const LobeSample s = lobe.sample(wo, uLobe, uniform2(rng), TransportMode::Radiance);
         if (!(s.pdf > 0)) continue;
-        for (int c = 0; c < 3; ++c) sum[c] += double(s.f[c]) * absCosTheta(s.wi) / s.pdf;
+        for (int c = 0; c < 3; ++c) sum[c] += double(s.f[c]) * sqr(s.eta) * absCosTheta(s.wi) / s.pdf;
     }
     return Rgb(float(sum[0] / samples), float(sum[1] / samples), float(sum[2] / samples));
 }

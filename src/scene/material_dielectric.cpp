@@ -21,14 +21,13 @@ class DielectricMaterial final : public Material {
             bsdf.add(FresnelSpecular(Rgb(1.f), Rgb(1.f), 1, eta), weight);
             return;
         }
-        bsdf.add(MicrofacetReflection(Rgb(1.f), *distribution, Fresnel::dielectric(1, eta)), weight);
-        bsdf.add(MicrofacetTransmission(Rgb(1.f), *distribution, 1, eta), weight);
+        bsdf.add(MicrofacetDielectric(Rgb(1.f), Rgb(1.f), *distribution, eta), weight);
     }
 
     bool isConstant() const override {
         return areConstant(params_.eta, params_.roughness, params_.uRoughness, params_.vRoughness);
     }
-    int maxLobes() const override { return 2; }
+    int maxLobes() const override { return 1; }
 
   private:
     DielectricParams params_;

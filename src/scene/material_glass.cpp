@@ -26,14 +26,13 @@ class Glass final : public Material {
             return;
         }
         const TrowbridgeReitz distribution = distributionFor(u, v, params_.remapRoughness);
-        if (!isBlack(kr)) bsdf.add(MicrofacetReflection(kr, distribution, Fresnel::dielectric(1, eta)), weight);
-        if (!isBlack(kt)) bsdf.add(MicrofacetTransmission(kt, distribution, 1, eta), weight);
+        bsdf.add(MicrofacetDielectric(kr, kt, distribution, eta), weight);
     }
 
     bool isConstant() const override {
         return areConstant(params_.kr, params_.kt, params_.eta, params_.uRoughness, params_.vRoughness);
     }
-    int maxLobes() const override { return 2; }
+    int maxLobes() const override { return 1; }
 
   private:
     GlassParams params_;

@@ -17,7 +17,7 @@ inline Bsdf bsdfOf(const MaterialPtr& material, const Rgb& weight = Rgb(1.f)) {
     return bsdf;
 }
 
-inline void checkMaterial(const MaterialPtr& material) {
+inline void checkMaterial(const MaterialPtr& material, Furnace furnace = Furnace::OfImportance) {
     const Bsdf bsdf = bsdfOf(material);
     ASSERT_GT(bsdf.size(), 0);
     EXPECT_LE(bsdf.size(), material->maxLobes());
@@ -26,7 +26,7 @@ inline void checkMaterial(const MaterialPtr& material) {
         checkUnbiased(bsdf);
     }
     if (bsdf.hasNonSpecular() && bsdf.hasSpecular()) checkBsdf(bsdf, LobeFlags::All, {0.6f});
-    checkBsdfEnergy(bsdf);
+    checkBsdfEnergy(bsdf, furnace);
     checkBsdfReciprocity(bsdf);
     checkSpecularReciprocity(bsdf);
     // The weight must scale everything.

@@ -20,10 +20,12 @@ class MicrofacetTransmission {
     LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
     Rgb albedo(const Vec3& wo) const;
 
-  private:
     // Index on the far side of wo divided by the index on wo's side.
     float relativeEta(const Vec3& wo) const { return wo.z > 0 ? etaB_ / etaA_ : etaA_ / etaB_; }
-    // The microfacet normal, above the surface, that refracts wi to wo; false: there is none that both see.
+    // The normal, above the surface, of the microfacet that refracts wi to wo; false: there is none that both see.
+    bool facet(const Vec3& wo, const Vec3& wi, Vec3& wh) const { return halfVector(wo, wi, relativeEta(wo), wh); }
+
+  private:
     bool halfVector(const Vec3& wo, const Vec3& wi, float eta, Vec3& wh) const;
 
     Rgb transmittance_;

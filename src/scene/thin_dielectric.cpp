@@ -15,10 +15,11 @@ LobeSample ThinDielectric::sample(const Vec3& wo, float uLobe, const Vec2&, Tran
     LobeSample s;
     if (wo.z == 0) return s;
     const float r = reflectance(wo.z);
-    const bool reflects = uLobe < r;
+    const float pReflect = r / (r + (1 - r) * luminance(transmittance_));
+    const bool reflects = uLobe < pReflect;
     s.wi = reflects ? Vec3(-wo.x, -wo.y, wo.z) : -wo;
-    s.pdf = reflects ? r : 1 - r;
-    s.f = Rgb(s.pdf / absCosTheta(s.wi));
+    s.pdf = reflects ? pReflect : 1 - pReflect;
+    s.f = (reflects ? Rgb(r) : transmittance_ * (1 - r)) * (1 / absCosTheta(s.wi));
     s.flags = (reflects ? LobeFlags::Reflection : LobeFlags::Transmission) | LobeFlags::Specular;
     return s;
 }

@@ -7,18 +7,23 @@ namespace drc {
 
 class ThinDielectric : public SpecularLobe {
   public:
-    explicit ThinDielectric(float eta) : eta_(eta) {}
+    // transmittance: what is left of light that the faces let pass.
+    explicit ThinDielectric(float eta, const Rgb& transmittance = Rgb(1.f))
+        : eta_(eta), transmittance_(transmittance) {}
 
     static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Specular; }
     LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
-    // Nothing is absorbed.
-    Rgb albedo(const Vec3&) const { return Rgb(1.f); }
+    Rgb albedo(const Vec3& wo) const {
+        const float r = reflectance(wo.z);
+        return Rgb(r) + transmittance_ * (1 - r);
+    }
 
     // Reflectance of both faces together.
     float reflectance(float cosTheta) const;
 
   private:
     float eta_;
+    Rgb transmittance_;
 };
 
 }  // namespace drc

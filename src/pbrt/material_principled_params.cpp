@@ -1,0 +1,29 @@
+#include "pbrt/material_principled_params.h"
+
+#include "scene/material_principled.h"
+
+namespace drc::pbrt {
+
+MaterialPtr principledOf(const TextureParams& p, Relief relief) {
+    return makePrincipled({.baseColor = p.colorOrNull("basecolor"),
+                           .metallic = p.scalarOrNull("metallic"),
+                           .roughness = p.scalarOrNull("roughness"),
+                           .ior = p.scalarOrNull("ior"),
+                           .specularLevel = p.scalarOrNull("specularlevel"),
+                           .specularTint = p.colorOrNull("speculartint"),
+                           .anisotropic = p.scalarOrNull("anisotropic"),
+                           .anisotropicRotation = p.scalarOrNull("anisotropicrotation"),
+                           .transmission = p.scalarOrNull("transmission"),
+                           .coat = p.scalarOrNull("coat"),
+                           .coatRoughness = p.scalarOrNull("coatroughness"),
+                           .coatIor = p.scalarOrNull("coatior"),
+                           .coatTint = p.colorOrNull("coattint"),
+                           .sheen = p.scalarOrNull("sheen"),
+                           .sheenRoughness = p.scalarOrNull("sheenroughness"),
+                           .sheenTint = p.colorOrNull("sheentint"),
+                           .subsurface = p.scalarOrNull("subsurface"),
+                           .thinWall = p.getBool("thinwall", false),
+                           .relief = std::move(relief)});
+}
+
+}  // namespace drc::pbrt
