@@ -2,6 +2,7 @@
 
 #include "pbrt/material_common.h"
 #include "scene/material_disney.h"
+#include "scene/material_fourier.h"
 #include "scene/material_glass.h"
 #include "scene/material_matte.h"
 #include "scene/material_metal.h"
@@ -137,9 +138,17 @@ MaterialPtr mix(const MaterialContext& c) {
     return whole;
 }
 
+MaterialPtr fourier(const MaterialContext& c) {
+    const Param* name = c.params.own().find("bsdffile", {ParamType::String});
+    if (name == nullptr)
+        fail(c.params.own().pos(), c.params.own().owner() + " needs the parameter \"string bsdffile\"");
+    const std::string path = c.sources.files.find(c.params.getString("bsdffile", ""), name->valuePos, "BSDF file");
+    return makeFourier(c.sources.bsdfs.fourier(path, name->valuePos), reliefOf(c.params));
+}
+
 constexpr Registered<MaterialMaker> kMaterials[] = {
     {"disney", disney},
-    {"fourier", nullptr},
+    {"fourier", fourier},
     {"glass", glass},
     {"hair", hair},
     {"kdsubsurface", nullptr},

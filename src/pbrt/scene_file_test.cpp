@@ -135,7 +135,7 @@ TEST(SceneFile, NamedButUnbuiltThingsAreWarningsAndTheRestIsLoaded) {
     std::unique_ptr<Scene> scene;
     const int warnings = warningsOf([&] {
         scene = loadPbrtString(
-            "WorldBegin\nMaterial \"fourier\" \"string bsdffile\" \"a\"\n"
+            "WorldBegin\nMaterial \"kdsubsurface\" \"rgb Kd\" [.5 .5 .5]\n"
             "Shape \"nurbs\" \"integer nu\" 2\n"
             "Texture \"f\" \"spectrum\" \"ptex\" \"float gamma\" 2\nMakeNamedMedium \"fog\" \"string type\" "
             "\"homogeneous\"\n"

@@ -16,6 +16,8 @@ LobeValue evaluateLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi, Transpo
         [&](const auto& l) -> LobeValue {
             if constexpr (requires { l.evaluate(wo, wi); })
                 return l.evaluate(wo, wi);
+            else if constexpr (requires { l.evaluate(wo, wi, mode); })
+                return l.evaluate(wo, wi, mode);
             else if constexpr (requires { l.f(wo, wi, mode); })
                 return {l.f(wo, wi, mode), l.pdf(wo, wi)};
             else

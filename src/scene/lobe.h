@@ -9,7 +9,8 @@
 //     float pdf(wo, wi) const;                       // of sample(), per solid angle; 0 for a specular lobe
 //     LobeSample sample(wo, uLobe, u, mode) const;   // pdf 0: no sample
 //     Rgb f(wo, wi, mode) const;                     // only if f depends on the transport mode
-//     LobeValue evaluate(wo, wi) const;              // only if f and pdf are cheaper to compute together
+//     LobeValue evaluate(wo, wi) const;              // only if f and pdf are cheaper to compute together;
+//                                                    // with a third argument if f depends on the transport mode
 //     Rgb albedo(wo) const;                          // estimate of the directional albedo, for choosing lobes
 #pragma once
 #include <cstdint>

@@ -6,6 +6,7 @@
 #include "scene/coated_diffuse.h"
 #include "scene/disney_clearcoat.h"
 #include "scene/disney_diffuse.h"
+#include "scene/fourier_bsdf.h"
 #include "scene/fresnel_blend.h"
 #include "scene/fresnel_specular.h"
 #include "scene/hair_scattering.h"
@@ -23,6 +24,6 @@ namespace drc {
 using Lobe = std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection,
                           MicrofacetTransmission, FresnelBlendBase, FresnelBlendCoat, SpecularReflection,
                           SpecularTransmission, FresnelSpecular, DisneyDiffuse, DisneyClearcoat, HairScattering,
-                          ThinDielectric, CoatedDiffuse, CoatedConductor, CoatedMirror>;
+                          ThinDielectric, CoatedDiffuse, CoatedConductor, CoatedMirror, FourierBsdf>;
 
 }  // namespace drc

@@ -16,6 +16,7 @@
 #include "image/radiance_hdr.h"
 #include "image/tga.h"
 #include "neural/safetensors.h"
+#include "pbrt/fourier_file.h"
 #include "pbrt/ply_reader.h"
 #include "pbrt/scene_file.h"
 #include "pbrt/tokenizer.h"
@@ -81,6 +82,18 @@ void ply(std::string_view bytes) {
     const MemoryFile file(bytes);
     try {
         (void)pbrt::readPly(file.path());
+    } catch (const Error&) {
+    }
+}
+
+void fourier(std::string_view bytes) {
+    const MemoryFile file(bytes);
+    try {
+        const FourierTable table(pbrt::readFourierFile(file.path()));
+        for (const float outgoing : {-0.6f, 0.f, 0.9f}) {
+            const auto direction = table.sample(outgoing, 0.3f, Vec2(0.6f, 0.8f));
+            if (direction) (void)table.evaluate(direction->incident, outgoing, std::cos(direction->azimuth));
+        }
     } catch (const Error&) {
     }
 }
