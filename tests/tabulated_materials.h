@@ -4,6 +4,7 @@
 
 #include "base/folder_testing.h"
 #include "pbrt/fourier_file_testing.h"
+#include "pbrt/measured_file_testing.h"
 #include "scene/conductor_textures.h"
 #include "scene/lambert_reflection.h"
 #include "scene/microfacet_reflection.h"
@@ -37,6 +38,15 @@ inline const TabulatedMaterial kTabulatedMaterials[] = {
          return fourierMaterial(folder, fourierSeriesOfLobe(lobe, fourierCosines(40), 3));
      },
      R"(Material "metal" "float roughness" 0.35 "bool remaproughness" "false")"},
+    {"MeasuredMetal", true,
+     [](const TemporaryFolder& folder) {
+         const TrowbridgeReitz brushed(0.5f, 0.3f);
+         const MicrofacetReflection lobe(Rgb(1.f), brushed, Fresnel::conductor(kCopperEta, kCopperK));
+         const MeasuredData data = measuredDataOfLobe(lobe, brushed, {.theta = 16, .phi = 25});
+         return "Material \"measured\" \"string filename\" \"" +
+                folder.write("metal.bsdf", rgbMeasuredFile(data).file()) + "\"";
+     },
+     R"(Material "conductor" "float uroughness" 0.5 "float vroughness" 0.3 "bool remaproughness" false)"},
 };
 inline void PrintTo(const TabulatedMaterial& m, std::ostream* out) { *out << m.name; }
 

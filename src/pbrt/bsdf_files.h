@@ -6,16 +6,19 @@
 
 #include "pbrt/source.h"
 #include "scene/fourier_table.h"
+#include "scene/measured_table.h"
 
 namespace drc::pbrt {
 
 class BsdfFiles {
   public:
-    // Throws Error, at pos or in the file, if it cannot be read.
+    // Both throw Error, at pos or in the file, if it cannot be read.
     std::shared_ptr<const FourierTable> fourier(const std::string& path, const SourcePos& pos);
+    std::shared_ptr<const MeasuredTable> measured(const std::string& path, const SourcePos& pos);
 
   private:
     std::map<std::string, std::shared_ptr<const FourierTable>> fourier_;
+    std::map<std::string, std::shared_ptr<const MeasuredTable>> measured_;
 };
 
 }  // namespace drc::pbrt

@@ -6,6 +6,7 @@
 #include "scene/material_dielectric.h"
 #include "scene/material_diffuse_transmission.h"
 #include "scene/material_matte.h"
+#include "scene/material_measured.h"
 #include "scene/material_mix.h"
 #include "scene/texture_convert.h"
 #include "scene/texture_imagemap.h"
@@ -120,6 +121,14 @@ MaterialPtr coatedConductor(const MaterialContext& c) {
     return makeCoatedConductor(std::move(made));
 }
 
+MaterialPtr measured(const MaterialContext& c) {
+    const Param* name = c.params.own().find("filename", {ParamType::String});
+    if (name == nullptr)
+        fail(c.params.own().pos(), c.params.own().owner() + " needs the parameter \"string filename\"");
+    const std::string path = c.sources.files.find(c.params.getString("filename", ""), name->valuePos, "BSDF file");
+    return makeMeasured(c.sources.bsdfs.measured(path, name->valuePos), reliefOf(c));
+}
+
 MaterialPtr hair(const MaterialContext& c) {
     const TextureParams& p = c.params;
     RgbTexturePtr reflectance = reflectanceOf(p);
@@ -151,7 +160,7 @@ constexpr Registered<MaterialMaker> kMaterials[] = {
     {"diffuse", diffuse},
     {"diffusetransmission", diffuseTransmission},
     {"hair", hair},
-    {"measured", nullptr},
+    {"measured", measured},
     {"mix", mix},
     {"subsurface", nullptr},
     {"thindielectric", thinDielectric},

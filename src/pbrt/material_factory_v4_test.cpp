@@ -124,7 +124,7 @@ TEST(MaterialFactoryV4, Errors) {
                 HasSubstr("has both 'reflectance' and 'eta' or 'k'"));
     EXPECT_THAT(errorOfMaterial("coatedconductor", "\"rgb conductor.k\" [1 1 1] \"rgb reflectance\" [1 1 1]"),
                 HasSubstr("has both 'reflectance' and 'conductor.eta' or 'conductor.k'"));
-    EXPECT_EQ(warningsOf("measured", "\"string filename\" \"a\""), 1);
+    EXPECT_EQ(warningsOf("subsurface", ""), 1);
     EXPECT_EQ(warningsOf("hair", "\"rgb sigma_a\" [1 1 1] \"float eumelanin\" 1"), 1);
 }
 

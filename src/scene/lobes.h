@@ -12,6 +12,7 @@
 #include "scene/hair_scattering.h"
 #include "scene/lambert_reflection.h"
 #include "scene/lambert_transmission.h"
+#include "scene/measured_bsdf.h"
 #include "scene/microfacet_reflection.h"
 #include "scene/microfacet_transmission.h"
 #include "scene/oren_nayar.h"
@@ -24,6 +25,6 @@ namespace drc {
 using Lobe = std::variant<LambertReflection, LambertTransmission, OrenNayar, MicrofacetReflection,
                           MicrofacetTransmission, FresnelBlendBase, FresnelBlendCoat, SpecularReflection,
                           SpecularTransmission, FresnelSpecular, DisneyDiffuse, DisneyClearcoat, HairScattering,
-                          ThinDielectric, CoatedDiffuse, CoatedConductor, CoatedMirror, FourierBsdf>;
+                          ThinDielectric, CoatedDiffuse, CoatedConductor, CoatedMirror, FourierBsdf, MeasuredBsdf>;
 
 }  // namespace drc

@@ -17,6 +17,7 @@
 #include "image/tga.h"
 #include "neural/safetensors.h"
 #include "pbrt/fourier_file.h"
+#include "pbrt/measured_file.h"
 #include "pbrt/ply_reader.h"
 #include "pbrt/scene_file.h"
 #include "pbrt/tokenizer.h"
@@ -94,6 +95,16 @@ void fourier(std::string_view bytes) {
             const auto direction = table.sample(outgoing, 0.3f, Vec2(0.6f, 0.8f));
             if (direction) (void)table.evaluate(direction->incident, outgoing, std::cos(direction->azimuth));
         }
+    } catch (const Error&) {
+    }
+}
+
+void measured(std::string_view bytes) {
+    const MemoryFile file(bytes);
+    try {
+        const MeasuredTable table(pbrt::readMeasuredFile(file.path()));
+        const auto wi = table.sample(Vec3(0.6f, 0, 0.8f), Vec2(0.6f, 0.8f));
+        if (wi) (void)table.evaluate(Vec3(0.6f, 0, 0.8f), *wi);
     } catch (const Error&) {
     }
 }
