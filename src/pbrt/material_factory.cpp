@@ -10,6 +10,7 @@
 #include "scene/material_mix.h"
 #include "scene/material_plastic.h"
 #include "scene/material_substrate.h"
+#include "scene/material_subsurface.h"
 #include "scene/material_translucent.h"
 #include "scene/material_uber.h"
 
@@ -146,25 +147,62 @@ MaterialPtr fourier(const MaterialContext& c) {
     return makeFourier(c.sources.bsdfs.fourier(path, name->valuePos), reliefOf(c.params));
 }
 
+// What the two materials with scattering below the surface have in common.
+SubsurfaceParams subsurfaceOf(const TextureParams& p) {
+    // They say how far the light spreads below the surface, which a BSDF does not have.
+    p.own().ignore({"scale", "mfp"});
+    SubsurfaceParams made;
+    made.kr = p.colorOrNull("Kr");
+    made.kt = p.colorOrNull("Kt");
+    made.eta = p.getFloat("eta", 1.33f);
+    made.uRoughness = p.scalarOrNull("uroughness");
+    made.vRoughness = p.scalarOrNull("vroughness");
+    made.scale = remapOf(p) ? SubsurfaceParams::Roughness::Mapped : SubsurfaceParams::Roughness::Alpha;
+    made.relief = reliefOf(p);
+    return made;
+}
+
+MaterialPtr subsurface(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    SubsurfaceParams made = subsurfaceOf(p);
+    made.sigmaA = p.colorOrNull("sigma_a");
+    made.sigmaS = p.colorOrNull("sigma_s");
+    made.g = p.getFloat("g", 0);
+    if (const std::optional<NamedMedium> medium = mediumOf(p, false)) {
+        if (!made.sigmaA) made.sigmaA = constantTexture(medium->sigmaA);
+        if (!made.sigmaS) made.sigmaS = constantTexture(medium->sigmaSPrime);
+        made.g = 0;  // as the figures are reduced ones
+    }
+    return makeSubsurface(std::move(made));
+}
+
+MaterialPtr kdSubsurface(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    SubsurfaceParams made = subsurfaceOf(p);
+    made.reflectance = p.color("Kd", Rgb(0.5f));
+    p.own().ignore({"g"});  // the reflectance is what it is, however the light is scattered
+    return makeSubsurface(std::move(made));
+}
+
 constexpr Registered<MaterialMaker> kMaterials[] = {
     {"disney", disney},
     {"fourier", fourier},
     {"glass", glass},
     {"hair", hair},
-    {"kdsubsurface", nullptr},
+    {"kdsubsurface", kdSubsurface},
     {"matte", matte},
     {"metal", metal},
     {"mirror", mirror},
     {"mix", mix},
     {"plastic", plastic},
-    {"subsurface", nullptr},
+    {"subsurface", subsurface},
     {"substrate", substrate},
     {"translucent", translucent},
     {"uber", uber},
 };
 
 constexpr std::string_view kNone[] = {"none"};
-constexpr MaterialTable kTable{kMaterials, kNone, "matte"};
+constexpr MaterialTable kTable{kMaterials, kNone};
 
 }  // namespace
 

@@ -29,8 +29,7 @@ struct MaterialSources {
     BsdfFiles& bsdfs;
 };
 
-// "" and "none" give a null material. Types that are not supported become grey matte, with a warning. Throws Error for
-// types that pbrt-v3 does not have either, and for wrong parameters.
+// "" and "none" give a null material. Throws Error for types that pbrt-v3 does not have, and for wrong parameters.
 std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
                                                      const MaterialSources& sources);
 
