@@ -148,6 +148,34 @@ TEST(SceneFile, NamedButUnbuiltThingsAreWarningsAndTheRestIsLoaded) {
     EXPECT_TRUE(scene->lights.empty());
 }
 
+// In either dialect, what a scene has in thousands of places is said once for its kind.
+TEST(SceneFile, OneWarningForAKind) {
+    std::string textures, shapes;
+    for (int i = 0; i < 50; ++i) {
+        const std::string name = "t" + std::to_string(i);
+        textures += "Texture \"" + name + "\" \"spectrum\" \"ptex\" \"string filename\" \"" + name + ".ptx\"\n";
+        textures += "Texture \"" + name + "\" \"float\" \"ptex\" \"string filename\" \"" + name + ".ptx\"\n";
+        shapes += kTriangle + " \"string tomorrow\" \"yes\"\n" + kTriangle + " \"bool today\" \"true\"\n";
+    }
+    for (const bool v4 : {false, true}) {
+        const std::string material =
+            v4 ? "Material \"diffuse\" \"texture reflectance\" \"t7\"\n" : "Material \"matte\" \"texture Kd\" \"t7\"\n";
+        forgetWarnings();
+        testing::internal::CaptureStderr();
+        const auto scene = v4 ? loadWorldV4(textures + material + shapes) : loadWorld(textures + material + shapes);
+        EXPECT_EQ(
+            testing::internal::GetCapturedStderr(),
+            "drc: s.pbrt:2:25: warning: texture 'ptex' is not supported yet; the constant 0.5 is used (said once)\n"
+            "drc: s.pbrt:104:2: warning: unknown parameter 'tomorrow' of shape 'trianglemesh'; ignored (said once)\n"
+            "drc: s.pbrt:106:2: warning: unknown parameter 'today' of shape 'trianglemesh'; ignored (said once)\n");
+        EXPECT_EQ(warningCount(), 3);
+        ASSERT_EQ(scene->primitives.size(), 100u);
+        Bsdf bsdf(Frame(), Vec3(0, 0, 1));
+        scene->primitives[0].material->addLobes({}, Rgb(1.f), bsdf);
+        EXPECT_EQ(bsdf.albedo(Vec3(0, 0, 1)), Rgb(0.5f));
+    }
+}
+
 TEST(SceneErrors, CutShort) {
     EXPECT_EQ(errorOfScene("WorldBegin\nAttributeBegin\n"),
               "s.pbrt:3:1: the file ends before the AttributeEnd of AttributeBegin in line 2 of s.pbrt\n    \n    ^");
