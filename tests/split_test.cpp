@@ -1,8 +1,10 @@
-// Invariants 2 and 3 for what invariants_test.cpp does not cover: the materials of pbrt-v4, and lights of every type.
+// Invariants 2 and 3 for what invariants_test.cpp does not cover: the materials of pbrt-v4, materials that are tables,
+// and lights of every type.
 #include <gtest/gtest.h>
 
 #include "light_cases.h"
 #include "pipeline.h"
+#include "tabulated_materials.h"
 #include "test_scenes.h"
 
 namespace drc {
@@ -63,12 +65,21 @@ class MaterialsOfV4 : public testing::TestWithParam<size_t> {};
 INSTANTIATE_TEST_SUITE_P(Split, MaterialsOfV4, testing::Range<size_t>(0, test::materialsOfV4().size()),
                          [](const auto& i) { return test::materialsOfV4()[i.param].first; });
 
+// Close enough for the material to fill the picture.
+std::string near(const std::string& room) { return test::respelt(room, "\"float fov\" 70", "\"float fov\" 30"); }
+
 TEST_P(MaterialsOfV4, IsExact) {
     const std::string material = test::materialsOfV4()[GetParam()].second;
-    // Close enough for the material to fill the picture.
-    const std::string near =
-        test::respelt(test::room(material, kWidth, kHeight), "\"float fov\" 70", "\"float fov\" 30");
-    checkSplit(Pipeline(test::inWordsOfV4(near)));
+    checkSplit(Pipeline(test::inWordsOfV4(near(test::room(material, kWidth, kHeight)))));
+}
+
+class TablesOfMaterials : public testing::TestWithParam<test::TabulatedMaterial> {};
+INSTANTIATE_TEST_SUITE_P(Split, TablesOfMaterials, testing::ValuesIn(test::kTabulatedMaterials),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(TablesOfMaterials, IsExact) {
+    const TemporaryFolder folder;
+    checkSplit(Pipeline(near(test::roomWith(GetParam(), GetParam().write(folder), kWidth, kHeight))));
 }
 
 class LightsOfEveryType : public testing::TestWithParam<test::LightCase> {};

@@ -33,6 +33,9 @@ inline std::vector<std::pair<std::string, std::string>> allMaterials() {
                       "float sheen" 0.5 "float clearcoat" 0.5 "bool thin" "true" "float flatness" 0.3
                       "float difftrans" 0.6)"},
         {"hair", R"(Material "hair" "float eumelanin" 0.3 "float beta_m" 0.4 "float beta_n" 0.5)"},
+        {"subsurface", R"(Material "subsurface" "string name" "Skin1")"},
+        {"rough_subsurface", R"(Material "kdsubsurface" "rgb Kd" [0.6 0.4 0.3] "float uroughness" 0.3
+                                "float vroughness" 0.3)"},
     };
 }
 

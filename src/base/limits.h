@@ -19,6 +19,8 @@ inline constexpr uint64_t kPictureBytes = uint64_t(16) << 30;
 // Size of a measured spectrum or a lens description. A spectrum sampled every 0.1 nm takes 100 KB, the longest zoom
 // lens 2 KB.
 inline constexpr uint64_t kTableBytes = uint64_t(256) << 10;
+// Size of a file with a tabulated BSDF. The largest published ones have about 100 MB.
+inline constexpr uint64_t kBsdfBytes = uint64_t(1) << 30;
 // Size of a safetensors header. A tensor takes about 100 bytes of it, and our networks have fewer than a hundred
 // tensors. Parsing takes up to fifty times the header's size in memory.
 inline constexpr uint64_t kSafetensorsHeaderBytes = uint64_t(1) << 20;

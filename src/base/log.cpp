@@ -40,6 +40,26 @@ std::set<std::string>& warnings() {
 }
 int unseenWarnings = 0;  // warnings beyond limits::kWarnings; their texts are not kept, so repetitions count too
 
+// Warnings with the same key are the same.
+void warn(const std::string& key, std::string text) {
+    {
+        const std::lock_guard lock(warningMutex);
+        std::set<std::string>& seen = warnings();
+        if (seen.contains(key)) return;
+        if (seen.size() < limits::kWarnings)
+            seen.insert(key);
+        else if (unseenWarnings++ > 0)
+            return;
+        else
+            text = "warning: there are more warnings than these; they are not shown";
+    }
+    logger().warn("{}", text);
+}
+
+std::string warningText(const SourceLocation& where, const std::string& message) {
+    return printable((where.empty() ? "" : where.str() + ": ") + "warning: " + message);
+}
+
 }  // namespace
 
 void setLogLevel(LogLevel level) {
@@ -53,19 +73,12 @@ void logInfo(const std::string& message) { logger().info("{}", printable(message
 void logDebug(const std::string& message) { logger().debug("{}", message); }
 
 void logWarning(const SourceLocation& where, const std::string& message) {
-    std::string text = printable((where.empty() ? "" : where.str() + ": ") + "warning: " + message);
-    {
-        const std::lock_guard lock(warningMutex);
-        std::set<std::string>& seen = warnings();
-        if (seen.contains(text)) return;
-        if (seen.size() < limits::kWarnings)
-            seen.insert(text);
-        else if (unseenWarnings++ > 0)
-            return;
-        else
-            text = "warning: there are more warnings than these; they are not shown";
-    }
-    logger().warn("{}", text);
+    const std::string text = warningText(where, message);
+    warn(text, text);
+}
+
+void logWarningOnce(const SourceLocation& where, const std::string& message) {
+    warn(printable(message), warningText(where, message + " (said once)"));
 }
 
 int warningCount() {

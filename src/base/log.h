@@ -18,6 +18,9 @@ void logInfo(const std::string& message);
 void logDebug(const std::string& message);
 // Prints "file:line:column: warning: message". Safe to call from several threads. Identical warnings are printed once.
 void logWarning(const SourceLocation& where, const std::string& message);
+// The same for what a file may have at thousands of places: only the first place is named, and the message ends with
+// "(said once)".
+void logWarningOnce(const SourceLocation& where, const std::string& message);
 inline void logWarning(const std::string& message) { logWarning({}, message); }
 // Number of different warnings given so far, for tests and `drc info`. Warnings beyond limits::kWarnings are not kept,
 // so repetitions of those are counted each time.

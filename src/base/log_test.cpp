@@ -25,6 +25,19 @@ TEST(Log, MessagesOfMegabytesAreCut) {
     EXPECT_THAT(text, HasSubstr("xxx...\n"));
 }
 
+TEST(Log, WhatIsSaidOnceNamesTheFirstPlace) {
+    forgetWarnings();
+    testing::internal::CaptureStderr();
+    for (int line = 1; line < 100; ++line) {
+        logWarningOnce({"a.pbrt", line, 1}, "nothing is built");
+        logWarningOnce({"a.pbrt", line, 1}, "nothing else is built");
+    }
+    EXPECT_EQ(warningCount(), 2);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "drc: a.pbrt:1:1: warning: nothing is built (said once)\n"
+              "drc: a.pbrt:1:1: warning: nothing else is built (said once)\n");
+}
+
 TEST(Log, AThousandWarningsAreEnough) {
     forgetWarnings();
     testing::internal::CaptureStderr();

@@ -188,7 +188,7 @@ void makeNamedMedium(Context c) {
 void mediumInterface(Context c) {
     text(c, "the inside medium");
     if (c.tokens.peek().kind == TokenKind::String) text(c, "the outside medium");
-    warn(c.pos, "participating media are not supported yet; MediumInterface has no effect");
+    warnOnce(c.pos, "participating media are not supported yet; MediumInterface has no effect");
 }
 
 // A directive of the form  Name "type" parameters. kind is used in messages.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "pbrt/suggest.h"
-#include "scene/material_matte.h"
 
 namespace drc::pbrt {
 
@@ -12,7 +11,7 @@ bool isNone(const MaterialTable& table, std::string_view type) {
 }
 
 MaterialMaker makerOf(const MaterialTable& table, const std::string& type, const SourcePos& pos) {
-    return findMaker(table.makers, "material", type, pos, "grey " + std::string(table.placeholder) + " is used");
+    return findMaker(table.makers, "material", type, pos, "");
 }
 
 std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& table, const std::string& type,
@@ -26,18 +25,23 @@ std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& tabl
         own.ignoreAll();
         return instance;
     }
-    const MaterialMaker make = makerOf(table, type, own.pos());
-    if (make == nullptr) {
-        own.ignoreAll();
-        instance->type = table.placeholder;
-        instance->params = ParamSet("material '" + instance->type + "'", own.pos());
-        instance->material = makeMatte({});
-        return instance;
-    }
     const TextureParams textureParams(own, sources.textures);
-    instance->material = make({textureParams, sources});
+    instance->material = makerOf(table, type, own.pos())({textureParams, sources});
     own.warnUnused();
     return instance;
+}
+
+std::optional<NamedMedium> mediumOf(const TextureParams& p, bool mustBeKnown) {
+    const std::string name = p.getString("name", "");
+    if (name.empty()) return std::nullopt;
+    std::optional<NamedMedium> medium = namedMedium(name);
+    if (medium) return medium;
+    const Param* param = p.own().find("name", {ParamType::String});
+    const SourcePos pos = param != nullptr ? param->valuePos : p.own().pos();
+    const std::string complaint = "unknown medium '" + name + "'" + suggestion(name, namesOfMedia());
+    if (mustBeKnown) fail(pos, complaint);
+    warn(pos, complaint + "; the other parameters count");
+    return std::nullopt;
 }
 
 HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string_view colorName, Relief relief) {

@@ -1,10 +1,12 @@
 // Shared by the material factories of both dialects.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "pbrt/material_factory.h"
+#include "pbrt/named_media.h"
 #include "pbrt/registry.h"
 #include "scene/material_hair.h"
 
@@ -20,15 +22,18 @@ using MaterialMaker = MaterialPtr (*)(const MaterialContext&);
 struct MaterialTable {
     std::span<const Registered<MaterialMaker>> makers;
     std::span<const std::string_view> none;  // types without a surface; so is ""
-    std::string_view placeholder;            // type of the grey material that replaces unsupported ones
 };
 bool isNone(const MaterialTable& table, std::string_view type);
-// Null, with a warning, for types that are not supported. Throws Error at pos for types that are not in the table.
+// Throws Error at pos for types that are not in the table.
 MaterialMaker makerOf(const MaterialTable& table, const std::string& type, const SourcePos& pos);
 std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& table, const std::string& type,
                                                        ParamSet params, const MaterialSources& sources);
 
 inline bool remapOf(const TextureParams& p) { return p.getBool("remaproughness", true); }
+
+// The medium that the parameter "name" of a subsurface material names; none if there is no such parameter or if it is
+// empty. For a name that is not known: throws Error at the parameter if it must be, else warns and returns none.
+std::optional<NamedMedium> mediumOf(const TextureParams& p, bool mustBeKnown);
 
 // All parameters of hair except its colour as a reflectance and its bump map, which have different names in the
 // dialects. Warns if the colour is given in several ways; colorName is the name of the reflectance's parameter.

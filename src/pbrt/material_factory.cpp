@@ -3,6 +3,7 @@
 #include "pbrt/material_common.h"
 #include "pbrt/material_principled_params.h"
 #include "scene/material_disney.h"
+#include "scene/material_fourier.h"
 #include "scene/material_glass.h"
 #include "scene/material_matte.h"
 #include "scene/material_metal.h"
@@ -10,6 +11,7 @@
 #include "scene/material_mix.h"
 #include "scene/material_plastic.h"
 #include "scene/material_substrate.h"
+#include "scene/material_subsurface.h"
 #include "scene/material_translucent.h"
 #include "scene/material_uber.h"
 
@@ -140,16 +142,71 @@ MaterialPtr mix(const MaterialContext& c) {
     return whole;
 }
 
+MaterialPtr fourier(const MaterialContext& c) {
+    const Param* name = c.params.own().find("bsdffile", {ParamType::String});
+    if (name == nullptr)
+        fail(c.params.own().pos(), c.params.own().owner() + " needs the parameter \"string bsdffile\"");
+    const std::string path = c.sources.files.find(c.params.getString("bsdffile", ""), name->valuePos, "BSDF file");
+    return makeFourier(c.sources.bsdfs.fourier(path, name->valuePos), reliefOf(c.params));
+}
+
+// What the two materials with scattering below the surface have in common.
+SubsurfaceParams subsurfaceOf(const TextureParams& p) {
+    // They say how far the light spreads below the surface, which a BSDF does not have.
+    p.own().ignore({"scale", "mfp"});
+    SubsurfaceParams made;
+    made.kr = p.colorOrNull("Kr");
+    made.kt = p.colorOrNull("Kt");
+    made.eta = p.getFloat("eta", 1.33f);
+    made.uRoughness = p.scalarOrNull("uroughness");
+    made.vRoughness = p.scalarOrNull("vroughness");
+    made.scale = remapOf(p) ? SubsurfaceParams::Roughness::Mapped : SubsurfaceParams::Roughness::Alpha;
+    made.relief = reliefOf(p);
+    return made;
+}
+
+MaterialPtr subsurface(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    SubsurfaceParams made = subsurfaceOf(p);
+    made.sigmaA = p.colorOrNull("sigma_a");
+    made.sigmaS = p.colorOrNull("sigma_s");
+    made.g = p.getFloat("g", 0);
+    if (const std::optional<NamedMedium> medium = mediumOf(p, false)) {
+        if (!made.sigmaA) made.sigmaA = constantTexture(medium->sigmaA);
+        if (!made.sigmaS) made.sigmaS = constantTexture(medium->sigmaSPrime);
+        made.g = 0;  // as the figures are reduced ones
+    }
+    return makeSubsurface(std::move(made));
+}
+
+MaterialPtr kdSubsurface(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    SubsurfaceParams made = subsurfaceOf(p);
+    made.reflectance = p.color("Kd", Rgb(0.5f));
+    p.own().ignore({"g"});  // the reflectance is what it is, however the light is scattered
+    return makeSubsurface(std::move(made));
+}
+
 constexpr Registered<MaterialMaker> kMaterials[] = {
-    {"disney", disney},       {"fourier", nullptr},         {"glass", glass},
-    {"hair", hair},           {"kdsubsurface", nullptr},    {"matte", matte},
-    {"metal", metal},         {"mirror", mirror},           {"mix", mix},
-    {"plastic", plastic},     {"principled", principled},   {"subsurface", nullptr},
-    {"substrate", substrate}, {"translucent", translucent}, {"uber", uber},
+    {"disney", disney},
+    {"fourier", fourier},
+    {"glass", glass},
+    {"hair", hair},
+    {"kdsubsurface", kdSubsurface},
+    {"matte", matte},
+    {"metal", metal},
+    {"mirror", mirror},
+    {"mix", mix},
+    {"plastic", plastic},
+    {"principled", principled},
+    {"subsurface", subsurface},
+    {"substrate", substrate},
+    {"translucent", translucent},
+    {"uber", uber},
 };
 
 constexpr std::string_view kNone[] = {"none"};
-constexpr MaterialTable kTable{kMaterials, kNone, "matte"};
+constexpr MaterialTable kTable{kMaterials, kNone};
 
 }  // namespace
 

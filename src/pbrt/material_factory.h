@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "pbrt/bsdf_files.h"
 #include "pbrt/file_search.h"
 #include "pbrt/named_map.h"
 #include "pbrt/texture_files.h"
@@ -25,10 +26,10 @@ struct MaterialSources {
     const NamedMaterials& materials;
     const FileSearch& files;
     TextureFiles& images;
+    BsdfFiles& bsdfs;
 };
 
-// "" and "none" give a null material. Types that are not supported become grey matte, with a warning. Throws Error for
-// types that pbrt-v3 does not have either, and for wrong parameters.
+// "" and "none" give a null material. Throws Error for types that pbrt-v3 does not have, and for wrong parameters.
 std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
                                                      const MaterialSources& sources);
 

@@ -47,6 +47,14 @@ TEST(MaterialFactory, Defaults) {
         {"hair",
          "\"float eumelanin\" 1.3 \"float pheomelanin\" 0 \"float eta\" 1.55 \"float beta_m\" .3 "
          "\"float beta_n\" .3 \"float alpha\" 2"},
+        {"subsurface",
+         "\"rgb sigma_a\" [.0011 .0024 .014] \"rgb sigma_s\" [2.55 3.21 3.77] \"float g\" 0 \"float scale\" 1 "
+         "\"float eta\" 1.33 \"rgb Kr\" [1 1 1] \"rgb Kt\" [1 1 1] \"float uroughness\" 0 "
+         "\"float vroughness\" 0 \"bool remaproughness\" \"true\""},
+        {"kdsubsurface",
+         "\"rgb Kd\" [.5 .5 .5] \"rgb mfp\" [1 1 1] \"float g\" 0 \"float scale\" 1 \"float eta\" 1.33 "
+         "\"rgb Kr\" [1 1 1] \"rgb Kt\" [1 1 1] \"float uroughness\" 0 \"float vroughness\" 0 "
+         "\"bool remaproughness\" \"true\""},
     };
     for (const DefaultsCase& c : kAll) checkDefaults(kLoader, c);
 }
@@ -68,13 +76,16 @@ TEST(MaterialFactory, EveryParameterCountsAndMayBeATexture) {
         {"disney", "", "metallic sheen clearcoat", "color"},
         {"disney", "\"bool thin\" \"true\"", "flatness difftrans spectrans", ""},
         {"hair", "", "eumelanin pheomelanin eta beta_m beta_n alpha", "sigma_a color"},
+        {"subsurface", "", "uroughness vroughness", "sigma_a sigma_s Kr Kt"},
+        {"kdsubsurface", "", "uroughness vroughness", "Kd Kr Kt"},
     };
     for (const ParameterCase& c : kCases) checkParameters(kLoader, c);
 }
 
 TEST(MaterialFactory, RoughnessIsRemappedUnlessToldNotTo) {
-    for (const std::string type : {"plastic", "metal", "glass", "uber", "substrate", "translucent"}) {
-        const std::string rough = type == "glass" || type == "substrate"
+    for (const std::string type :
+         {"plastic", "metal", "glass", "uber", "substrate", "translucent", "subsurface", "kdsubsurface"}) {
+        const std::string rough = type == "glass" || type == "substrate" || type.ends_with("subsurface")
                                       ? "\"float uroughness\" .3 \"float vroughness\" .3"
                                       : "\"float roughness\" .3";
         const MaterialPtr remapped = load(type, rough);
@@ -84,7 +95,7 @@ TEST(MaterialFactory, RoughnessIsRemappedUnlessToldNotTo) {
 }
 
 TEST(MaterialFactory, RoughnessAlongUAndV) {
-    for (const std::string type : {"metal", "glass", "uber", "substrate"}) {
+    for (const std::string type : {"metal", "glass", "uber", "substrate", "subsurface", "kdsubsurface"}) {
         const MaterialPtr u = load(type, "\"float uroughness\" .1 \"float vroughness\" .4");
         const MaterialPtr v = load(type, "\"float uroughness\" .4 \"float vroughness\" .1");
         EXPECT_FALSE(alike(*u, *v)) << type;
@@ -104,8 +115,8 @@ TEST(MaterialFactory, IndexHasTwoNames) {
 }
 
 TEST(MaterialFactory, AllTakeABumpMap) {
-    for (const char* type :
-         {"matte", "plastic", "metal", "mirror", "glass", "uber", "substrate", "translucent", "disney", "hair"})
+    for (const char* type : {"matte", "plastic", "metal", "mirror", "glass", "uber", "substrate", "translucent",
+                             "disney", "hair", "subsurface", "kdsubsurface"})
         checkBump(kLoader, type, "bumpmap");
 }
 
@@ -141,6 +152,22 @@ TEST(MaterialFactory, MixErrors) {
     EXPECT_EQ(errorOfWorld(uber + mixOf("m", "u", "u")), "");
     EXPECT_THAT(errorOfWorld(uber + mixOf("m", "u", "u") + mixOf("o", "m", "u")),
                 HasSubstr("s.pbrt:4:19: the mix has up to 15 lobes, which is more than the 12"));
+}
+
+TEST(MaterialFactory, SubsurfaceMedia) {
+    const std::string skin = "\"rgb sigma_s\" [.74 .88 1.01] \"rgb sigma_a\" [.032 .17 .48] ";
+    EXPECT_TRUE(alike(*load("subsurface", "\"string name\" \"Skin1\""), *load("subsurface", skin)));
+    EXPECT_TRUE(alike(*load("subsurface", "\"string name\" \"Skin1\" \"float g\" .9"), *load("subsurface", skin)));
+    EXPECT_FALSE(alike(*load("subsurface", skin + "\"float g\" .9"), *load("subsurface", skin)));
+    EXPECT_FALSE(alike(*load("subsurface", skin + "\"float eta\" 1.5"), *load("subsurface", skin)));
+    EXPECT_FALSE(alike(*load("kdsubsurface", "\"float eta\" 1.5"), *load("kdsubsurface", "")));
+    // As in pbrt, the other parameters count if the name is not known.
+    EXPECT_TRUE(alike(*load("subsurface", skin + "\"string name\" \"Skin7\""), *load("subsurface", skin)));
+    EXPECT_EQ(warningsOf("subsurface", "\"string name\" \"Skin7\""), 1);
+    // How far light spreads does not change how much of it comes back.
+    EXPECT_TRUE(alike(*load("subsurface", skin + "\"float scale\" 9"), *load("subsurface", skin)));
+    EXPECT_TRUE(alike(*load("kdsubsurface", "\"rgb mfp\" [2 1 3] \"float scale\" 7 \"float g\" .5"),
+                      *load("kdsubsurface", "")));
 }
 
 TEST(MaterialFactory, SubsurfaceScatteringIsAWarning) {

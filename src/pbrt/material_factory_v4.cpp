@@ -7,7 +7,9 @@
 #include "scene/material_dielectric.h"
 #include "scene/material_diffuse_transmission.h"
 #include "scene/material_matte.h"
+#include "scene/material_measured.h"
 #include "scene/material_mix.h"
+#include "scene/material_subsurface.h"
 #include "scene/texture_convert.h"
 #include "scene/texture_imagemap.h"
 
@@ -121,6 +123,14 @@ MaterialPtr coatedConductor(const MaterialContext& c) {
     return makeCoatedConductor(std::move(made));
 }
 
+MaterialPtr measured(const MaterialContext& c) {
+    const Param* name = c.params.own().find("filename", {ParamType::String});
+    if (name == nullptr)
+        fail(c.params.own().pos(), c.params.own().owner() + " needs the parameter \"string filename\"");
+    const std::string path = c.sources.files.find(c.params.getString("filename", ""), name->valuePos, "BSDF file");
+    return makeMeasured(c.sources.bsdfs.measured(path, name->valuePos), reliefOf(c));
+}
+
 MaterialPtr hair(const MaterialContext& c) {
     const TextureParams& p = c.params;
     RgbTexturePtr reflectance = reflectanceOf(p);
@@ -130,6 +140,40 @@ MaterialPtr hair(const MaterialContext& c) {
 }
 
 MaterialPtr principled(const MaterialContext& c) { return principledOf(c.params, reliefOf(c)); }
+// The medium is given by its name, by its coefficients, or by the reflectance that it leads to.
+MaterialPtr subsurface(const MaterialContext& c) {
+    const TextureParams& p = c.params;
+    // They say how far the light spreads below the surface, which a BSDF does not have.
+    p.own().ignore({"scale", "mfp"});
+    SubsurfaceParams made;
+    made.sigmaA = p.colorOrNull("sigma_a");
+    made.sigmaS = p.colorOrNull("sigma_s");
+    made.g = p.getFloat("g", 0);
+    made.reflectance = reflectanceOf(p);
+    made.eta = p.getFloat("eta", 1.33f);
+    made.roughness = p.scalarOrNull("roughness");
+    made.uRoughness = p.scalarOrNull("uroughness");
+    made.vRoughness = p.scalarOrNull("vroughness");
+    made.scale = remapOf(p) ? SubsurfaceParams::Roughness::Squared : SubsurfaceParams::Roughness::Alpha;
+    made.relief = reliefOf(c);
+    const bool coefficients = made.sigmaA || made.sigmaS;
+    if (const std::optional<NamedMedium> medium = mediumOf(p, true)) {
+        if (coefficients || made.reflectance || made.g != 0)
+            warn(p.own().pos(),
+                 "the coefficients, 'g' and 'reflectance' of " + p.own().owner() + " are ignored, as 'name' is given");
+        made.sigmaA = constantTexture(medium->sigmaA);
+        made.sigmaS = constantTexture(medium->sigmaSPrime);
+        made.g = 0;  // as the figures are reduced ones
+        made.reflectance = nullptr;
+    } else if (coefficients) {
+        if (made.reflectance)
+            fail(p.own().pos(),
+                 p.own().owner() + " has both 'reflectance' and 'sigma_a' or 'sigma_s'; give the one or the other");
+        if (!made.sigmaA || !made.sigmaS)
+            fail(p.own().pos(), p.own().owner() + " has only one of 'sigma_a' and 'sigma_s'; give both");
+    }
+    return makeSubsurface(std::move(made));
+}
 
 // Unlike in pbrt-v3, the amount is a number, and it is the weight of the second material.
 MaterialPtr mix(const MaterialContext& c) {
@@ -154,15 +198,15 @@ constexpr Registered<MaterialMaker> kMaterials[] = {
     {"diffuse", diffuse},
     {"diffusetransmission", diffuseTransmission},
     {"hair", hair},
-    {"measured", nullptr},
+    {"measured", measured},
     {"mix", mix},
     {"principled", principled},
-    {"subsurface", nullptr},
+    {"subsurface", subsurface},
     {"thindielectric", thinDielectric},
 };
 
 constexpr std::string_view kNone[] = {"interface", "none"};
-constexpr MaterialTable kTable{kMaterials, kNone, "diffuse"};
+constexpr MaterialTable kTable{kMaterials, kNone};
 
 }  // namespace
 

@@ -39,6 +39,9 @@ TEST(MaterialFactoryV4, Defaults) {
              "\"float interface.eta\" 1.5 \"float thickness\" .01 \"rgb albedo\" [0 0 0] \"float g\" 0"},
         {"hair",
          "\"float eumelanin\" 1.3 \"float eta\" 1.55 \"float beta_m\" .3 \"float beta_n\" .3 \"float alpha\" 2"},
+        {"subsurface",
+         "\"rgb sigma_a\" [.0011 .0024 .014] \"rgb sigma_s\" [2.55 3.21 3.77] \"float g\" 0 \"float scale\" 1 "
+         "\"rgb mfp\" [1 1 1] \"float eta\" 1.33 \"float roughness\" 0 \"bool remaproughness\" \"true\""},
     };
     for (const DefaultsCase& c : kAll) {
         checkDefaults(kLoader, c);
@@ -64,6 +67,7 @@ TEST(MaterialFactoryV4, EveryParameterCountsAndMayBeATexture) {
          "conductor.eta conductor.k reflectance albedo"},
         {"coatedconductor", "\"rgb albedo\" [.5 .5 .5]", "g", ""},
         {"hair", "", "eumelanin pheomelanin eta beta_m beta_n alpha", "sigma_a reflectance"},
+        {"subsurface", "", "roughness uroughness vroughness", "reflectance"},
     };
     for (const ParameterCase& c : kCases) checkParameters(kLoader, c);
 }
@@ -71,7 +75,11 @@ TEST(MaterialFactoryV4, EveryParameterCountsAndMayBeATexture) {
 TEST(MaterialFactoryV4, RoughnessIsTheSquareOfAlphaUnlessToldNotTo) {
     const struct {
         std::string type, prefix;
-    } kAll[] = {{"dielectric", ""}, {"conductor", ""}, {"coateddiffuse", ""}, {"coatedconductor", "conductor."}};
+    } kAll[] = {{"dielectric", ""},
+                {"conductor", ""},
+                {"coateddiffuse", ""},
+                {"coatedconductor", "conductor."},
+                {"subsurface", ""}};
     for (const auto& [type, prefix] : kAll) {
         const std::string name = "\"float " + prefix + "roughness\" ";
         const MaterialPtr remapped = load(type, name + ".09");
@@ -106,6 +114,23 @@ TEST(MaterialFactoryV4, Mix) {
     EXPECT_THAT(error("\"string materials\" [\"gone\" \"a\"]"), HasSubstr("'gone' is 'none'"));
 }
 
+TEST(MaterialFactoryV4, SubsurfaceMedia) {
+    const std::string marble = "\"rgb sigma_s\" [2.19 2.62 3] \"rgb sigma_a\" [.0021 .0041 .0071] ";
+    EXPECT_TRUE(alike(*load("subsurface", "\"string name\" \"Marble\""), *load("subsurface", marble)));
+    EXPECT_FALSE(alike(*load("subsurface", marble + "\"float g\" .8"), *load("subsurface", marble)));
+    EXPECT_FALSE(alike(*load("subsurface", marble + "\"float eta\" 1.5"), *load("subsurface", marble)));
+    // How far light spreads does not change how much of it comes back.
+    EXPECT_TRUE(alike(*load("subsurface", marble + "\"float scale\" 9"), *load("subsurface", marble)));
+    EXPECT_EQ(warningsOf("subsurface", "\"string name\" \"Marble\" \"float g\" .5"), 1);
+    EXPECT_TRUE(alike(*load("subsurface", "\"float reflectance\" .4 \"rgb mfp\" [1 2 3]"),
+                      *load("subsurface", "\"rgb reflectance\" [.4 .4 .4]")));
+    EXPECT_THAT(errorOfMaterial("subsurface", "\"string name\" \"Marbel\""),
+                HasSubstr("unknown medium 'Marbel'; did you mean 'Marble'?"));
+    EXPECT_THAT(errorOfMaterial("subsurface", marble + "\"rgb reflectance\" [.5 .5 .5]"),
+                HasSubstr("has both 'reflectance' and 'sigma_a' or 'sigma_s'"));
+    EXPECT_THAT(errorOfMaterial("subsurface", "\"rgb sigma_a\" [1 1 1]"), HasSubstr("has only one of"));
+}
+
 TEST(MaterialFactoryV4, NumbersForGreysAndSpectraForIndices) {
     EXPECT_TRUE(
         alike(*load("diffuse", "\"float reflectance\" .3"), *load("diffuse", "\"rgb reflectance\" [.3 .3 .3]")));
@@ -124,7 +149,6 @@ TEST(MaterialFactoryV4, Errors) {
                 HasSubstr("has both 'reflectance' and 'eta' or 'k'"));
     EXPECT_THAT(errorOfMaterial("coatedconductor", "\"rgb conductor.k\" [1 1 1] \"rgb reflectance\" [1 1 1]"),
                 HasSubstr("has both 'reflectance' and 'conductor.eta' or 'conductor.k'"));
-    EXPECT_EQ(warningsOf("measured", "\"string filename\" \"a\""), 1);
     EXPECT_EQ(warningsOf("hair", "\"rgb sigma_a\" [1 1 1] \"float eumelanin\" 1"), 1);
 }
 

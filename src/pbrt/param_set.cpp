@@ -214,7 +214,7 @@ void ParamSet::notBuilt(std::initializer_list<std::string_view> names) const {
     for (const Param& param : params_) {
         if (param.used || std::find(names.begin(), names.end(), param.name) == names.end()) continue;
         param.used = true;
-        warn(param.pos, "parameter '" + param.name + "' of " + owner_ + " is not supported yet; ignored");
+        warnOnce(param.pos, "parameter '" + param.name + "' of " + owner_ + " is not supported yet; ignored");
     }
 }
 
@@ -231,7 +231,7 @@ void ParamSet::warnUnused() const {
     for (const Param& param : params_) {
         if (param.used || param.inherited) continue;
         param.used = true;  // one warning, however often the set is used
-        warn(param.pos, "unknown parameter '" + param.name + "' of " + owner_ + "; ignored");
+        warnOnce(param.pos, "unknown parameter '" + param.name + "' of " + owner_ + "; ignored");
     }
 }
 

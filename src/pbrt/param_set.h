@@ -75,11 +75,11 @@ class ParamSet {
 
     // Accepts these parameters, which have no effect.
     void ignore(std::initializer_list<std::string_view> names) const;
-    // Accepts these parameters with a warning that they are not supported yet.
+    // Accepts these parameters, with one warning for each and all of their owners that it is not supported yet.
     void notBuilt(std::initializer_list<std::string_view> names) const;
     // Accepts all parameters, for directives that are not supported.
     void ignoreAll() const;
-    // Warns of each parameter that was never read.
+    // Warns of each parameter that was never read; of the same one of many shapes only once.
     void warnUnused() const;
     size_t unusedCount() const;
 

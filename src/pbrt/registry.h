@@ -18,15 +18,15 @@ struct Registered {
 };
 
 // Finds the factory function of a type. Throws Error at pos for types that are not in the table. For types that are not
-// supported it warns, stating the consequence ("the shape is left out"), and returns null. kind is used in messages:
-// "shape".
+// supported it warns once, stating the consequence ("the shape is left out"), and returns null. kind is used in
+// messages: "shape".
 template <typename Make>
 Make findMaker(std::span<const Registered<Make>> table, const std::string& kind, const std::string& name,
                const SourcePos& pos, const std::string& consequence) {
     std::vector<std::string_view> names;
     for (const Registered<Make>& entry : table) {
         if (entry.name == name) {
-            if (entry.make == nullptr) warn(pos, kind + " '" + name + "' is not supported yet; " + consequence);
+            if (entry.make == nullptr) warnOnce(pos, kind + " '" + name + "' is not supported yet; " + consequence);
             return entry.make;
         }
         names.push_back(entry.name);

@@ -114,7 +114,9 @@ class SceneBuilder {
     void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
     // Appends curves to the preceding ones if they are of the same type, because hair comes as one shape per curve.
     bool joinCurves(const PendingPrimitive& next);
-    MaterialSources materialSources() { return {state_.textures, state_.namedMaterials, files_, textureFiles_}; }
+    MaterialSources materialSources() {
+        return {state_.textures, state_.namedMaterials, files_, textureFiles_, bsdfFiles_};
+    }
     void pop(const std::string& kind, const SourcePos& pos);
     void loadMeshes(const LoadOptions& options);
 
@@ -129,6 +131,7 @@ class SceneBuilder {
     std::vector<Block> blocks_;
     std::map<std::string, TransformSet> coordinateSystems_;
     TextureFiles textureFiles_;
+    BsdfFiles bsdfFiles_;
 
     Setting camera_, film_, filter_, sampler_, integrator_;
     TransformSet worldToCamera_;

@@ -119,5 +119,6 @@ std::string SourcePos::excerpt() const {
 void fail(const SourcePos& pos, const std::string& message) { throw Error(pos.location(), message, pos.excerpt()); }
 
 void warn(const SourcePos& pos, const std::string& message) { logWarning(pos.location(), message); }
+void warnOnce(const SourcePos& pos, const std::string& message) { logWarningOnce(pos.location(), message); }
 
 }  // namespace drc::pbrt

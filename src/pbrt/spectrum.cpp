@@ -68,6 +68,33 @@ Rgb reflectanceToRgb(std::vector<SpectrumSample> samples) {
     return integrate([&](double nm) { return reflectance(nm) * double(d65At(float(nm))); }) / kWhite;
 }
 
+std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths) {
+    std::vector<Vec3> xyz(wavelengths.size(), Vec3(0, 0, 0));
+    double norm = 0;
+    for (int nm = kCieFirst; nm <= kCieLast; ++nm) {
+        const CieEntry cie = cieAt(float(nm));
+        const float light = d65At(float(nm));
+        norm += double(light) * cie.y;
+        // Between which samples the wavelength lies; beyond the ends it is that of the end.
+        const size_t above =
+            size_t(std::lower_bound(wavelengths.begin(), wavelengths.end(), float(nm)) - wavelengths.begin());
+        const size_t first = above == 0 ? 0 : above - 1, second = std::min(above, wavelengths.size() - 1);
+        const float t =
+            first == second ? 0 : (float(nm) - wavelengths[first]) / (wavelengths[second] - wavelengths[first]);
+        const Vec3 response = Vec3(cie.x, cie.y, cie.z) * light;
+        xyz[first] += response * (1 - t);
+        xyz[second] += response * t;
+    }
+    std::vector<Rgb> weights;
+    Rgb white(0.f);
+    for (const Vec3& v : xyz) {
+        weights.push_back(xyzToRgb(v * float(1 / norm)));
+        white += weights.back();
+    }
+    for (Rgb& w : weights) w /= white;
+    return weights;
+}
+
 Rgb atUnitLuminance(const Rgb& color) {
     const float y = luminance(color);
     return y > 0 ? color / y : Rgb(0.f);

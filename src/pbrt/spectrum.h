@@ -18,6 +18,8 @@ struct SpectrumSample {
 Rgb spectrumToRgb(std::vector<SpectrumSample> samples);
 // The colour of a reflectance under pbrt-v4's white, D65: a spectrum that is 1 everywhere is white.
 Rgb reflectanceToRgb(std::vector<SpectrumSample> samples);
+// The same for many spectra with common wavelengths, which ascend: the colour is the sum of these times the values.
+std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths);
 // The colour scaled to a luminance of one, as pbrt-v4's lights do with spectra; black stays black.
 Rgb atUnitLuminance(const Rgb& color);
 // A black body with its spectrum scaled to a maximum of 1. Black for kelvin <= 0.

@@ -84,6 +84,22 @@ TEST(Spectrum, ReflectancesAreSeenInDaylight) {
     EXPECT_EQ(reflectanceToRgb({}), Rgb(0.f));
 }
 
+TEST(Spectrum, WeightsOfReflectances) {
+    for (const std::vector<float>& wavelengths :
+         {std::vector<float>{360, 433, 480.5f, 520, 521, 600, 700, 1000}, std::vector<float>{550},
+          std::vector<float>{100, 200}, std::vector<float>{400, 500, 600}}) {
+        std::vector<SpectrumSample> samples;
+        const std::vector<Rgb> weights = reflectanceWeights(wavelengths);
+        ASSERT_EQ(weights.size(), wavelengths.size());
+        Rgb sum(0.f);
+        for (size_t i = 0; i < wavelengths.size(); ++i) {
+            samples.push_back({wavelengths[i], 0.2f + 0.1f * float(i * i % 7)});
+            sum += weights[i] * samples.back().value;
+        }
+        expectNear(sum, reflectanceToRgb(samples), 1e-5f);
+    }
+}
+
 TEST(Spectrum, UnitLuminanceKeepsTheColor) {
     const Rgb c = atUnitLuminance(Rgb(2, 4, 1));
     EXPECT_NEAR(luminance(c), 1, 1e-6f);

@@ -6,6 +6,7 @@
 #include "scene/coated_diffuse.h"
 #include "scene/disney_clearcoat.h"
 #include "scene/disney_diffuse.h"
+#include "scene/fourier_bsdf.h"
 #include "scene/fresnel_blend.h"
 #include "scene/fresnel_specular.h"
 #include "scene/hair_scattering.h"
@@ -13,6 +14,7 @@
 #include "scene/lambert_transmission.h"
 #include "scene/layered_diffuse.h"
 #include "scene/layered_lobe.h"
+#include "scene/measured_bsdf.h"
 #include "scene/microfacet_dielectric.h"
 #include "scene/microfacet_reflection.h"
 #include "scene/microfacet_transmission.h"
@@ -30,6 +32,7 @@ using Lobe =
                  FresnelSpecular, DisneyDiffuse, DisneyClearcoat, HairScattering, ThinDielectric, CoatedDiffuse,
                  CoatedConductor, CoatedMirror, LayeredDiffuse, LayeredLobe<MicrofacetReflection>,
                  LayeredLobe<MicrofacetDielectric>, LayeredLobe<SpecularReflection>, LayeredLobe<SpecularTransmission>,
-                 LayeredLobe<FresnelSpecular>, LayeredLobe<ThinDielectric>, LayeredLobe<SheetTransmission>>;
+                 LayeredLobe<FresnelSpecular>, LayeredLobe<ThinDielectric>, LayeredLobe<SheetTransmission>, FourierBsdf,
+                 MeasuredBsdf>;
 
 }  // namespace drc

@@ -28,7 +28,8 @@ TEST_P(Corpus, IsReadOrRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus,
                          testing::Values(std::pair("tokenizer", &tokenizer), std::pair("parser", &parser),
-                                         std::pair("ply", &ply), std::pair("safetensors", &safetensors),
+                                         std::pair("ply", &ply), std::pair("fourier", &fourier),
+                                         std::pair("measured", &measured), std::pair("safetensors", &safetensors),
                                          std::pair("examples", &examples), std::pair("tga", &tga),
                                          std::pair("hdr", &hdr), std::pair("picture", &picture)),
                          [](const auto& tested) { return std::string(tested.param.first); });

@@ -16,6 +16,8 @@
 #include "image/radiance_hdr.h"
 #include "image/tga.h"
 #include "neural/safetensors.h"
+#include "pbrt/fourier_file.h"
+#include "pbrt/measured_file.h"
 #include "pbrt/ply_reader.h"
 #include "pbrt/scene_file.h"
 #include "pbrt/tokenizer.h"
@@ -81,6 +83,28 @@ void ply(std::string_view bytes) {
     const MemoryFile file(bytes);
     try {
         (void)pbrt::readPly(file.path());
+    } catch (const Error&) {
+    }
+}
+
+void fourier(std::string_view bytes) {
+    const MemoryFile file(bytes);
+    try {
+        const FourierTable table(pbrt::readFourierFile(file.path()));
+        for (const float outgoing : {-0.6f, 0.f, 0.9f}) {
+            const auto direction = table.sample(outgoing, 0.3f, Vec2(0.6f, 0.8f));
+            if (direction) (void)table.evaluate(direction->incident, outgoing, std::cos(direction->azimuth));
+        }
+    } catch (const Error&) {
+    }
+}
+
+void measured(std::string_view bytes) {
+    const MemoryFile file(bytes);
+    try {
+        const MeasuredTable table(pbrt::readMeasuredFile(file.path()));
+        const auto wi = table.sample(Vec3(0.6f, 0, 0.8f), Vec2(0.6f, 0.8f));
+        if (wi) (void)table.evaluate(Vec3(0.6f, 0, 0.8f), *wi);
     } catch (const Error&) {
     }
 }

@@ -9,6 +9,8 @@ namespace drc::fuzz {
 void tokenizer(std::string_view bytes);
 void parser(std::string_view bytes);  // a pbrt scene, confined; reads no other files
 void ply(std::string_view bytes);
+void fourier(std::string_view bytes);   // a BSDF file of pbrt-v3
+void measured(std::string_view bytes);  // a measured material
 void safetensors(std::string_view bytes);
 void examples(std::string_view bytes);  // a shard of training examples
 void tga(std::string_view bytes);

@@ -1,0 +1,22 @@
+// Scattering media that scenes may name, with their measured figures.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace drc::pbrt {
+
+struct NamedMedium {
+    Rgb sigmaA;       // absorption, per millimetre
+    Rgb sigmaSPrime;  // reduced scattering, per millimetre: that of a medium which scatters equally in all directions
+};
+
+// "Skin1", "Wholemilk", ...: from Jensen et al., "A Practical Model for Subsurface Light Transport", 2001, and
+// Narasimhan et al., "Acquiring Scattering Properties of Participating Media by Dilution", 2006. None for other names.
+std::optional<NamedMedium> namedMedium(std::string_view name);
+std::vector<std::string_view> namesOfMedia();
+
+}  // namespace drc::pbrt
