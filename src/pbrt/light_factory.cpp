@@ -20,7 +20,7 @@ void samplesNotNeeded(const ParamSet& params) {
 // pbrt-v3 decodes only images of textures, so images of lights are linear even in 8-bit files. Lookups within half a
 // pixel of an edge interpolate with the opposite edge.
 LightImage pictureOf(const LightContext& context, const std::string& what) {
-    LightImage image = imageOf(context, "mapname", what, readAsStored);
+    LightImage image = imageOf(context.params, context.files, "mapname", what, readAsStored);
     image.repeats = true;
     return image;
 }
@@ -93,7 +93,7 @@ LightPtr makeLight(const std::string& type, const ParamSet& params, const Transf
     return light;
 }
 
-AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params) {
+AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params, const FileSearch&) {
     const auto make = findMaker<AreaLightMaker>(kAreaLights, "area light", type, params.pos(), "shapes do not emit");
     if (make == nullptr) return {};
     AreaLightBuilder builder = make(params);

@@ -17,6 +17,6 @@ LightPtr makeLight(const std::string& type, const ParamSet& params, const Transf
 
 // Makes the light of an emissive mesh or shape; an empty function means that shapes do not emit.
 using AreaLightBuilder = std::function<std::shared_ptr<const AreaLight>(const Primitive&)>;
-AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params);
+AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params, const FileSearch& files);
 
 }  // namespace drc::pbrt

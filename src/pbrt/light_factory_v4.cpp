@@ -31,7 +31,7 @@ double meanLuminance(const LightImage& image) {
 
 // pbrt-v4's equal-area image of all directions, converted to the layout that our lights use; empty if there is none.
 LightImage sphereOf(const LightContext& context, const std::string& what) {
-    LightImage image = imageOf(context, "filename", what, readLinear);
+    LightImage image = imageOf(context.params, context.files, "filename", what, readLinear);
     if (image.empty()) return image;
     if (image.width != image.height)
         fail(context.params.find("filename", {ParamType::String})->valuePos,
@@ -79,7 +79,7 @@ LightPtr makeGoniometric(const LightContext& context) {
 LightPtr makeProjection(const LightContext& context) {
     const ParamSet& params = context.params;
     const float fov = degreesBetween(params, "fov", 90, 0, 180);
-    LightImage image = imageOf(context, "filename", "picture to project", readLinear);
+    LightImage image = imageOf(context.params, context.files, "filename", "picture to project", readLinear);
     if (image.empty()) fail(params.pos(), "the projection light needs the parameter \"string filename\"");
     image.mend();
     // The image is upright: its upper edge is at the light's +y.
@@ -117,25 +117,36 @@ double emittedByWhite(const Primitive& primitive) {
     return area / std::max(1u, primitive.mesh->triangleCount()) * double(kPi);
 }
 
-AreaLightBuilder makeDiffuse(const ParamSet& params) {
+// The image of an area light; null if it has none.
+std::shared_ptr<const EmissionImage> emissionImageOf(const ParamSet& params, const FileSearch& files) {
+    LightImage image = imageOf(params, files, "filename", "picture that is emitted", readLinear);
+    if (image.empty()) return nullptr;
+    if (params.has("L")) fail(params.pos(), "the area light has both 'L' and 'filename'; give the one or the other");
+    // Its lower left corner is at (u, v) = (0, 0).
+    return std::make_shared<const EmissionImage>(flippedTopToBottom(std::move(image)));
+}
+
+AreaLightBuilder makeDiffuse(const ParamSet& params, const FileSearch& files) {
     const bool twoSided = params.getBool("twosided", false);
     const float power = params.getFloat("power", -1);
-    if (params.has("filename")) {
-        params.ignore({"filename"});
-        warn(params.pos(), "parameter 'filename' of " + params.owner() +
-                               " is not supported yet; the light is of one colour everywhere");
-    }
-    const Rgb radiance = params.getColor("L", Rgb(1.f)) * scaleOf(params);
-    if (isBlack(radiance)) return {};
+    const auto image = emissionImageOf(params, files);
+    const Rgb scale = params.getColor("L", Rgb(1.f)) * scaleOf(params);
+    // As in pbrt, the power is that of the whole image, whatever part of it a shape shows.
+    const double ofImage = image ? double(luminance(image->mean())) : 1;
+    if (power > 0 && !(ofImage > 0))
+        fail(params.pos(),
+             "the picture of " + params.owner() + " is black: it cannot have the 'power' that is asked for");
+    if (isBlack(scale) || !(ofImage > 0)) return {};
     return [=](const Primitive& primitive) -> std::shared_ptr<const AreaLight> {
-        const double own = power > 0 ? emittedByWhite(primitive) * (twoSided ? 2 : 1) : 0;
-        const Rgb emitted = own > 0 ? radiance * float(double(power) / own) : radiance;
-        return primitive.mesh ? makeMeshAreaLight(*primitive.mesh, emitted, twoSided)
-                              : makeShapeAreaLight(primitive.shape, emitted, twoSided);
+        const double own = power > 0 ? emittedByWhite(primitive) * (twoSided ? 2 : 1) * ofImage : 0;
+        const Rgb scaled = own > 0 ? scale * float(double(power) / own) : scale;
+        const Emission emission = image ? Emission(image, scaled) : Emission(scaled);
+        return primitive.mesh ? makeMeshAreaLight(*primitive.mesh, emission, twoSided)
+                              : makeShapeAreaLight(primitive.shape, emission, twoSided);
     };
 }
 
-using AreaLightMaker = AreaLightBuilder (*)(const ParamSet&);
+using AreaLightMaker = AreaLightBuilder (*)(const ParamSet&, const FileSearch&);
 constexpr Registered<AreaLightMaker> kAreaLights[] = {{"diffuse", makeDiffuse}};
 
 }  // namespace
@@ -148,9 +159,9 @@ LightPtr makeLightV4(const std::string& type, const ParamSet& params, const Tran
     return light;
 }
 
-AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params) {
+AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params, const FileSearch& files) {
     const auto make = findMaker<AreaLightMaker>(kAreaLights, "area light", type, params.pos(), "shapes do not emit");
-    AreaLightBuilder builder = make(params);
+    AreaLightBuilder builder = make(params, files);
     params.warnUnused();
     return builder;
 }

@@ -160,9 +160,78 @@ TEST(LightFactoryV4, AreaLights) {
     const std::string square =
         "Shape \"trianglemesh\" \"point3 P\" [0 0 0 2 0 0 2 2 0 0 2 0] \"integer indices\" [0 1 2 0 2 3]";
     expectNear(emitted("\"float power\" 20", square), Rgb(10 / kPi));
+}
+
+// A red, green, blue and white quarter, from the top left.
+std::string quarters(const TemporaryFolder& folder) {
+    Image image(2, 2);
+    image.setRgb(0, 0, Rgb(4, 0, 0));
+    image.setRgb(1, 0, Rgb(0, 4, 0));
+    image.setRgb(0, 1, Rgb(0, 0, 4));
+    image.setRgb(1, 1, Rgb(4, 4, 4));
+    writeExr(folder.path() + "/quarters.exr", {{"", &image}});
+    return " \"string filename\" \"quarters.exr\" ";
+}
+const std::string kScreen =
+    "Shape \"bilinearmesh\" \"point3 P\" [0 0 0  2 0 0  0 2 0  2 2 0] \"integer indices\" [0 1 2 3]\n";
+
+TEST(LightFactoryV4, PicturesOnAreaLightsStandUpright) {
+    const TemporaryFolder folder;
+    const auto emitted = [&](const std::string& params, const Vec2& uv, const Vec3& wo = Vec3(0, 0, 1)) {
+        const auto scene =
+            loadWorldV4("AreaLightSource \"diffuse\"" + quarters(folder) + params + "\n" + kScreen, folder.path());
+        return scene->primitives.at(0).areaLight->emitted({Vec3(0.f), Vec3(0, 0, 1), 0, uv}, wo);
+    };
+    // The lower left corner of the picture is at (0, 0).
+    expectNear(emitted("", Vec2(0.25f, 0.25f)), Rgb(0, 0, 4));
+    expectNear(emitted("", Vec2(0.75f, 0.25f)), Rgb(4, 4, 4));
+    expectNear(emitted("", Vec2(0.25f, 0.75f)), Rgb(4, 0, 0));
+    expectNear(emitted("", Vec2(0.75f, 0.75f)), Rgb(0, 4, 0));
+    // It is interpolated, and extended beyond its edges.
+    expectNear(emitted("", Vec2(0.5f, 0.75f)), Rgb(2, 2, 0));
+    expectNear(emitted("", Vec2(-5, 3)), Rgb(4, 0, 0));
+    expectNear(emitted("\"float scale\" 3", Vec2(0.25f, 0.75f)), Rgb(12, 0, 0));
+    EXPECT_TRUE(isBlack(emitted("", Vec2(0.25f, 0.25f), Vec3(0, 0, -1))));
+    expectNear(emitted("\"bool twosided\" true", Vec2(0.25f, 0.25f), Vec3(0, 0, -1)), Rgb(0, 0, 4));
+    // The image's mean luminance is 2. As in pbrt, each of the two triangles has the power.
+    const float white = 50 / (kPi * 4 / 2 * 2);
+    expectNear(emitted("\"float power\" 50", Vec2(0.75f, 0.25f)), Rgb(4 * white));
+    expectNear(emitted("\"float power\" 50 \"bool twosided\" true", Vec2(0.75f, 0.25f)), Rgb(2 * white));
+    const auto scene = loadWorldV4("AreaLightSource \"diffuse\" \"float power\" 50" + quarters(folder) + "\n" + kScreen,
+                                   folder.path());
+    EXPECT_NEAR(luminance(scene->lights.at(0)->power(1)), 2 * 50, 0.5f);
+}
+
+TEST(LightFactoryV4, PicturesOnAreaLightsMayFail) {
+    const TemporaryFolder folder;
+    const auto error = [&](const std::string& params) {
+        return errorOfWorldV4("AreaLightSource \"diffuse\" " + params + "\n" + kScreen, folder.path());
+    };
+    EXPECT_THAT(error("\"string filename\" \"none.exr\""),
+                AllOf(StartsWith("s.pbrt:2:45: "), HasSubstr("cannot find the picture that is emitted 'none.exr'")));
+    folder.write("broken.exr", "no picture");
+    EXPECT_THAT(error("\"string filename\" \"broken.exr\""),
+                AllOf(StartsWith("s.pbrt:2:45: "), HasSubstr("broken.exr")));
+    EXPECT_THAT(error("\"rgb L\" [1 1 1]" + quarters(folder)), HasSubstr("both 'L' and 'filename'"));
+    const Image black(2, 2);
+    writeExr(folder.path() + "/black.exr", {{"", &black}});
+    EXPECT_THAT(error("\"float power\" 5 \"string filename\" \"black.exr\""),
+                HasSubstr("is black: it cannot have the 'power'"));
+    EXPECT_TRUE(loadWorldV4("AreaLightSource \"diffuse\" \"string filename\" \"black.exr\"\n" + kScreen, folder.path())
+                    ->lights.empty());
+    // Pixels that are no numbers are black.
+    Image nan(2, 1);
+    nan.setRgb(0, 0, Rgb(NAN, 1, 1));
+    nan.setRgb(1, 0, Rgb(1.f));
+    writeExr(folder.path() + "/nan.exr", {{"", &nan}});
+    const auto scene =
+        loadWorldV4("AreaLightSource \"diffuse\" \"string filename\" \"nan.exr\"\n" + kScreen, folder.path());
+    EXPECT_NEAR(luminance(scene->lights.at(0)->power(1)), kPi * 4 / 2, 0.02f);
+    // What pbrt wants for sampling a patch, its light finds itself.
     forgetWarnings();
-    emitted("\"string filename\" \"a.exr\"", disk);
-    EXPECT_EQ(warningCount(), 1);
+    loadWorldV4("AreaLightSource \"diffuse\"" + quarters(folder) + kScreen + "\"string emissionfilename\" \"x.exr\"",
+                folder.path());
+    EXPECT_EQ(warningCount(), 0);
 }
 
 }  // namespace

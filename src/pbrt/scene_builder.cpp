@@ -240,7 +240,7 @@ void SceneBuilder::light(const std::string& type, ParamSet params) {
 }
 
 void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
-    state_.areaLight = make_.areaLight(type, completed("light", std::move(params)));
+    state_.areaLight = make_.areaLight(type, completed("light", std::move(params)), files_);
 }
 
 void SceneBuilder::shape(const std::string& type, ParamSet params) {

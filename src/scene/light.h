@@ -7,6 +7,7 @@
 #include "math/transform.h"
 #include "math/vec.h"
 #include "math/warp.h"
+#include "scene/emission.h"
 #include "scene/light_image.h"
 #include "scene/light_reach.h"
 #include "scene/shape.h"
@@ -14,6 +15,13 @@
 #include "scene/triangle_mesh.h"
 
 namespace drc {
+
+// The description of a point on an emitter.
+struct EmitterHit {
+    Vec3 p{0.f}, ng{0.f};  // world space; ng as the shape orients it
+    uint32_t triangle = 0;
+    Vec2 uv{0.f};
+};
 
 struct LightSample {
     Vec3 wi;
@@ -24,6 +32,9 @@ struct LightSample {
     float distance = 0;  // to the sampled point; infinite for lights at infinity
     bool delta = false;
     Vec3 ng{0.f};  // geometric normal of the emitter, as its shape orients it; zero for points and lights at infinity
+    // As in EmitterHit, on area lights.
+    uint32_t triangle = 0;
+    Vec2 uv{0.f};
 };
 
 // The bounding sphere of the scene, which lights at infinity need.
@@ -52,6 +63,7 @@ struct EmittedRay {
     // The emitter's normal, as its shape orients it (zero for points and lights at infinity), and triangle of a mesh.
     Vec3 ng{0.f};
     uint32_t triangle = 0;
+    Vec2 uv{0.f};       // as in EmitterHit
     float error = 0;    // of p along ng, as SpawnPoint::error, apart from the rounding of p
     Rgb radiance{0.f};  // along d; for a point light its intensity, for a distant light the irradiance facing it
     EmissionDensity density;
@@ -63,8 +75,8 @@ class Light {
     virtual std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const = 0;
     // Samples emission, for paths that start at lights. None if no light leaves for these random numbers.
     virtual std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere&) const = 0;
-    // Pdfs of emit() for light that leaves in direction d from a point with the geometric normal ng.
-    virtual EmissionDensity emissionDensity(const Vec3& ng, const Vec3& d, const SceneSphere&) const = 0;
+    // Pdfs of emit() for light that leaves in direction d. `at` describes the point on an area light.
+    virtual EmissionDensity emissionDensity(const EmitterHit& at, const Vec3& d, const SceneSphere&) const = 0;
     // Approximate total emitted power, for choosing among lights. For lights at infinity it depends on the scene's
     // size.
     virtual Rgb power(float sceneRadius) const = 0;
@@ -88,33 +100,29 @@ class Light {
 
 using LightPtr = std::shared_ptr<const Light>;
 
-// The description of a hit on an emitter.
-struct EmitterHit {
-    Vec3 p{0.f}, ng{0.f};  // world space; ng as the shape orients it
-    uint32_t triangle = 0;
-    Vec2 uv{0.f};
-};
-
 // A surface that emits light: one light for each emissive mesh or shape.
 class AreaLight : public Light {
   public:
-    // emit() samples points uniformly by area, and directions by the cosine.
-    EmissionDensity emissionDensity(const Vec3& ng, const Vec3& d, const SceneSphere&) const final;
+    // emit() samples points in proportion to the radiance that they emit, and directions by the cosine.
+    EmissionDensity emissionDensity(const EmitterHit& at, const Vec3& d, const SceneSphere&) const final;
     // Le: radiance that leaves the hit point towards wo.
     Rgb emitted(const EmitterHit& hit, const Vec3& wo) const {
-        return twoSided_ || dot(hit.ng, wo) > 0 ? radiance_ : Rgb(0.f);
+        return twoSided_ || dot(hit.ng, wo) > 0 ? emission_.at(hit.uv) : Rgb(0.f);
     }
-    Rgb power(float) const final { return radiance_ * ((twoSided_ ? 2 : 1) * area() * kPi); }
+    Rgb power(float) const final { return radianceTimesArea() * ((twoSided_ ? 2 : 1) * kPi); }
     // Pdf, per solid angle at `from`, with which sample() chooses this hit.
     virtual float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const = 0;
 
   protected:
-    AreaLight(const Rgb& radiance, bool twoSided) : radiance_(radiance), twoSided_(twoSided) {}
-    virtual float area() const = 0;
+    AreaLight(Emission emission, bool twoSided) : emission_(std::move(emission)), twoSided_(twoSided) {}
+    // Le, integrated over the surface.
+    virtual Rgb radianceTimesArea() const = 0;
+    // Pdf, per area, with which emit() chooses this point.
+    virtual float originPdf(const EmitterHit& at) const = 0;
     // The result of emit() for a sampled point of the emitter.
-    std::optional<EmittedRay> leave(const Vec3& p, const Vec3& ng, const Vec2& u, const SceneSphere& scene) const;
+    std::optional<EmittedRay> leave(const EmitterHit& from, const Vec2& u, const SceneSphere& scene) const;
 
-    const Rgb radiance_;
+    const Emission emission_;
     const bool twoSided_;
 };
 
@@ -139,8 +147,9 @@ using EnvironmentMap = LightImage;
 // map: empty for a constant environment. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
 
-// Diffuse emitters (pbrt's "diffuse" area light). They emit on the side of the geometric normal, or on both sides.
-std::shared_ptr<const AreaLight> makeMeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided);
-std::shared_ptr<const AreaLight> makeShapeAreaLight(ShapePtr shape, const Rgb& radiance, bool twoSided);
+// Diffuse emitters (pbrt's "diffuse" area light). They emit on the side of the geometric normal, or on both sides, and
+// are sampled in proportion to the radiance that they emit. (Curves are sampled uniformly, whatever image they show.)
+std::shared_ptr<const AreaLight> makeMeshAreaLight(const TriangleMesh& mesh, const Emission& emission, bool twoSided);
+std::shared_ptr<const AreaLight> makeShapeAreaLight(ShapePtr shape, const Emission& emission, bool twoSided);
 
 }  // namespace drc
