@@ -58,19 +58,19 @@ inline const LightCase kLightCases[] = {
      "Translate -0.7 0.1 1.4\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd\n"},
     {"ImageOnAScreen",
      "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\n"
-     "AreaLightSource \"diffuse\" \"string filename\" \"map.exr\" \"float scale\" 6\n"
+     "AreaLightSource \"diffuse\" \"string filename\" \"picture.exr\" \"float scale\" 6\n"
      "Translate 0.3 -0.6 2.2\nRotate 180 1 0 0\n"
      "Shape \"bilinearmesh\" \"point P\" [-0.6 -0.4 0  0.6 -0.4 0  -0.6 0.4 0  0.6 0.4 0]\nAttributeEnd\n",
      true},
     {"ImageOnASphere",
      "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0.3 0.3 0.3]\n"
-     "AreaLightSource \"diffuse\" \"string filename\" \"map.exr\" \"float scale\" 8\n"
+     "AreaLightSource \"diffuse\" \"string filename\" \"picture.exr\" \"float scale\" 8\n"
      "Translate -0.5 -0.1 1.7\nRotate 30 1 1 0\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd\n",
      true},
     {"ImageOnManyTriangles",
      "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0.2 0.2 0.2]\n"
-     "AreaLightSource \"diffuse\" \"string filename\" \"map.exr\" \"float scale\" 8\n"
-     "Translate -0.4 -0.4 2\nScale 0.6 0.6 0.4\nReverseOrientation\n"
+     "AreaLightSource \"diffuse\" \"string filename\" \"picture.exr\" \"float scale\" 8\n"
+     "Translate -0.4 -0.4 2\nScale 0.8 0.8 0.6\nReverseOrientation\n"
      "Shape \"loopsubdiv\" \"integer levels\" 1 \"integer indices\" [0 1 4 1 2 4 2 3 4 3 0 4 1 0 5 2 1 5 3 2 5 0 3 5] "
      "\"point P\" [1 0 0 0 1 0 -1 0 0 0 -1 0 0 0 1 0 0 -1]\nAttributeEnd\n",
      true},
@@ -87,7 +87,14 @@ inline std::string cornerWith(const LightCase& light, const TemporaryFolder& fol
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 16; ++x) map.setRgb(x, y, Rgb((x / 2 + y) % 3 == 0 ? 2.f : 0.1f, 0.5f, 0.1f * float(y)));
     writeExr(folder.path("map.exr"), map);
-    const std::string text = respelt(corner(light.light, width, height), "map.exr", folder.path("map.exr"));
+    // Dark, with bright patches of two colours.
+    Image picture(12, 10);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 12; ++x)
+            picture.setRgb(x, y, (x / 2 + y / 2) % 4 == 0 ? Rgb(3, x > 5 ? 0.5f : 2.5f, 2) : Rgb(0.4f));
+    writeExr(folder.path("picture.exr"), picture);
+    std::string text = corner(light.light, width, height);
+    for (const char* file : {"map.exr", "picture.exr"}) text = respelt(text, file, folder.path(file));
     return light.v4 ? inWordsOfV4(respelt(text, kPlastic,
                                           R"(Material "coateddiffuse" "rgb reflectance" [0.3 0.4 0.5] )"
                                           R"("float roughness" 0.3)"))
