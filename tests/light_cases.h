@@ -74,6 +74,10 @@ inline const LightCase kLightCases[] = {
      "Shape \"loopsubdiv\" \"integer levels\" 1 \"integer indices\" [0 1 4 1 2 4 2 3 4 3 0 4 1 0 5 2 1 5 3 2 5 0 3 5] "
      "\"point P\" [1 0 0 0 1 0 -1 0 0 0 -1 0 0 0 1 0 0 -1]\nAttributeEnd\n",
      true},
+    {"Portal",
+     "LightSource \"infinite\" \"rgb L\" [2 2.5 3] \"point3 portal\" [-1.2 -1.2 2  -1.2 1.9 2  1.4 1.9 2  1.4 -1.2 "
+     "2]\n",
+     true},
     {"ManyAtOnce",
      "LightSource \"infinite\" \"rgb L\" [0.2 0.2 0.3]\nLightSource \"distant\" \"rgb L\" [1 1 1] \"point from\" "
      "[1 -2 3]\nLightSource \"point\" \"rgb I\" [3 3 3] \"point from\" [-0.5 -0.8 2]\n"

@@ -85,10 +85,10 @@ constexpr Registered<AreaLightMaker> kAreaLights[] = {
 }  // namespace
 
 LightPtr makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                   const FileSearch& files) {
+                   const Transform& fromFile, const FileSearch& files) {
     const LightMaker make = findMaker<LightMaker>(kLights, "light", type, params.pos(), "the light is left out");
     if (make == nullptr) return nullptr;
-    LightPtr light = make({params, lightToWorld, files});
+    LightPtr light = make({params, lightToWorld, fromFile, files});
     params.warnUnused();
     return light;
 }

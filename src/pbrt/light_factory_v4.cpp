@@ -5,6 +5,7 @@
 #include "pbrt/equal_area_image.h"
 #include "pbrt/light_params.h"
 #include "pbrt/registry.h"
+#include "scene/portal.h"
 
 namespace drc::pbrt {
 namespace {
@@ -88,19 +89,30 @@ LightPtr makeProjection(const LightContext& context) {
     return makeProjectionLight(context.toWorld, Rgb(brightness(params, "power", white)), fov, upright);
 }
 
+// The corners of the portal, if there is one. As in pbrt they are in world space, whatever the transformation.
+std::optional<std::array<Vec3, 4>> portalOf(const LightContext& context) {
+    const Param* portal = context.params.find("portal", {ParamType::Point3});
+    if (portal == nullptr) return {};
+    if (portal->count() != 4)
+        context.params.failAt(
+            *portal, fmt::format("must have the 4 corners of a rectangle, in order, found {} points", portal->count()));
+    std::array<Vec3, 4> corners;
+    for (size_t i = 0; i < 4; ++i) corners[i] = context.fromFile.point(vec3At(portal->numbers, i));
+    if (const std::string flaw = Portal::flawOf(corners); !flaw.empty())
+        context.params.failAt(*portal, "must have the corners of a rectangle, in order: " + flaw);
+    return corners;
+}
+
 LightPtr makeInfinite(const LightContext& context) {
     const ParamSet& params = context.params;
-    if (params.has("portal")) {
-        params.ignore({"portal"});
-        warn(params.pos(), "parameter 'portal' of " + params.owner() +
-                               " is not supported yet; the environment lights the scene from everywhere");
-    }
     const LightImage square = sphereOf(context, "environment map");
     if (!square.empty() && params.has("L"))
         fail(params.pos(), "the infinite light has both 'L' and 'filename'; give the one or the other");
     const double own = square.empty() ? double(kPi) : horizontalIlluminance(square);
     const Rgb radiance = params.getColor("L", Rgb(1.f)) * brightness(params, "illuminance", own);
-    return makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square));
+    LightPtr environment = makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square));
+    const auto portal = portalOf(context);
+    return portal ? makePortalLight(std::move(environment), std::max(1, square.height), *portal) : environment;
 }
 
 using LightMaker = LightPtr (*)(const LightContext&);
@@ -152,9 +164,9 @@ constexpr Registered<AreaLightMaker> kAreaLights[] = {{"diffuse", makeDiffuse}};
 }  // namespace
 
 LightPtr makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                     const FileSearch& files) {
+                     const Transform& fromFile, const FileSearch& files) {
     const LightMaker make = findMaker<LightMaker>(kLights, "light", type, params.pos(), "the light is left out");
-    LightPtr light = make({params, lightToWorld, files});
+    LightPtr light = make({params, lightToWorld, fromFile, files});
     params.warnUnused();
     return light;
 }

@@ -12,6 +12,7 @@ namespace drc::pbrt {
 struct LightContext {
     const ParamSet& params;
     const Transform& toWorld;
+    const Transform& fromFile;  // for points that the file gives in its world space
     const FileSearch& files;
 };
 

@@ -235,7 +235,8 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
 
 void SceneBuilder::light(const std::string& type, ParamSet params) {
     params = completed("light", std::move(params));
-    if (LightPtr light = make_.light(type, params, fromFile_ * staticTransform("lights", params.pos()), files_))
+    const Transform toWorld = fromFile_ * staticTransform("lights", params.pos());
+    if (LightPtr light = make_.light(type, params, toWorld, fromFile_, files_))
         scene_->lights.push_back(std::move(light));
 }
 

@@ -214,7 +214,7 @@ TEST(SceneFileV4, ColorSpaces) {
     const auto sky = [](const std::string& space) {
         return loadWorldV4("ColorSpace \"" + space + "\" LightSource \"infinite\" \"rgb L\" [1 1 1]")
             ->lights.at(0)
-            ->escaped(Vec3(0, 0, 1));
+            ->escaped(Vec3(0.f), Vec3(0, 0, 1));
     };
     expectNear(sky("dci-p3"), Rgb(1.f), 1e-3f);
     EXPECT_GT(sky("aces2065-1").x, 1.02f);  // its white point is warmer
@@ -238,7 +238,7 @@ TEST(SceneFileV4, AttributesAreDefaultsOfWhatFollows) {
               }),
               0)
         << "not everything need have what an attribute says";
-    EXPECT_EQ(scene->lights[0]->escaped(Vec3(0, 0, 1)), Rgb(3.f));
+    EXPECT_EQ(scene->lights[0]->escaped(Vec3(0.f), Vec3(0, 0, 1)), Rgb(3.f));
     EXPECT_NEAR(scene->primitives[0].shape->bounds().max.x, 2, 1e-5f);
     EXPECT_THAT(errorOfWorldV4("Attribute \"lights\" \"float scale\" 1"), HasSubstr("did you mean 'light'?"));
 }

@@ -1,5 +1,6 @@
 // Light sources (PBR 3e, chapter 12). Radiance is linear RGB. Directions are unit and point away from the lit point.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -26,7 +27,7 @@ struct EmitterHit {
 struct LightSample {
     Vec3 wi;
     // Radiance arriving along wi if unoccluded; for delta lights an irradiance, such as I / d^2. Lights at infinity set
-    // it to zero: evaluate escaped(wi) instead, preferably after the visibility test.
+    // it to zero: evaluate escaped(p, wi) instead, preferably after the visibility test.
     Rgb radiance{0.f};
     float pdf = 0;       // per solid angle; 1 for delta lights
     float distance = 0;  // to the sampled point; infinite for lights at infinity
@@ -81,13 +82,16 @@ class Light {
     // size.
     virtual Rgb power(float sceneRadius) const = 0;
     virtual bool isDelta() const { return false; }
-    // For lights at infinity: the radiance from direction wi, and the pdf of sample() for it.
+    // Whether light arrives as from a point at infinity.
+    virtual bool isAtInfinity() const { return false; }
+    // For environments: the radiance that arrives at `from` from direction wi, and the pdf of sample() for it.
     virtual bool isInfinite() const { return false; }
-    virtual Rgb escaped(const Vec3&) const { return Rgb(0.f); }
-    virtual float pdfEscaped(const Vec3&) const { return 0; }
-    // The u in the unit square for which sample() returns direction wi. For non-delta lights at infinity.
-    virtual Vec2 inverse(const Vec3&) const { return Vec2(0, 0); }
-    // Bounds of a finite light, for choosing among many; empty for lights at infinity.
+    virtual Rgb escaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Rgb(0.f); }
+    virtual float pdfEscaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return 0; }
+    // The u in the unit square for which sample() at `from` returns direction wi.
+    virtual Vec2 inverse(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Vec2(0, 0); }
+    // Bounds of a finite light, or of the portal of an environment, for choosing among many; empty for other lights at
+    // infinity.
     virtual Bounds bounds() const { return {}; }
     // Directional bounds of a finite light; by default it emits equally in all directions.
     virtual LightReach reach() const {
@@ -146,6 +150,9 @@ LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
 using EnvironmentMap = LightImage;
 // map: empty for a constant environment. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
+// An environment seen through a portal alone: a rectangle in world space, oriented as Portal says. Points outside, and
+// rays that do not pass it, receive nothing. rows: of the environment's map, 1 for a constant one.
+LightPtr makePortalLight(LightPtr environment, int rows, const std::array<Vec3, 4>& corners);
 
 // Diffuse emitters (pbrt's "diffuse" area light). They emit on the side of the geometric normal, or on both sides, and
 // are sampled in proportion to the radiance that they emit. (Curves are sampled uniformly, whatever image they show.)

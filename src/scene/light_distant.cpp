@@ -22,6 +22,7 @@ class DistantLight final : public Light {
     // The flux through the disk that the scene's bounding sphere presents to the light.
     Rgb power(float sceneRadius) const override { return radiance_ * (kPi * sqr(sceneRadius)); }
     bool isDelta() const override { return true; }
+    bool isAtInfinity() const override { return true; }
 
   private:
     Vec3 direction_;  // towards the light

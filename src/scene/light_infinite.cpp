@@ -57,27 +57,28 @@ class InfiniteLight final : public Light {
         const auto s = sample(scene.center, uOrigin);
         if (!s) return {};
         const Vec3 d = -s->wi;
-        const Rgb radiance = escaped(s->wi);
+        const Rgb radiance = escaped(scene.center, s->wi);
         if (isBlack(radiance)) return {};
         return EmittedRay{
             .p = scene.inFront(d, uLeaving), .d = d, .radiance = radiance, .density = {s->pdf, scene.perFacingArea()}};
     }
     EmissionDensity emissionDensity(const EmitterHit&, const Vec3& d, const SceneSphere& scene) const override {
-        return {pdfEscaped(-d), scene.perFacingArea()};
+        return {pdfEscaped(scene.center, -d), scene.perFacingArea()};
     }
 
     Rgb power(float sceneRadius) const override { return mean_ * (kPi * sqr(sceneRadius)); }
+    bool isAtInfinity() const override { return true; }
     bool isInfinite() const override { return true; }
 
-    Rgb escaped(const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_(wi))); }
+    Rgb escaped(const Vec3&, const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_(wi))); }
 
-    float pdfEscaped(const Vec3& wi) const override {
+    float pdfEscaped(const Vec3&, const Vec3& wi) const override {
         const Vec3 w = worldToLight_(wi);
         const Cell cell = cellAt(mapCoordinates(w));
         return distribution_.pdf(cell.column, cell.row) * rowDensity_[cell.row] * stretch(w);
     }
 
-    Vec2 inverse(const Vec3& wi) const override {
+    Vec2 inverse(const Vec3&, const Vec3& wi) const override {
         const Vec3 w = normalize(worldToLight_(wi));
         const Vec2 uv = mapCoordinates(w);
         const Cell cell = cellAt(uv);
