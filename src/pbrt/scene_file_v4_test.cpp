@@ -142,7 +142,7 @@ TEST(SceneFileV4, MaterialsAndTextures) {
                         "Material \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25"),
                Rgb(.75f));
     // A constant spectrum is grey under daylight.
-    expectNear(albedoOf("Material \"diffuse\" \"spectrum reflectance\" [400 .3 700 .3]"), Rgb(.3f));
+    expectNear(albedoOf("Material \"diffuse\" \"spectrum reflectance\" [360 .3 830 .3]"), Rgb(.3f));
     const std::string texture = "Texture \"t\" \"spectrum\" ",
                       use = "\nMaterial \"diffuse\" \"texture reflectance\" \"t\"";
     expectNear(albedoOf(texture + "\"scale\" \"rgb tex\" [.2 .4 .6] \"float scale\" .5" + use), Rgb(.1f, .2f, .3f));
