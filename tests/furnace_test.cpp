@@ -1,6 +1,8 @@
 // Furnaces with a known solution, rendered with every integrator and filter.
 #include <gtest/gtest.h>
 
+#include "base/folder_testing.h"
+#include "image/image_io.h"
 #include "pictures.h"
 #include "test_scenes.h"
 
@@ -131,6 +133,35 @@ INSTANTIATE_TEST_SUITE_P(Furnaces, EmissiveBallInFurnace, testing::ValuesIn(kBal
 
 TEST_P(EmissiveBallInFurnace, HasTheDirectLightThatFollows) {
     expectConstant(pictures(text(), "direct", 16, 16), GetParam().direct);
+}
+
+// Walls and a ball that reflect one picture, and emit another, its complement.
+TEST(FurnaceOfPictures, IsConstant) {
+    const TemporaryFolder folder;
+    Image reflected(8, 8), emitted(8, 8);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            const Rgb albedo(0.2f + 0.08f * float(x), 0.8f - 0.07f * float(y), 0.1f + 0.05f * float(x + y));
+            reflected.setRgb(x, y, albedo);
+            emitted.setRgb(x, y, Rgb(1.f) - albedo);
+        }
+    writeExr(folder.path("reflected.exr"), reflected);
+    writeExr(folder.path("emitted.exr"), emitted);
+    const std::string material = "Texture \"picture\" \"spectrum\" \"imagemap\" \"string filename\" \"" +
+                                 folder.path("reflected.exr") +
+                                 "\" \"string wrap\" \"clamp\"\n"
+                                 "Material \"diffuse\" \"texture reflectance\" \"picture\"\n"
+                                 "AreaLightSource \"diffuse\" \"bool twosided\" true \"string filename\" \"" +
+                                 folder.path("emitted.exr") + "\"\n";
+    std::string text = test::inWordsOfV4(test::furnace(0.5f, kWidth, kHeight));
+    const size_t from = text.find("Material"), to = text.find("Shape");
+    text = kDeep + text.substr(0, from) + material + text.substr(to);
+    // Coordinates for the walls, each of which shows the whole picture.
+    text = test::respelt(text, "\"point3 P\"", "\"point2 uv\" [0 0 1 0 1 1 0 1] \"point3 P\"");
+    expectConstant(pictures(text, "path", 16, 16), 1);
+    expectConstant(pictures(text, "bdpt", 16, 16), 1);
+    expectConstant(pictures(text, "drc-maps", 8, 16), 1);
+    expectConstant(gathered(text, 16, 64), 1);
 }
 
 // After n bounces with an albedo of 0.5, radiance is 1 - 0.5^(n + 1). Direct lighting is the result for one bounce,

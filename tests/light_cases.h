@@ -1,4 +1,4 @@
-// A small scene for lights of every type, as pbrt-v3 text.
+// A small scene for lights of every type, as pbrt-v3 text, or pbrt-v4 for lights that only it has.
 #pragma once
 #include <ostream>
 #include <string>
@@ -8,6 +8,9 @@
 #include "test_scenes.h"
 
 namespace drc::test {
+
+inline const std::string kPlastic =
+    R"(Material "plastic" "rgb Kd" [0.3 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.3)";
 
 // A corner of a room that is open to the sky, with a mirror on one wall, a glossy ball, and the given light.
 inline std::string corner(const std::string& light, int width, int height) {
@@ -19,14 +22,13 @@ inline std::string corner(const std::string& light, int width, int height) {
            quad("-2 -2 0", "2 -2 0", "2 2 0", "-2 2 0") + quad("-2 2 0", "2 2 0", "2 2 3", "-2 2 3") +
            "Material \"matte\" \"rgb Kd\" [0.7 0.2 0.1]\n" + quad("-2 -2 0", "-2 2 0", "-2 2 3", "-2 -2 3") +
            "Material \"mirror\" \"rgb Kr\" [0.8 0.8 0.8]\n" + quad("-1.9 0 0", "-1.9 0 2", "-1.9 1 2", "-1.9 1 0") +
-           "Material \"plastic\" \"rgb Kd\" [0.3 0.4 0.5] \"rgb Ks\" [0.4 0.4 0.4] \"float roughness\" 0.3\n"
-           "AttributeBegin\nTranslate 0.5 0.2 0.6\nShape \"sphere\" \"float radius\" 0.6\nAttributeEnd\n" +
+           kPlastic + "\nAttributeBegin\nTranslate 0.5 0.2 0.6\nShape \"sphere\" \"float radius\" 0.6\nAttributeEnd\n" +
            light + "WorldEnd\n";
 }
 
-// `map` says whether the light uses an image file.
 struct LightCase {
     const char *name, *light;
+    bool v4 = false;
 };
 inline void PrintTo(const LightCase& c, std::ostream* out) { *out << c.name; }
 inline const LightCase kLightCases[] = {
@@ -54,6 +56,28 @@ inline const LightCase kLightCases[] = {
     {"AreaWithoutAMaterial",
      "AttributeBegin\nMaterial \"\"\nAreaLightSource \"diffuse\" \"rgb L\" [4 5 6]\n"
      "Translate -0.7 0.1 1.4\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd\n"},
+    {"ImageOnAScreen",
+     "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\n"
+     "AreaLightSource \"diffuse\" \"string filename\" \"picture.exr\" \"float scale\" 6\n"
+     "Translate 0.3 -0.6 2.2\nRotate 180 1 0 0\n"
+     "Shape \"bilinearmesh\" \"point P\" [-0.6 -0.4 0  0.6 -0.4 0  -0.6 0.4 0  0.6 0.4 0]\nAttributeEnd\n",
+     true},
+    {"ImageOnASphere",
+     "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0.3 0.3 0.3]\n"
+     "AreaLightSource \"diffuse\" \"string filename\" \"picture.exr\" \"float scale\" 8\n"
+     "Translate -0.5 -0.1 1.7\nRotate 30 1 1 0\nShape \"sphere\" \"float radius\" 0.4\nAttributeEnd\n",
+     true},
+    {"ImageOnManyTriangles",
+     "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0.2 0.2 0.2]\n"
+     "AreaLightSource \"diffuse\" \"string filename\" \"picture.exr\" \"float scale\" 8\n"
+     "Translate -0.4 -0.4 2\nScale 0.8 0.8 0.6\nReverseOrientation\n"
+     "Shape \"loopsubdiv\" \"integer levels\" 1 \"integer indices\" [0 1 4 1 2 4 2 3 4 3 0 4 1 0 5 2 1 5 3 2 5 0 3 5] "
+     "\"point P\" [1 0 0 0 1 0 -1 0 0 0 -1 0 0 0 1 0 0 -1]\nAttributeEnd\n",
+     true},
+    {"Portal",
+     "LightSource \"infinite\" \"rgb L\" [2 2.5 3] \"point3 portal\" [-1.2 -1.2 2  -1.2 1.9 2  1.4 1.9 2  1.4 -1.2 "
+     "2]\n",
+     true},
     {"ManyAtOnce",
      "LightSource \"infinite\" \"rgb L\" [0.2 0.2 0.3]\nLightSource \"distant\" \"rgb L\" [1 1 1] \"point from\" "
      "[1 -2 3]\nLightSource \"point\" \"rgb I\" [3 3 3] \"point from\" [-0.5 -0.8 2]\n"
@@ -67,7 +91,18 @@ inline std::string cornerWith(const LightCase& light, const TemporaryFolder& fol
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 16; ++x) map.setRgb(x, y, Rgb((x / 2 + y) % 3 == 0 ? 2.f : 0.1f, 0.5f, 0.1f * float(y)));
     writeExr(folder.path("map.exr"), map);
-    return respelt(corner(light.light, width, height), "map.exr", folder.path("map.exr"));
+    // Dark, with bright patches of two colours.
+    Image picture(12, 10);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 12; ++x)
+            picture.setRgb(x, y, (x / 2 + y / 2) % 4 == 0 ? Rgb(3, x > 5 ? 0.5f : 2.5f, 2) : Rgb(0.4f));
+    writeExr(folder.path("picture.exr"), picture);
+    std::string text = corner(light.light, width, height);
+    for (const char* file : {"map.exr", "picture.exr"}) text = respelt(text, file, folder.path(file));
+    return light.v4 ? inWordsOfV4(respelt(text, kPlastic,
+                                          R"(Material "coateddiffuse" "rgb reflectance" [0.3 0.4 0.5] )"
+                                          R"("float roughness" 0.3)"))
+                    : text;
 }
 
 }  // namespace drc::test

@@ -160,9 +160,9 @@ BidirectionalTracer::LightEnd BidirectionalTracer::lightEnd(const Light& light, 
     end.p = at.p;
     end.ng = at.ng;
     end.d = d;
-    end.infinite = light.bounds().empty();
+    end.infinite = light.isAtInfinity();
     end.delta = light.isDelta();
-    end.density = light.emissionDensity(at.ng, d, sphere_);
+    end.density = light.emissionDensity(at, d, sphere_);
     const auto probability = probability_.find(&light);
     end.density.origin *= probability == probability_.end() ? 0 : probability->second;
     const float here = end.delta ? chosen : end.from(from, chosen);
@@ -174,7 +174,7 @@ BidirectionalTracer::LightEnd BidirectionalTracer::lightEnd(const Light& light, 
                                                             const Vec3& from) const {
     float chosen = lighting_.lights().probability(from, &light);
     if (light.isInfinite()) {
-        chosen *= light.pdfEscaped(-d);
+        chosen *= light.pdfEscaped(from, -d);
     } else if (!light.isDelta()) {
         chosen *= static_cast<const AreaLight&>(light).pdf(from, -d, at);
     }
@@ -227,7 +227,7 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
             });
         });
         if (arrival == Arrival::Escaped)
-            lighting_.forLightsAtInfinity(step.ray.d, [&](const Light& light, const Rgb& radiance) {
+            lighting_.forLightsAtInfinity(from, step.ray.d, [&](const Light& light, const Rgb& radiance) {
                 add(light, radiance, {}, -step.ray.d, step.pdf);
             });
         if (arrival != Arrival::Surface) break;
@@ -282,7 +282,10 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
         if (toSurface(accel_, step.ray, hit, [](const SurfaceInteraction&) {}) != Arrival::Surface) break;
         if (scattered >= settings_.maxDepth || paths.light.size() == kMostVertices) break;
         const bool first = paths.light.empty();
-        if (first) paths.end = lightEnd(light, {emitted->p, emitted->ng, emitted->triangle}, emitted->d, hit.p);
+        // What stands outside a portal is not lit through it.
+        if (first && light.isInfinite() && isBlack(light.escaped(hit.p, -emitted->d))) break;
+        if (first)
+            paths.end = lightEnd(light, {emitted->p, emitted->ng, emitted->triangle, emitted->uv}, emitted->d, hit.p);
         const float own = first ? paths.end.to(hit) : perArea(step.pdf, paths.light.back().hit.p, hit);
         Vertex& at = paths.light.emplace_back();
         at.hit = hit;
@@ -313,8 +316,7 @@ Rgb BidirectionalTracer::sampleLight(Paths& paths, float uLight, const Vec2& u) 
     const Rgb light = at.throughput * lighting_.arriving(at.hit, proposal);
     if (isBlack(light) || proposal.screened) return light;
     const LightSample& s = proposal.sample;
-    EmitterHit point;
-    point.ng = s.ng;
+    EmitterHit point{Vec3(0.f), s.ng, s.triangle, s.uv};
     if (!std::isinf(s.distance)) point.p = at.hit.p + s.wi * s.distance;
     const LightEnd end = lightEnd(*proposal.light, point, -s.wi, at.hit.p, proposal.lightPdf);
     return light * weightOfSampled(paths, end, s.wi, proposal.bsdfPdf);

@@ -17,11 +17,12 @@ Rgb DirectLighting::emissionAtHit(const SurfaceInteraction& hit, const Vec3& fro
 
 Rgb DirectLighting::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, int group) const {
     Rgb sum(0.f);
-    forLightsAtInfinity(d, [&](const Light& light, const Rgb& radiance) {
+    forLightsAtInfinity(from, d, [&](const Light& light, const Rgb& radiance) {
         float weight = 1;
         if (pdf != kSpecular) {
-            float lightPdf = lights_.probability(from, &light) * light.pdfEscaped(d);
-            if (group != kNoGroup && &light == guide_->light()) lightPdf *= guide_->density(group, light.inverse(d));
+            float lightPdf = lights_.probability(from, &light) * light.pdfEscaped(from, d);
+            if (group != kNoGroup && &light == guide_->light())
+                lightPdf *= guide_->density(group, light.inverse(from, d));
             weight = powerHeuristic(pdf, lightPdf);
         }
         sum += radiance * weight;
@@ -61,7 +62,7 @@ Rgb DirectLighting::arriving(const SurfaceInteraction& at, Proposal& proposal) c
     if (proposal.slot >= 0) guide_->learn(proposal.slot, !blocked);
     if (blocked) return Rgb(0.f);
     proposal.screened = accel_.hasShadowMasks() && screened(accel_, at.spawnPoint(), s.wi, s.distance, at.time);
-    return proposal.throughput * (proposal.light->isInfinite() ? proposal.light->escaped(s.wi) : s.radiance);
+    return proposal.throughput * (proposal.light->isInfinite() ? proposal.light->escaped(at.p, s.wi) : s.radiance);
 }
 
 }  // namespace drc

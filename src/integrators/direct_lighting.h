@@ -43,11 +43,11 @@ class DirectLighting {
         const Rgb emitted = hit.emitted();
         if (!isBlack(emitted)) met(*light, emitted);
     }
-    // Calls met(light, Le) for every light at infinity that shines along a ray of direction d which escaped.
+    // Calls met(light, Le) for every environment that shines along a ray of direction d which left `from` and escaped.
     template <class Met>
-    void forLightsAtInfinity(const Vec3& d, Met&& met) const {
+    void forLightsAtInfinity(const Vec3& from, const Vec3& d, Met&& met) const {
         for (const Light* light : lights_.infiniteLights()) {
-            const Rgb radiance = light->escaped(d);
+            const Rgb radiance = light->escaped(from, d);
             if (!isBlack(radiance)) met(*light, radiance);
         }
     }

@@ -91,7 +91,9 @@ TEST(GuidedDirections, FollowTheirDensity) {
     const auto sample = [&](std::mt19937& random) -> std::optional<Vec3> {
         return sky->sample(Vec3(0, 0, 0), guide.sample(group, test::uniform2(random)).u)->wi;
     };
-    const auto pdf = [&](const Vec3& w) { return sky->pdfEscaped(w) * guide.density(group, sky->inverse(w)); };
+    const auto pdf = [&](const Vec3& w) {
+        return sky->pdfEscaped(Vec3(0.f), w) * guide.density(group, sky->inverse(Vec3(0.f), w));
+    };
     const test::ChiSquare r = test::chiSquareTest(sample, pdf, 60000, 4, 4e-5);
     EXPECT_GT(r.pValue, test::kChiSquareLevel) << "chi2 " << r.statistic << " dof " << r.degreesOfFreedom;
     EXPECT_NEAR(r.pdfIntegral, 1, 2e-3);

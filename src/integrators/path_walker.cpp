@@ -22,6 +22,7 @@ bool SpecularChain::follow(const Bsdf& bsdf, float uLobe, const Vec2& u, float p
     if (!s || !(s->pdf > 0)) return false;
     throughput_ *= s->f * (absDot(s->wi, bsdf.frame().n) / (s->pdf * probability));
     if (isBlack(throughput_)) return false;
+    from_ = surface_.p;
     ray_ = surface_.spawnRay(s->wi);
     ++bounces_;
     return true;

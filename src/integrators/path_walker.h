@@ -76,17 +76,17 @@ inline Arrival toSurface(const Accel& accel, Ray& ray, SurfaceInteraction& hit, 
 // The chain of mirrors and smooth glass between a camera and the surfaces that it sees in them.
 class SpecularChain {
   public:
-    SpecularChain(const Accel& accel, const Ray& cameraRay) : accel_(accel), ray_(cameraRay) {}
+    SpecularChain(const Accel& accel, const Ray& cameraRay) : accel_(accel), ray_(cameraRay), from_(cameraRay.o) {}
 
     // Moves on to the next surface with a material, surface(). met(hit) is called as by toSurface. Where the path
-    // escapes, atInfinity(d) is called. False: the path ends.
+    // escapes, atInfinity(from, d) is called. False: the path ends.
     template <class Met, class AtInfinity>
     bool next(Met&& met, AtInfinity&& atInfinity) {
         const Arrival arrival = toSurface(accel_, ray_, surface_, [&](const SurfaceInteraction& hit) {
             distance_ += hit.t;
             met(hit);
         });
-        if (arrival == Arrival::Escaped) atInfinity(ray_.d);
+        if (arrival == Arrival::Escaped) atInfinity(from_, ray_.d);
         return arrival == Arrival::Surface;
     }
     // Leaves surface() by one of its specular lobes. probability: that of having chosen to do so. False: the path ends.
@@ -100,6 +100,7 @@ class SpecularChain {
   private:
     const Accel& accel_;
     Ray ray_;
+    Vec3 from_;  // what the ray left: the camera or a surface
     SurfaceInteraction surface_;
     Rgb throughput_{1.f};
     float distance_ = 0;

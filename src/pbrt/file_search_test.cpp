@@ -44,8 +44,8 @@ TEST(FileSearch, EveryKindOfFileIsFoundBesideTheFileThatNamesIt) {
     const auto scene = loadPbrtFile(folder.write(
         "scene.pbrt", "Include \"parts/camera.pbrt\"\nWorldBegin\nInclude \"parts/world.pbrt\"\nWorldEnd\n"));
     EXPECT_EQ(firstX(*scene, 0), 2);
-    EXPECT_NEAR(scene->lights.at(0)->escaped(Vec3(0, 0, 1)).y, 1, 1e-3f);
-    EXPECT_EQ(scene->lights.at(0)->escaped(Vec3(0, 0, 1)).x, 0);
+    EXPECT_NEAR(scene->lights.at(0)->escaped(Vec3(0.f), Vec3(0, 0, 1)).y, 1, 1e-3f);
+    EXPECT_EQ(scene->lights.at(0)->escaped(Vec3(0.f), Vec3(0, 0, 1)).x, 0);
     EXPECT_NEAR(luminance(scene->lights.at(1)->sample(Vec3(0, 0, 1), Vec2(0.5f))->radiance), 0.25f, 0.01f);
 }
 

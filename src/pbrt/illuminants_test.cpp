@@ -35,5 +35,21 @@ TEST(Illuminants, HaveUnitLuminanceAndTheirColor) {
     EXPECT_FALSE(illuminantNamed("stdillum-D66"));
 }
 
+// The correlated colour temperatures of CIE 15, by McCamy's approximation ("Correlated Color Temperature as an Explicit
+// Function of Chromaticity Coordinates", Color Res. Appl. 17, 1992).
+TEST(Illuminants, HaveTheirTemperature) {
+    const std::pair<const char*, double> kAll[] = {
+        {"stdillum-A", 2856},   {"stdillum-D50", 5003}, {"stdillum-D65", 6504}, {"stdillum-F1", 6430},
+        {"stdillum-F2", 4230},  {"stdillum-F3", 3450},  {"stdillum-F4", 2940},  {"stdillum-F5", 6350},
+        {"stdillum-F6", 4150},  {"stdillum-F7", 6500},  {"stdillum-F8", 5000},  {"stdillum-F9", 4150},
+        {"stdillum-F10", 5000}, {"stdillum-F11", 4000}, {"stdillum-F12", 3000}, {"illum-acesD60", 6000}};
+    for (const auto& [name, kelvin] : kAll) {
+        const Vec3 xyz = rgbToXyz(illuminantNamed(name).value());
+        const double sum = double(xyz.x + xyz.y + xyz.z), x = double(xyz.x) / sum, y = double(xyz.y) / sum;
+        const double n = (x - 0.3320) / (0.1858 - y);
+        EXPECT_NEAR(449 * n * n * n + 3525 * n * n + 6823.3 * n + 5520.33, kelvin, 0.01 * kelvin) << name;
+    }
+}
+
 }  // namespace
 }  // namespace drc::pbrt

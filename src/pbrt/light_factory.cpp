@@ -20,7 +20,7 @@ void samplesNotNeeded(const ParamSet& params) {
 // pbrt-v3 decodes only images of textures, so images of lights are linear even in 8-bit files. Lookups within half a
 // pixel of an edge interpolate with the opposite edge.
 LightImage pictureOf(const LightContext& context, const std::string& what) {
-    LightImage image = imageOf(context, "mapname", what, readAsStored);
+    LightImage image = imageOf(context.params, context.files, "mapname", what, readAsStored);
     image.repeats = true;
     return image;
 }
@@ -70,10 +70,7 @@ AreaLightBuilder makeDiffuse(const ParamSet& params) {
     const bool twoSided = params.getBool("twosided", false);
     samplesNotNeeded(params);
     if (isBlack(radiance)) return {};
-    return [=](const Primitive& primitive) {
-        return primitive.mesh ? makeMeshAreaLight(*primitive.mesh, radiance, twoSided)
-                              : makeShapeAreaLight(primitive.shape, radiance, twoSided);
-    };
+    return [=](const Primitive& primitive) { return makeDiffuseAreaLight(primitive, radiance, twoSided); };
 }
 
 using AreaLightMaker = AreaLightBuilder (*)(const ParamSet&);
@@ -85,20 +82,26 @@ constexpr Registered<AreaLightMaker> kAreaLights[] = {
 }  // namespace
 
 LightPtr makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                   const FileSearch& files) {
+                   const Transform& fromFile, const FileSearch& files) {
     const LightMaker make = findMaker<LightMaker>(kLights, "light", type, params.pos(), "the light is left out");
     if (make == nullptr) return nullptr;
-    LightPtr light = make({params, lightToWorld, files});
+    LightPtr light = make({params, lightToWorld, fromFile, files});
     params.warnUnused();
     return light;
 }
 
-AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params) {
+AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params, const FileSearch&) {
     const auto make = findMaker<AreaLightMaker>(kAreaLights, "area light", type, params.pos(), "shapes do not emit");
     if (make == nullptr) return {};
     AreaLightBuilder builder = make(params);
     params.warnUnused();
     return builder;
+}
+
+std::shared_ptr<const AreaLight> makeDiffuseAreaLight(const Primitive& primitive, const Emission& emission,
+                                                      bool twoSided) {
+    return primitive.mesh ? makeMeshAreaLight(*primitive.mesh, emission, twoSided)
+                          : makeShapeAreaLight(primitive.shape, emission, twoSided);
 }
 
 }  // namespace drc::pbrt

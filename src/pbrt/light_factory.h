@@ -12,11 +12,16 @@
 namespace drc::pbrt {
 
 // Null, with a warning, for types that are not supported. Throws Error for types that pbrt-v3 does not have either.
+// fromFile: from the world space of the file to that of the scene.
 LightPtr makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                   const FileSearch& files);
+                   const Transform& fromFile, const FileSearch& files);
 
 // Makes the light of an emissive mesh or shape; an empty function means that shapes do not emit.
 using AreaLightBuilder = std::function<std::shared_ptr<const AreaLight>(const Primitive&)>;
-AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params);
+AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params, const FileSearch& files);
+
+// The light of a mesh or shape.
+std::shared_ptr<const AreaLight> makeDiffuseAreaLight(const Primitive& primitive, const Emission& emission,
+                                                      bool twoSided);
 
 }  // namespace drc::pbrt

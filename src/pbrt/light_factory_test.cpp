@@ -81,7 +81,7 @@ TEST(LightFactory, PicturesOfIntegersAreTakenAsStored) {
                     0.002f)
             << light;
     const auto scene = loadWorld("LightSource \"infinite\"" + map, folder.path());
-    EXPECT_NEAR(scene->lights.at(0)->escaped(Vec3(0, 0, 1)).x, 0.5f, 0.002f);
+    EXPECT_NEAR(scene->lights.at(0)->escaped(Vec3(0.f), Vec3(0, 0, 1)).x, 0.5f, 0.002f);
 }
 
 TEST(LightFactory, AProjectedPictureRepeatsAtItsEdges) {

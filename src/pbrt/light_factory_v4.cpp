@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include "pbrt/equal_area_image.h"
+#include "pbrt/light_factory.h"
 #include "pbrt/light_params.h"
 #include "pbrt/registry.h"
+#include "scene/portal.h"
 
 namespace drc::pbrt {
 namespace {
@@ -31,7 +33,7 @@ double meanLuminance(const LightImage& image) {
 
 // pbrt-v4's equal-area image of all directions, converted to the layout that our lights use; empty if there is none.
 LightImage sphereOf(const LightContext& context, const std::string& what) {
-    LightImage image = imageOf(context, "filename", what, readLinear);
+    LightImage image = imageOf(context.params, context.files, "filename", what, readLinear);
     if (image.empty()) return image;
     if (image.width != image.height)
         fail(context.params.find("filename", {ParamType::String})->valuePos,
@@ -79,7 +81,7 @@ LightPtr makeGoniometric(const LightContext& context) {
 LightPtr makeProjection(const LightContext& context) {
     const ParamSet& params = context.params;
     const float fov = degreesBetween(params, "fov", 90, 0, 180);
-    LightImage image = imageOf(context, "filename", "picture to project", readLinear);
+    LightImage image = imageOf(context.params, context.files, "filename", "picture to project", readLinear);
     if (image.empty()) fail(params.pos(), "the projection light needs the parameter \"string filename\"");
     image.mend();
     // The image is upright: its upper edge is at the light's +y.
@@ -88,19 +90,30 @@ LightPtr makeProjection(const LightContext& context) {
     return makeProjectionLight(context.toWorld, Rgb(brightness(params, "power", white)), fov, upright);
 }
 
+// The corners of the portal, if there is one. As in pbrt they are in world space, whatever the transformation.
+std::optional<std::array<Vec3, 4>> portalOf(const LightContext& context) {
+    const Param* portal = context.params.find("portal", {ParamType::Point3});
+    if (portal == nullptr) return {};
+    if (portal->count() != 4)
+        context.params.failAt(
+            *portal, fmt::format("must have the 4 corners of a rectangle, in order, found {} points", portal->count()));
+    std::array<Vec3, 4> corners;
+    for (size_t i = 0; i < 4; ++i) corners[i] = context.fromFile.point(vec3At(portal->numbers, i));
+    if (const std::string flaw = Portal::flawOf(corners); !flaw.empty())
+        context.params.failAt(*portal, "must have the corners of a rectangle, in order: " + flaw);
+    return corners;
+}
+
 LightPtr makeInfinite(const LightContext& context) {
     const ParamSet& params = context.params;
-    if (params.has("portal")) {
-        params.ignore({"portal"});
-        warn(params.pos(), "parameter 'portal' of " + params.owner() +
-                               " is not supported yet; the environment lights the scene from everywhere");
-    }
     const LightImage square = sphereOf(context, "environment map");
     if (!square.empty() && params.has("L"))
         fail(params.pos(), "the infinite light has both 'L' and 'filename'; give the one or the other");
     const double own = square.empty() ? double(kPi) : horizontalIlluminance(square);
     const Rgb radiance = params.getColor("L", Rgb(1.f)) * brightness(params, "illuminance", own);
-    return makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square));
+    LightPtr environment = makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square));
+    const auto portal = portalOf(context);
+    return portal ? makePortalLight(std::move(environment), std::max(1, square.height), *portal) : environment;
 }
 
 using LightMaker = LightPtr (*)(const LightContext&);
@@ -117,40 +130,50 @@ double emittedByWhite(const Primitive& primitive) {
     return area / std::max(1u, primitive.mesh->triangleCount()) * double(kPi);
 }
 
-AreaLightBuilder makeDiffuse(const ParamSet& params) {
+// The image of an area light; null if it has none.
+std::shared_ptr<const EmissionImage> emissionImageOf(const ParamSet& params, const FileSearch& files) {
+    LightImage image = imageOf(params, files, "filename", "picture that is emitted", readLinear);
+    if (image.empty()) return nullptr;
+    if (params.has("L")) fail(params.pos(), "the area light has both 'L' and 'filename'; give the one or the other");
+    // Its lower left corner is at (u, v) = (0, 0).
+    return std::make_shared<const EmissionImage>(flippedTopToBottom(std::move(image)));
+}
+
+AreaLightBuilder makeDiffuse(const ParamSet& params, const FileSearch& files) {
     const bool twoSided = params.getBool("twosided", false);
     const float power = params.getFloat("power", -1);
-    if (params.has("filename")) {
-        params.ignore({"filename"});
-        warn(params.pos(), "parameter 'filename' of " + params.owner() +
-                               " is not supported yet; the light is of one colour everywhere");
-    }
-    const Rgb radiance = params.getColor("L", Rgb(1.f)) * scaleOf(params);
-    if (isBlack(radiance)) return {};
+    const auto image = emissionImageOf(params, files);
+    const Rgb scale = params.getColor("L", Rgb(1.f)) * scaleOf(params);
+    // As in pbrt, the power is that of the whole image, whatever part of it a shape shows.
+    const double ofImage = image ? double(luminance(image->mean())) : 1;
+    if (power > 0 && !(ofImage > 0))
+        fail(params.pos(),
+             "the picture of " + params.owner() + " is black: it cannot have the 'power' that is asked for");
+    if (isBlack(scale) || !(ofImage > 0)) return {};
     return [=](const Primitive& primitive) -> std::shared_ptr<const AreaLight> {
-        const double own = power > 0 ? emittedByWhite(primitive) * (twoSided ? 2 : 1) : 0;
-        const Rgb emitted = own > 0 ? radiance * float(double(power) / own) : radiance;
-        return primitive.mesh ? makeMeshAreaLight(*primitive.mesh, emitted, twoSided)
-                              : makeShapeAreaLight(primitive.shape, emitted, twoSided);
+        const double own = power > 0 ? emittedByWhite(primitive) * (twoSided ? 2 : 1) * ofImage : 0;
+        const Rgb scaled = own > 0 ? scale * float(double(power) / own) : scale;
+        const Emission emission = image ? Emission(image, scaled) : Emission(scaled);
+        return makeDiffuseAreaLight(primitive, emission, twoSided);
     };
 }
 
-using AreaLightMaker = AreaLightBuilder (*)(const ParamSet&);
+using AreaLightMaker = AreaLightBuilder (*)(const ParamSet&, const FileSearch&);
 constexpr Registered<AreaLightMaker> kAreaLights[] = {{"diffuse", makeDiffuse}};
 
 }  // namespace
 
 LightPtr makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                     const FileSearch& files) {
+                     const Transform& fromFile, const FileSearch& files) {
     const LightMaker make = findMaker<LightMaker>(kLights, "light", type, params.pos(), "the light is left out");
-    LightPtr light = make({params, lightToWorld, files});
+    LightPtr light = make({params, lightToWorld, fromFile, files});
     params.warnUnused();
     return light;
 }
 
-AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params) {
+AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params, const FileSearch& files) {
     const auto make = findMaker<AreaLightMaker>(kAreaLights, "area light", type, params.pos(), "shapes do not emit");
-    AreaLightBuilder builder = make(params);
+    AreaLightBuilder builder = make(params, files);
     params.warnUnused();
     return builder;
 }

@@ -8,7 +8,7 @@ namespace drc::pbrt {
 
 // The counterparts of makeLight() and makeAreaLight() for pbrt-v4.
 LightPtr makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                     const FileSearch& files);
-AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params);
+                     const Transform& fromFile, const FileSearch& files);
+AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params, const FileSearch& files);
 
 }  // namespace drc::pbrt

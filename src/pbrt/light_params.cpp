@@ -14,12 +14,12 @@ float degreesBetween(const ParamSet& params, std::string_view name, float fallba
     return value;
 }
 
-LightImage imageOf(const LightContext& context, std::string_view param, const std::string& what,
+LightImage imageOf(const ParamSet& params, const FileSearch& files, std::string_view param, const std::string& what,
                    DecodedImage (*read)(const std::string& path)) {
-    const std::string name = context.params.getString(param, "");
+    const std::string name = params.getString(param, "");
     if (name.empty()) return {};
-    const SourcePos pos = context.params.find(param, {ParamType::String})->valuePos;
-    const std::string path = context.files.find(name, pos, what);
+    const SourcePos pos = params.find(param, {ParamType::String})->valuePos;
+    const std::string path = files.find(name, pos, what);
     try {
         DecodedImage image = read(path);
         return {image.width, image.height, std::move(image.texels)};

@@ -12,6 +12,7 @@ namespace drc::pbrt {
 struct LightContext {
     const ParamSet& params;
     const Transform& toWorld;
+    const Transform& fromFile;  // for points that the file gives in its world space
     const FileSearch& files;
 };
 
@@ -20,7 +21,7 @@ float degreesBetween(const ParamSet& params, std::string_view name, float fallba
 
 // The image that a parameter names; empty if there is none. `what` is used in messages: "environment map". `read`
 // defines the meaning of the file's values.
-LightImage imageOf(const LightContext& context, std::string_view param, const std::string& what,
+LightImage imageOf(const ParamSet& params, const FileSearch& files, std::string_view param, const std::string& what,
                    DecodedImage (*read)(const std::string& path));
 
 // A light space with its origin at `from` and its +z axis towards `to`.

@@ -22,6 +22,9 @@ MaterialPtr principledOf(const TextureParams& p, Relief relief) {
                            .sheenRoughness = p.scalarOrNull("sheenroughness"),
                            .sheenTint = p.colorOrNull("sheentint"),
                            .subsurface = p.scalarOrNull("subsurface"),
+                           .alpha = p.scalarOrNull("alpha"),
+                           .emission = p.colorOrNull("emission"),
+                           .emissionStrength = p.scalarOrNull("emissionstrength"),
                            .thinWall = p.getBool("thinwall", false),
                            .relief = std::move(relief)});
 }

@@ -152,7 +152,7 @@ Geometry bilinearMesh(const ShapeContext& context) {
     const ParamSet& params = context.params;
     auto mesh = readVertices(params);
     std::vector<uint32_t> corners = readIndices(params, mesh->positions.size(), 4, true);
-    params.notBuilt({"emissionfilename"});
+    params.ignore({"emissionfilename"});  // where to sample the patch, which its light knows itself
     if (mesh->uvs.empty()) giveCornersCoordinates(*mesh, corners);
     mesh->indices.reserve(corners.size() / 4 * 6);
     for (size_t i = 0; i + 3 < corners.size(); i += 4) {

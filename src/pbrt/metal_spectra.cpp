@@ -14,7 +14,8 @@ struct Index {
 // Silver, gold and copper: P. B. Johnson and R. W. Christy, "Optical Constants of the Noble Metals", Phys. Rev. B 6
 // (1972). Chromium, cobalt, iron, nickel and titanium: the same, "Optical Constants of Transition Metals", Phys. Rev. B
 // 9 (1974). Aluminium, every 30 nm: K. M. McPeak et al., "Plasmonic Films Can Easily Be Better: Rules and Recipes", ACS
-// Photonics 2 (2015). All by the database of refractiveindex.info, which is in the public domain.
+// Photonics 2 (2015). Brass (70 % copper), every 20 nm: M. R. Querry, "Optical Constants", Contractor Report
+// CRDC-CR-85034 (1985). All by the database of refractiveindex.info, which is in the public domain.
 constexpr Index kSilver[] = {
     {367.9f, 0.07f, 1.657f}, {381.5f, 0.05f, 1.864f}, {397.4f, 0.05f, 2.07f},  {413.3f, 0.05f, 2.275f},
     {430.5f, 0.04f, 2.462f}, {450.9f, 0.04f, 2.657f}, {471.4f, 0.05f, 2.869f}, {495.9f, 0.05f, 3.093f},
@@ -61,12 +62,20 @@ constexpr Index kTitanium[] = {
     {520.9f, 2.44f, 3.3f},  {548.6f, 2.54f, 3.43f}, {582.1f, 2.6f, 3.58f},  {616.8f, 2.67f, 3.72f},
     {659.5f, 2.76f, 3.84f}, {704.5f, 2.86f, 3.96f}, {756.0f, 3.0f, 4.01f},  {821.1f, 3.21f, 4.01f}};
 
+constexpr Index kBrass[] = {
+    {370.0f, 1.497f, 1.818f}, {380.0f, 1.487f, 1.818f}, {400.0f, 1.445f, 1.805f}, {420.0f, 1.350f, 1.786f},
+    {440.0f, 1.191f, 1.797f}, {460.0f, 0.994f, 1.883f}, {480.0f, 0.816f, 2.046f}, {500.0f, 0.686f, 2.250f},
+    {520.0f, 0.602f, 2.464f}, {540.0f, 0.549f, 2.668f}, {560.0f, 0.505f, 2.860f}, {580.0f, 0.468f, 3.059f},
+    {600.0f, 0.450f, 3.253f}, {620.0f, 0.449f, 3.434f}, {640.0f, 0.444f, 3.609f}, {660.0f, 0.445f, 3.778f},
+    {680.0f, 0.444f, 3.943f}, {700.0f, 0.446f, 4.106f}, {720.0f, 0.450f, 4.266f}, {740.0f, 0.455f, 4.424f},
+    {760.0f, 0.458f, 4.579f}, {780.0f, 0.464f, 4.737f}, {800.0f, 0.473f, 4.890f}};
+
 struct Metal {
     std::string_view symbol;
     std::span<const Index> indices;
 };
-constexpr Metal kMetals[] = {{"Ag", kSilver}, {"Al", kAluminium}, {"Au", kGold},   {"Co", kCobalt},  {"Cr", kChromium},
-                             {"Cu", kCopper}, {"Fe", kIron},      {"Ni", kNickel}, {"Ti", kTitanium}};
+constexpr Metal kMetals[] = {{"Ag", kSilver}, {"Al", kAluminium}, {"Au", kGold}, {"Co", kCobalt}, {"Cr", kChromium},
+                             {"Cu", kCopper}, {"CuZn", kBrass},   {"Fe", kIron}, {"Ni", kNickel}, {"Ti", kTitanium}};
 
 }  // namespace
 

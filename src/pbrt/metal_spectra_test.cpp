@@ -28,7 +28,7 @@ TEST(MetalSpectra, Names) {
 }
 
 TEST(MetalSpectra, CoverTheVisibleInOrder) {
-    for (const std::string symbol : {"Ag", "Al", "Au", "Co", "Cr", "Cu", "Fe", "Ni", "Ti"}) {
+    for (const std::string symbol : {"Ag", "Al", "Au", "Co", "Cr", "Cu", "CuZn", "Fe", "Ni", "Ti"}) {
         const auto eta = metalSpectrum(symbol + ".eta.spd").value();
         EXPECT_LE(eta.front().wavelength, 380);
         EXPECT_GE(eta.back().wavelength, 780);
@@ -55,6 +55,11 @@ TEST(MetalSpectra, HaveTheirColours) {
         EXPECT_GT(silver[c], 0.9f);
         EXPECT_NEAR(aluminium[c], 0.91f, 0.03f);
     }
+    // Brass is yellow.
+    const Rgb brass = reflectanceOf("CuZn");
+    EXPECT_GT(brass.x, 0.85f);
+    EXPECT_GT(brass.y, 0.65f);
+    EXPECT_LT(brass.z, 0.6f);
     for (const std::string symbol : {"Co", "Cr", "Fe", "Ni", "Ti"}) {
         EXPECT_GT(reflectanceOf(symbol).y, 0.4f) << symbol;
         EXPECT_LT(reflectanceOf(symbol).y, 0.75f) << symbol;

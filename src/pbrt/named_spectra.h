@@ -1,4 +1,4 @@
-// The spectra that pbrt-v4 has built in.
+// The spectra of materials that pbrt-v4 has built in.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,8 +8,7 @@
 
 namespace drc::pbrt {
 
-// Indices of refraction, and k of metals: "glass-BK7", "metal-Cu-eta", ... None for any other name. isStandIn is set
-// for brass (CuZn), for which copper is returned, because we have no measurements of it.
-std::optional<std::vector<SpectrumSample>> namedIndex(const std::string& name, bool& isStandIn);
+// Indices of refraction, and k of metals: "glass-BK7", "metal-Cu-eta", "metal-TiO2-k", ... None for any other name.
+std::optional<std::vector<SpectrumSample>> namedIndex(const std::string& name);
 
 }  // namespace drc::pbrt

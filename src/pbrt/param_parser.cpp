@@ -134,7 +134,10 @@ class ParamParser {
             const std::vector<double>& n = param_.numbers;
             std::vector<SpectrumSample> samples;
             for (size_t i = 0; i + 1 < n.size(); i += 2) samples.push_back({float(n[i]), float(n[i + 1])});
-            if (!samples.empty()) param_.colors.push_back(colorOf(std::move(samples)));
+            if (samples.size() == 1 && beyond() == Beyond::Zero)
+                warn(param_.valuePos, "the spectrum of parameter '" + param_.name + "' of " + owner_ +
+                                          " has a single wavelength, and in pbrt-v4 is zero at all others");
+            if (!samples.empty()) param_.colors.push_back(colorOf(std::move(samples), beyond()));
             for (const std::string& name : param_.strings) param_.colors.push_back(namedSpectrum(name));
         } else if (param_.typeName == "blackbody") {
             convertTemperatures();
@@ -142,6 +145,9 @@ class ParamParser {
             checkGroups(3);
             for (size_t i = 0; i < param_.numbers.size() / 3; ++i) {
                 const Vec3 c = vec3At(param_.numbers, i);
+                if (rules_.dialect == Dialect::V4 && rules_.isLight && !(c.x >= 0 && c.y >= 0 && c.z >= 0))
+                    fail(param_.valuePos, "parameter '" + param_.name + "' of " + owner_ +
+                                              " is the colour of a light, and must not have a negative component");
                 param_.colors.push_back(param_.typeName == "xyz" ? xyzToRgb(c) : fromSpace(Rgb(c.x, c.y, c.z)));
             }
         }
@@ -154,6 +160,9 @@ class ParamParser {
                 fail(param_.valuePos, "parameter '" + param_.name + "' of " + owner_ +
                                           " is of type 'blackbody', which in pbrt-v4 is a temperature alone, found " +
                                           std::to_string(n.size()) + " numbers; how bright it is 'scale' says");
+            if (!(n[0] > 0))
+                fail(param_.valuePos, "parameter '" + param_.name + "' of " + owner_ +
+                                          " is of type 'blackbody', whose temperature must be above 0 kelvin");
             param_.colors.push_back(scaled(blackbodyToRgb(float(n[0]))));
             return;
         }
@@ -179,19 +188,20 @@ class ParamParser {
     // pbrt-v4 normalises spectra of lights to a luminance of one.
     Rgb scaled(const Rgb& c) const { return rules_.dialect == Dialect::V4 && rules_.isLight ? atUnitLuminance(c) : c; }
 
-    Rgb colorOf(std::vector<SpectrumSample> samples) const {
+    // Of spectra that the file gives. An index of refraction of zero would make no sense.
+    Beyond beyond() const {
+        const bool isIndex = useOf(param_.name, rules_) == ColorUse::Index;
+        return rules_.dialect == Dialect::V4 && !isIndex ? Beyond::Zero : Beyond::Constant;
+    }
+
+    Rgb colorOf(std::vector<SpectrumSample> samples, Beyond beyond) const {
         if (rules_.dialect == Dialect::V4 && useOf(param_.name, rules_) == ColorUse::Reflectance)
-            return reflectanceToRgb(std::move(samples));
-        return scaled(spectrumToRgb(std::move(samples)));
+            return reflectanceToRgb(std::move(samples), beyond);
+        return scaled(spectrumToRgb(std::move(samples), beyond));
     }
 
     Rgb namedSpectrum(const std::string& name) const {
-        bool isStandIn = false;
-        if (auto index = namedIndex(name, isStandIn)) {
-            if (isStandIn)
-                warn(param_.valuePos, "the spectrum '" + name + "' is not built in; copper stands in for it");
-            return colorOf(std::move(*index));
-        }
+        if (auto index = namedIndex(name)) return colorOf(std::move(*index), Beyond::Constant);
         if (const auto illuminant = illuminantNamed(name)) return *illuminant;
         const auto metal = metalSpectrum(name);
         std::string path;
@@ -201,9 +211,9 @@ class ParamParser {
             if (!metal) throw;
             warn(param_.valuePos,
                  "cannot find the spectrum file '" + name + "'; measurements of this metal stand in for it");
-            return colorOf(*metal);
+            return colorOf(*metal, Beyond::Constant);
         }
-        return colorOf(placedAt(param_.valuePos, [&] { return readSpdFile(path); }));
+        return colorOf(placedAt(param_.valuePos, [&] { return readSpdFile(path); }), beyond());
     }
 
     TokenStream& tokens_;

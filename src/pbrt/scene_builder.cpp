@@ -12,6 +12,7 @@
 #include "pbrt/overrides.h"
 #include "pbrt/scene_limits.h"
 #include "pbrt/suggest.h"
+#include "scene/texture_scale.h"
 
 namespace drc::pbrt {
 namespace {
@@ -235,12 +236,13 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
 
 void SceneBuilder::light(const std::string& type, ParamSet params) {
     params = completed("light", std::move(params));
-    if (LightPtr light = make_.light(type, params, fromFile_ * staticTransform("lights", params.pos()), files_))
+    const Transform toWorld = fromFile_ * staticTransform("lights", params.pos());
+    if (LightPtr light = make_.light(type, params, toWorld, fromFile_, files_))
         scene_->lights.push_back(std::move(light));
 }
 
 void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
-    state_.areaLight = make_.areaLight(type, completed("light", std::move(params)));
+    state_.areaLight = make_.areaLight(type, completed("light", std::move(params)), files_);
 }
 
 void SceneBuilder::shape(const std::string& type, ParamSet params) {
@@ -264,28 +266,44 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     pending.primitive.alphaIsShare = pending.geometry.alphaIsShare;
     pending.primitive.material = make_.materialOfShape(*state_.material, params, materialSources());
     params.warnUnused();
-    if (placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
-    if (state_.areaLight && openObject_) {
+    takeFromMaterial(pending.primitive);
+    const AreaLightBuilder areaLight = areaLightOf(pending.primitive);
+    if (!areaLight && placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
+    if (areaLight && openObject_) {
         warn(params.pos(), "shapes of an instanced object cannot be area lights; it does not emit");
-    } else if (state_.areaLight && moves) {
+    } else if (areaLight && moves) {
         warn(params.pos(), "shapes that move cannot be area lights; it does not emit");
-    } else if (state_.areaLight) {
-        pending.areaLight = state_.areaLight;
+    } else if (areaLight) {
+        pending.areaLight = areaLight;
         pending.lightSlot = scene_->lights.size();
         scene_->lights.push_back(nullptr);
     }
     pending_.push_back(std::move(pending));
 }
 
+void SceneBuilder::takeFromMaterial(Primitive& primitive) const {
+    if (!primitive.material || !primitive.material->opacity()) return;
+    const FloatTexturePtr& opacity = primitive.material->opacity();
+    primitive.alpha = primitive.alpha ? makeScaleTexture<float>(primitive.alpha, opacity) : opacity;
+    primitive.alphaIsShare = true;
+}
+
+AreaLightBuilder SceneBuilder::areaLightOf(const Primitive& primitive) {
+    if (state_.areaLight || !primitive.material || !primitive.material->emission()) return state_.areaLight;
+    const RgbTexturePtr& texture = primitive.material->emission();
+    auto [entry, isNew] = emissions_.try_emplace(texture, Rgb(0.f));
+    if (isNew) entry->second = emissionOf(*texture);
+    return [emission = entry->second](const Primitive& of) { return makeDiffuseAreaLight(of, emission, true); };
+}
+
 bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
     if (!next.geometry.curves || pending_.empty()) return false;
     PendingPrimitive& last = pending_.back();
-    const bool emit = state_.areaLight || last.areaLight;
     const bool alike = last.geometry.curves && last.geometry.curves->looksLike(*next.geometry.curves) &&
                        last.object == next.object && last.primitive.material == next.primitive.material &&
                        last.primitive.alpha == next.primitive.alpha &&
                        last.primitive.shadowAlpha == next.primitive.shadowAlpha;
-    if (emit || !alike) return false;
+    if (last.areaLight || !alike) return false;
     last.geometry.curves->append(*next.geometry.curves);
     return true;
 }

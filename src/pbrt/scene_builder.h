@@ -112,6 +112,10 @@ class SceneBuilder {
     // same motion share it.
     size_t movingObject(const std::string& shape, const SourcePos& pos);
     void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
+    // What the primitive's material says of its alpha.
+    void takeFromMaterial(Primitive& primitive) const;
+    // What makes the area light of a shape: the graphics state's, or that of its material; empty: it does not emit.
+    AreaLightBuilder areaLightOf(const Primitive& primitive);
     // Appends curves to the preceding ones if they are of the same type, because hair comes as one shape per curve.
     bool joinCurves(const PendingPrimitive& next);
     MaterialSources materialSources() {
@@ -152,6 +156,7 @@ class SceneBuilder {
     InstanceBudget instances_;
     size_t curvePiecesLeft_ = limits::kCurvePieces;
     std::vector<PendingPrimitive> pending_;
+    std::map<RgbTexturePtr, Emission> emissions_;  // of materials
     std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();
 };
 

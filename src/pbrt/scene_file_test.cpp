@@ -102,7 +102,7 @@ TEST(SceneFile, AreaLightsKeepTheirPlaceAmongTheLights) {
     EXPECT_EQ(scene->lights[1], scene->primitives[0].areaLight);
     EXPECT_EQ(scene->lights[2], scene->primitives[1].areaLight);
     EXPECT_EQ(scene->primitives[2].areaLight, nullptr);
-    EXPECT_EQ(scene->lights[3]->escaped(Vec3(0, 0, 1)), Rgb(2, 4, 6));
+    EXPECT_EQ(scene->lights[3]->escaped(Vec3(0.f), Vec3(0, 0, 1)), Rgb(2, 4, 6));
     EXPECT_TRUE(scene->lights[0]->isDelta());
     EXPECT_TRUE(scene->lights[4]->isDelta());
 }

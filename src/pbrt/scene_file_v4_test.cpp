@@ -141,7 +141,7 @@ TEST(SceneFileV4, MaterialsAndTextures) {
                         "Material \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25"),
                Rgb(.75f));
     // A constant spectrum is grey under daylight.
-    expectNear(albedoOf("Material \"diffuse\" \"spectrum reflectance\" [400 .3 700 .3]"), Rgb(.3f));
+    expectNear(albedoOf("Material \"diffuse\" \"spectrum reflectance\" [360 .3 830 .3]"), Rgb(.3f));
     const std::string texture = "Texture \"t\" \"spectrum\" ",
                       use = "\nMaterial \"diffuse\" \"texture reflectance\" \"t\"";
     expectNear(albedoOf(texture + "\"scale\" \"rgb tex\" [.2 .4 .6] \"float scale\" .5" + use), Rgb(.1f, .2f, .3f));
@@ -213,7 +213,7 @@ TEST(SceneFileV4, ColorSpaces) {
     const auto sky = [](const std::string& space) {
         return loadWorldV4("ColorSpace \"" + space + "\" LightSource \"infinite\" \"rgb L\" [1 1 1]")
             ->lights.at(0)
-            ->escaped(Vec3(0, 0, 1));
+            ->escaped(Vec3(0.f), Vec3(0, 0, 1));
     };
     expectNear(sky("dci-p3"), Rgb(1.f), 1e-3f);
     EXPECT_GT(sky("aces2065-1").x, 1.02f);  // its white point is warmer
@@ -237,7 +237,7 @@ TEST(SceneFileV4, AttributesAreDefaultsOfWhatFollows) {
               }),
               0)
         << "not everything need have what an attribute says";
-    EXPECT_EQ(scene->lights[0]->escaped(Vec3(0, 0, 1)), Rgb(3.f));
+    EXPECT_EQ(scene->lights[0]->escaped(Vec3(0.f), Vec3(0, 0, 1)), Rgb(3.f));
     EXPECT_NEAR(scene->primitives[0].shape->bounds().max.x, 2, 1e-5f);
     EXPECT_THAT(errorOfWorldV4("Attribute \"lights\" \"float scale\" 1"), HasSubstr("did you mean 'light'?"));
 }

@@ -30,15 +30,20 @@ Rgb integrate(const Spectrum& spectrum) {
 // A piecewise linear function of wavelength from unsorted samples.
 class Interpolated {
   public:
-    explicit Interpolated(std::vector<SpectrumSample> samples) : samples_(std::move(samples)) {
+    Interpolated(std::vector<SpectrumSample> samples, Beyond beyond) : samples_(std::move(samples)), beyond_(beyond) {
+        if (samples_.size() == 1 && beyond_ == Beyond::Zero) {
+            const float at = samples_[0].wavelength;
+            samples_.insert(samples_.end(), {{at - 1, 0}, {at + 1, 0}});
+        }
         std::stable_sort(samples_.begin(), samples_.end(),
                          [](const auto& a, const auto& b) { return a.wavelength < b.wavelength; });
     }
     double operator()(double nm) const {
         const auto above = std::lower_bound(samples_.begin(), samples_.end(), nm,
                                             [](const SpectrumSample& s, double w) { return s.wavelength < w; });
-        if (above == samples_.begin()) return samples_.front().value;
-        if (above == samples_.end()) return samples_.back().value;
+        if (above == samples_.end()) return beyond_ == Beyond::Zero ? 0 : samples_.back().value;
+        if (above == samples_.begin())
+            return beyond_ == Beyond::Zero && nm < above->wavelength ? 0 : samples_.front().value;
         const SpectrumSample &a = above[-1], &b = above[0];
         const double t = (nm - a.wavelength) / (b.wavelength - a.wavelength);
         return a.value + t * (b.value - a.value);
@@ -46,6 +51,7 @@ class Interpolated {
 
   private:
     std::vector<SpectrumSample> samples_;  // not empty
+    Beyond beyond_;
 };
 
 double planck(double nm, double kelvin) {
@@ -56,16 +62,16 @@ double planck(double nm, double kelvin) {
 
 }  // namespace
 
-Rgb spectrumToRgb(std::vector<SpectrumSample> samples) {
+Rgb spectrumToRgb(std::vector<SpectrumSample> samples, Beyond beyond) {
     if (samples.empty()) return Rgb(0.f);
-    return integrate(Interpolated(std::move(samples)));
+    return integrate(Interpolated(std::move(samples), beyond));
 }
 
-Rgb reflectanceToRgb(std::vector<SpectrumSample> samples) {
+Rgb reflectanceToRgb(std::vector<SpectrumSample> samples, Beyond beyond) {
     if (samples.empty()) return Rgb(0.f);
-    const Interpolated reflectance(std::move(samples));
+    const Interpolated reflectance(std::move(samples), beyond);
     static const Rgb kWhite = integrate([](double nm) { return double(d65At(float(nm))); });
-    return integrate([&](double nm) { return reflectance(nm) * double(d65At(float(nm))); }) / kWhite;
+    return clampNonNegative(integrate([&](double nm) { return reflectance(nm) * double(d65At(float(nm))); }) / kWhite);
 }
 
 std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths) {
@@ -96,8 +102,9 @@ std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths) {
 }
 
 Rgb atUnitLuminance(const Rgb& color) {
-    const float y = luminance(color);
-    return y > 0 ? color / y : Rgb(0.f);
+    const Rgb inGamut = clampNonNegative(color);
+    const float y = luminance(inGamut);
+    return y > 0 ? inGamut / y : Rgb(0.f);
 }
 
 Rgb blackbodyToRgb(float kelvin) {

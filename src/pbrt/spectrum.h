@@ -14,13 +14,17 @@ struct SpectrumSample {
     float value;
 };
 
-// Samples in any order; linear between them, and constant beyond the first and the last.
-Rgb spectrumToRgb(std::vector<SpectrumSample> samples);
-// The colour of a reflectance under pbrt-v4's white, D65: a spectrum that is 1 everywhere is white.
-Rgb reflectanceToRgb(std::vector<SpectrumSample> samples);
+// What a spectrum is beyond its first and last samples: the same as there (pbrt-v3, and tables that are built in), or
+// zero (pbrt-v4).
+enum class Beyond { Constant, Zero };
+// Samples in any order; linear between them. A single sample that is zero beyond is a band of a nanometre.
+Rgb spectrumToRgb(std::vector<SpectrumSample> samples, Beyond beyond = Beyond::Constant);
+// The colour of a reflectance under pbrt-v4's white, D65: a spectrum that is 1 everywhere is white. Not negative.
+Rgb reflectanceToRgb(std::vector<SpectrumSample> samples, Beyond beyond = Beyond::Constant);
 // The same for many spectra with common wavelengths, which ascend: the colour is the sum of these times the values.
 std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths);
-// The colour scaled to a luminance of one, as pbrt-v4's lights do with spectra; black stays black.
+// The colour scaled to a luminance of one, as pbrt-v4's lights do with spectra; black stays black. What lies outside
+// the gamut of Rec. 709 is clamped before.
 Rgb atUnitLuminance(const Rgb& color);
 // A black body with its spectrum scaled to a maximum of 1. Black for kelvin <= 0.
 Rgb blackbodyToRgb(float kelvin);

@@ -100,6 +100,30 @@ TEST(Spectrum, WeightsOfReflectances) {
     }
 }
 
+TEST(Spectrum, MayBeZeroBeyondItsEnds) {
+    // What is left of a constant spectrum in two parts adds up to it.
+    const Rgb whole = spectrumToRgb({{380, 2}, {780, 2}}, Beyond::Zero);
+    const Rgb low = spectrumToRgb({{380, 2}, {539.5f, 2}}, Beyond::Zero),
+              high = spectrumToRgb({{539.6f, 2}, {780, 2}}, Beyond::Zero);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(low[i] + high[i], whole[i], 1e-5f);
+    EXPECT_EQ(whole, spectrumToRgb({{500, 2}, {600, 2}}, Beyond::Constant));
+    EXPECT_EQ(spectrumToRgb({{800, 1}, {900, 1}}, Beyond::Zero), Rgb(0.f));
+    EXPECT_EQ(spectrumToRgb({{200, 1}, {300, 1}}, Beyond::Zero), Rgb(0.f));
+    // A single sample is a narrow band.
+    EXPECT_EQ(spectrumToRgb({{500, 3}}, Beyond::Zero), spectrumToRgb({{499, 0}, {500, 3}, {501, 0}}));
+    // A reflectance is zero there too, and never negative.
+    const Rgb green = reflectanceToRgb({{500, 1}, {560, 1}}, Beyond::Zero);
+    EXPECT_GT(green.y, 0.5f);
+    EXPECT_EQ(green.x, 0);
+    EXPECT_EQ(reflectanceToRgb({{380, 0.5f}, {780, 0.5f}}, Beyond::Zero), reflectanceToRgb({{500, 0.5f}}));
+}
+
+TEST(Spectrum, UnitLuminanceStaysInGamut) {
+    const Rgb laser = atUnitLuminance(spectrumToRgb({{519, 0}, {520, 1}, {521, 0}}));
+    EXPECT_NEAR(luminance(laser), 1, 1e-5f);
+    EXPECT_EQ(laser.x, 0);
+}
+
 TEST(Spectrum, UnitLuminanceKeepsTheColor) {
     const Rgb c = atUnitLuminance(Rgb(2, 4, 1));
     EXPECT_NEAR(luminance(c), 1, 1e-6f);

@@ -252,6 +252,9 @@ ShapeSample Curves::sample(const Vec2& u) const {
     const float breadth = (type_ == CurveType::Ribbon ? 2 : 2 * kPi) * c.radius;
     s.pdf = chosen.pdf / (breadth * length(c.d1));
     if (!std::isfinite(s.pdf)) s.pdf = 0;
+    s.uv = Vec2(lerp(chosen.u, ranges_[chosen.piece].x, ranges_[chosen.piece].y), u.y);
+    if (mirrored_) s.uv.y = 1 - s.uv.y;
+    s.part = chosen.piece;
     return s;
 }
 
@@ -266,12 +269,24 @@ ShapeSample Curves::sampleFrom(const Vec3& p, const Vec2& u) const {
     ray.d = normalize(c.p + b * (s * c.radius) - p);
     const float t = ribbon ? length(c.p + b * (s * c.radius) - p) : depthFacing(c.p - p, ray.d, c.radius);
     if (!(t > 0)) return {p, ray.d, 0};
-    return {p + ray.d * t, hitAt(chosen.piece, chosen.u, ray, t).ng, density(p, chosen, s)};
+    const ShapeHit hit = hitAt(chosen.piece, chosen.u, ray, t);
+    return {p + ray.d * t, hit.ng, density(p, chosen, s), hit.uv, chosen.piece};
+}
+
+float Curves::inPiece(uint32_t piece, float u) const {
+    const Vec2 range = ranges_[piece];
+    return std::clamp((u - range.x) / (range.y - range.x), 0.f, kOneMinusEpsilon);
+}
+
+Vec2 Curves::uvSeenFrom(const ShapeSample& sample, const Vec3& d) const {
+    Ray ray;
+    ray.o = sample.p;
+    ray.d = -d;
+    return hitAt(sample.part, inPiece(sample.part, sample.uv.x), ray, 0).uv;
 }
 
 float Curves::pdfFrom(const Vec3& p, const Vec3&, const ShapePoint& hit) const {
-    const Vec2 range = ranges_[hit.part];
-    const float u = std::clamp((hit.uv.x - range.x) / (range.y - range.x), 0.f, kOneMinusEpsilon);
+    const float u = inPiece(hit.part, hit.uv.x);
     const int step = int(hit.part) * kStepsPerPiece + int(u * kStepsPerPiece);
     return density(p, {hit.part, u, lengths().probability(step) * kStepsPerPiece},
                    (mirrored_ ? -1.f : 1.f) * (2 * hit.uv.y - 1));

@@ -73,6 +73,7 @@ class Curves final : public Shape {
     // Samples the side that faces p, for which the density is known. Hits report their piece in `part` and their uv.
     ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const override;
     float pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const override;
+    Vec2 uvSeenFrom(const ShapeSample& at, const Vec3& d) const override;
 
   private:
     // A point on a piece with its derivatives with respect to the piece's parameter.
@@ -82,6 +83,8 @@ class Curves final : public Shape {
     };
     Point at(uint32_t piece, float u) const;
     Vec3 normalAt(uint32_t piece, float u, Vec3* derivative = nullptr) const;
+    // The parameter of the piece, given u of the whole curve.
+    float inPiece(uint32_t piece, float u) const;
     // Unit vector across the curve, within the plane of the side that is perpendicular to `facing`.
     static Vec3 across(const Vec3& facing, const Vec3& along);
     const Distribution1D& lengths() const;

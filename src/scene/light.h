@@ -1,5 +1,6 @@
 // Light sources (PBR 3e, chapter 12). Radiance is linear RGB. Directions are unit and point away from the lit point.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -7,6 +8,7 @@
 #include "math/transform.h"
 #include "math/vec.h"
 #include "math/warp.h"
+#include "scene/emission.h"
 #include "scene/light_image.h"
 #include "scene/light_reach.h"
 #include "scene/shape.h"
@@ -15,15 +17,25 @@
 
 namespace drc {
 
+// The description of a point on an emitter.
+struct EmitterHit {
+    Vec3 p{0.f}, ng{0.f};  // world space; ng as the shape orients it
+    uint32_t triangle = 0;
+    Vec2 uv{0.f};
+};
+
 struct LightSample {
     Vec3 wi;
     // Radiance arriving along wi if unoccluded; for delta lights an irradiance, such as I / d^2. Lights at infinity set
-    // it to zero: evaluate escaped(wi) instead, preferably after the visibility test.
+    // it to zero: evaluate escaped(p, wi) instead, preferably after the visibility test.
     Rgb radiance{0.f};
     float pdf = 0;       // per solid angle; 1 for delta lights
     float distance = 0;  // to the sampled point; infinite for lights at infinity
     bool delta = false;
     Vec3 ng{0.f};  // geometric normal of the emitter, as its shape orients it; zero for points and lights at infinity
+    // As in EmitterHit, on area lights.
+    uint32_t triangle = 0;
+    Vec2 uv{0.f};
 };
 
 // The bounding sphere of the scene, which lights at infinity need.
@@ -52,6 +64,7 @@ struct EmittedRay {
     // The emitter's normal, as its shape orients it (zero for points and lights at infinity), and triangle of a mesh.
     Vec3 ng{0.f};
     uint32_t triangle = 0;
+    Vec2 uv{0.f};       // as in EmitterHit
     float error = 0;    // of p along ng, as SpawnPoint::error, apart from the rounding of p
     Rgb radiance{0.f};  // along d; for a point light its intensity, for a distant light the irradiance facing it
     EmissionDensity density;
@@ -63,19 +76,22 @@ class Light {
     virtual std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const = 0;
     // Samples emission, for paths that start at lights. None if no light leaves for these random numbers.
     virtual std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere&) const = 0;
-    // Pdfs of emit() for light that leaves in direction d from a point with the geometric normal ng.
-    virtual EmissionDensity emissionDensity(const Vec3& ng, const Vec3& d, const SceneSphere&) const = 0;
+    // Pdfs of emit() for light that leaves in direction d. `at` describes the point on an area light.
+    virtual EmissionDensity emissionDensity(const EmitterHit& at, const Vec3& d, const SceneSphere&) const = 0;
     // Approximate total emitted power, for choosing among lights. For lights at infinity it depends on the scene's
     // size.
     virtual Rgb power(float sceneRadius) const = 0;
     virtual bool isDelta() const { return false; }
-    // For lights at infinity: the radiance from direction wi, and the pdf of sample() for it.
+    // Whether light arrives as from a point at infinity.
+    virtual bool isAtInfinity() const { return false; }
+    // For environments: the radiance that arrives at `from` from direction wi, and the pdf of sample() for it.
     virtual bool isInfinite() const { return false; }
-    virtual Rgb escaped(const Vec3&) const { return Rgb(0.f); }
-    virtual float pdfEscaped(const Vec3&) const { return 0; }
-    // The u in the unit square for which sample() returns direction wi. For non-delta lights at infinity.
-    virtual Vec2 inverse(const Vec3&) const { return Vec2(0, 0); }
-    // Bounds of a finite light, for choosing among many; empty for lights at infinity.
+    virtual Rgb escaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Rgb(0.f); }
+    virtual float pdfEscaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return 0; }
+    // The u in the unit square for which sample() at `from` returns direction wi.
+    virtual Vec2 inverse(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Vec2(0, 0); }
+    // Bounds of a finite light, or of the portal of an environment, for choosing among many; empty for other lights at
+    // infinity.
     virtual Bounds bounds() const { return {}; }
     // Directional bounds of a finite light; by default it emits equally in all directions.
     virtual LightReach reach() const {
@@ -88,33 +104,29 @@ class Light {
 
 using LightPtr = std::shared_ptr<const Light>;
 
-// The description of a hit on an emitter.
-struct EmitterHit {
-    Vec3 p{0.f}, ng{0.f};  // world space; ng as the shape orients it
-    uint32_t triangle = 0;
-    Vec2 uv{0.f};
-};
-
 // A surface that emits light: one light for each emissive mesh or shape.
 class AreaLight : public Light {
   public:
-    // emit() samples points uniformly by area, and directions by the cosine.
-    EmissionDensity emissionDensity(const Vec3& ng, const Vec3& d, const SceneSphere&) const final;
+    // emit() samples points in proportion to the radiance that they emit, and directions by the cosine.
+    EmissionDensity emissionDensity(const EmitterHit& at, const Vec3& d, const SceneSphere&) const final;
     // Le: radiance that leaves the hit point towards wo.
     Rgb emitted(const EmitterHit& hit, const Vec3& wo) const {
-        return twoSided_ || dot(hit.ng, wo) > 0 ? radiance_ : Rgb(0.f);
+        return twoSided_ || dot(hit.ng, wo) > 0 ? emission_.at(hit.uv) : Rgb(0.f);
     }
-    Rgb power(float) const final { return radiance_ * ((twoSided_ ? 2 : 1) * area() * kPi); }
+    Rgb power(float) const final { return radianceTimesArea() * ((twoSided_ ? 2 : 1) * kPi); }
     // Pdf, per solid angle at `from`, with which sample() chooses this hit.
     virtual float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const = 0;
 
   protected:
-    AreaLight(const Rgb& radiance, bool twoSided) : radiance_(radiance), twoSided_(twoSided) {}
-    virtual float area() const = 0;
+    AreaLight(Emission emission, bool twoSided) : emission_(std::move(emission)), twoSided_(twoSided) {}
+    // Le, integrated over the surface.
+    virtual Rgb radianceTimesArea() const = 0;
+    // Pdf, per area, with which emit() chooses this point.
+    virtual float originPdf(const EmitterHit& at) const = 0;
     // The result of emit() for a sampled point of the emitter.
-    std::optional<EmittedRay> leave(const Vec3& p, const Vec3& ng, const Vec2& u, const SceneSphere& scene) const;
+    std::optional<EmittedRay> leave(const EmitterHit& from, const Vec2& u, const SceneSphere& scene) const;
 
-    const Rgb radiance_;
+    const Emission emission_;
     const bool twoSided_;
 };
 
@@ -138,9 +150,13 @@ LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
 using EnvironmentMap = LightImage;
 // map: empty for a constant environment. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
+// An environment seen through a portal alone: a rectangle in world space, oriented as Portal says. Points outside, and
+// rays that do not pass it, receive nothing. rows: of the environment's map, 1 for a constant one.
+LightPtr makePortalLight(LightPtr environment, int rows, const std::array<Vec3, 4>& corners);
 
-// Diffuse emitters (pbrt's "diffuse" area light). They emit on the side of the geometric normal, or on both sides.
-std::shared_ptr<const AreaLight> makeMeshAreaLight(const TriangleMesh& mesh, const Rgb& radiance, bool twoSided);
-std::shared_ptr<const AreaLight> makeShapeAreaLight(ShapePtr shape, const Rgb& radiance, bool twoSided);
+// Diffuse emitters (pbrt's "diffuse" area light). They emit on the side of the geometric normal, or on both sides, and
+// are sampled in proportion to the radiance that they emit. (Curves are sampled uniformly, whatever image they show.)
+std::shared_ptr<const AreaLight> makeMeshAreaLight(const TriangleMesh& mesh, const Emission& emission, bool twoSided);
+std::shared_ptr<const AreaLight> makeShapeAreaLight(ShapePtr shape, const Emission& emission, bool twoSided);
 
 }  // namespace drc

@@ -27,13 +27,16 @@ std::optional<EmitterHit> intersect(const TriangleMesh& m, const Vec3& o, const 
         hit.p = o + d * t;
         hit.ng = m.geometricNormal(i);
         hit.triangle = i;
+        const auto uvs = m.textureCoordinates(i);
+        hit.uv = uvs[0] * (1 - u - v) + uvs[1] * u + uvs[2] * v;
         result = hit;
     }
     return result;
 }
 
-void checkIrradiance(const TriangleMeshPtr& mesh, bool twoSided, const Vec3& p, int samples = 60000) {
-    const auto light = makeMeshAreaLight(*mesh, Rgb(3, 2, 1), twoSided);
+void checkIrradiance(const TriangleMeshPtr& mesh, bool twoSided, const Vec3& p, int samples = 60000,
+                     const Emission& emission = Rgb(3, 2, 1)) {
+    const auto light = makeMeshAreaLight(*mesh, emission, twoSided);
     Pcg32 rng(11);
     int differs = 0;
     RunningMean bySample[4], byDirection[4];
@@ -48,7 +51,7 @@ void checkIrradiance(const TriangleMeshPtr& mesh, bool twoSided, const Vec3& p, 
                 value = s->radiance.x / s->pdf;
                 // Close to an edge, the ray may hit the adjacent triangle.
                 differs += std::abs(light->pdf(p, w, *hit) - s->pdf) > 1e-3f * s->pdf ||
-                           light->emitted(*hit, -w) != s->radiance;
+                           length(light->emitted(*hit, -w) - s->radiance) > 1e-3f * length(s->radiance);
             }
         }
         const Vec3 u = sampleUniformSphere(rng.nextVec2());
@@ -115,6 +118,100 @@ TriangleMeshPtr cap() {
 TEST(MeshAreaLight, ManyTrianglesGiveTheSameIrradiance) {
     checkIrradiance(cap(), false, Vec3(0, 0.5f, 0), 30000);
     checkIrradiance(cap(), true, Vec3(0.5f, 0.5f, 4), 30000);
+}
+
+// Dark, with a bright corner and a bright stripe.
+Emission shown(int side) {
+    LightImage image{side, side, {}};
+    for (int i = 0; i < side * side; ++i) {
+        const int x = i % side, y = i / side;
+        const bool bright = (x < side / 8 && y < side / 8) || x == side * 3 / 4;
+        image.texels.push_back(bright ? Rgb(8, 7, 6) : Rgb(0.1f));
+    }
+    return {std::make_shared<EmissionImage>(std::move(image)), Rgb(1.f)};
+}
+TriangleMeshPtr withCoordinates(TriangleMesh m) {
+    for (const Vec3& p : m.positions) m.uvs.push_back(Vec2(0.25f * (p.x + 2), 0.25f * (p.y + 2)));
+    return std::make_shared<TriangleMesh>(std::move(m));
+}
+
+TEST(MeshAreaLight, AnImageGivesTheSameIrradiance) {
+    checkIrradiance(withCoordinates(*emitter(false)), false, Vec3(0, 0.5f, 0), 60000, shown(16));
+    checkIrradiance(emitter(false), true, Vec3(0.5f, 0.5f, 3), 60000, shown(8));
+    checkIrradiance(withCoordinates(*cap()), false, Vec3(0, 0.5f, 0), 30000, shown(32));
+    checkIrradiance(withCoordinates(*cap()), true, Vec3(0.5f, 0.5f, 4), 30000, shown(8));
+}
+
+// Variance of the irradiance that a far light causes, in units of its square, for one sample.
+double relativeVariance(const AreaLight& light, const Vec3& p) {
+    Pcg32 rng(4);
+    RunningMean mean;
+    constexpr int kSamples = 20000;
+    for (int i = 0; i < kSamples; ++i) {
+        const auto s = light.sample(p, rng.nextVec2());
+        mean.add(s ? double(luminance(s->radiance) / s->pdf) : 0.0);
+    }
+    return mean.variance() * kSamples / (mean.mean() * mean.mean());
+}
+
+TEST(MeshAreaLight, AnImageIsSampledByWhatItEmits) {
+    // By area, the relative variance would be that of the image: mean of squares over square of mean, minus 1.
+    const Emission image = shown(64);
+    double sum = 0, squares = 0;
+    for (int i = 0; i < 256 * 256; ++i) {
+        const double l =
+            double(luminance(image.at(Vec2((float(i % 256) + 0.5f) / 256, (float(i / 256) + 0.5f) / 256))));
+        sum += l / (256 * 256);
+        squares += l * l / (256 * 256);
+    }
+    const double byArea = squares / (sum * sum) - 1;
+    EXPECT_GT(byArea, 10);
+    TriangleMesh quad;
+    quad.positions = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0)};
+    quad.uvs = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+    quad.indices = {0, 1, 2, 0, 2, 3};
+    const Vec3 far(0, 0, 50);
+    const double whole = relativeVariance(*makeMeshAreaLight(quad, image, false), far);
+    EXPECT_LT(whole, 0.1 * byArea);
+    // On a single triangle, and on many.
+    TriangleMesh half = quad;
+    half.indices.resize(3);
+    EXPECT_LT(relativeVariance(*makeMeshAreaLight(half, image, false), far), 0.1 * byArea);
+    TriangleMesh many;
+    constexpr uint32_t kSide = 16;
+    for (uint32_t y = 0; y <= kSide; ++y)
+        for (uint32_t x = 0; x <= kSide; ++x) {
+            many.uvs.emplace_back(float(x) / kSide, float(y) / kSide);
+            many.positions.emplace_back(2 * many.uvs.back().x - 1, 2 * many.uvs.back().y - 1, 0.f);
+        }
+    for (uint32_t y = 0; y < kSide; ++y)
+        for (uint32_t x = 0; x < kSide; ++x) {
+            const uint32_t a = y * (kSide + 1) + x, b = a + 1, c = a + kSide + 1, d = c + 1;
+            many.indices.insert(many.indices.end(), {a, b, d, a, d, c});
+        }
+    EXPECT_LT(relativeVariance(*makeMeshAreaLight(many, image, false), far), 0.15 * byArea);
+    RecordProperty("byArea", std::to_string(byArea));
+    RecordProperty("byImage", std::to_string(whole));
+}
+
+TEST(MeshAreaLight, PowerAndReachAreThoseOfTheImage) {
+    LightImage image{2, 1, {Rgb(1.f), Rgb(3.f)}};
+    const Emission halves(std::make_shared<EmissionImage>(image), Rgb(1, 2, 3));
+    TriangleMesh quad;
+    quad.positions = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0), Vec3(0, 1, 0)};
+    quad.uvs = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+    quad.indices = {0, 1, 2, 0, 2, 3};
+    const auto light = makeMeshAreaLight(quad, halves, false);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(light->power(1)[c], kPi * 2 * 2 * float(c + 1), 1e-3f);
+    EXPECT_NEAR(light->reach().intensity, 4 * luminance(Rgb(1, 2, 3)), 0.05f);
+    // Of a part of the image, only that part.
+    for (Vec2& uv : quad.uvs) uv.x *= 0.25f;
+    EXPECT_NEAR(makeMeshAreaLight(quad, halves, true)->power(1).x, kPi * 2 * 2, 1e-3f);
+    // Nothing where it is black.
+    const Emission black(std::make_shared<EmissionImage>(LightImage{1, 1, {Rgb(0.f)}}), Rgb(1.f));
+    const auto none = makeMeshAreaLight(quad, black, false);
+    EXPECT_FALSE(none->sample(Vec3(1, 0.5f, 1), Vec2(0.3f, 0.4f)));
+    EXPECT_FALSE(none->emit(Vec2(0.3f, 0.4f), Vec2(0.3f, 0.4f), {}));
 }
 
 TEST(MeshAreaLight, OfManyTrianglesThoseThatMatterAreChosen) {

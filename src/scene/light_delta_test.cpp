@@ -105,8 +105,8 @@ TEST(DistantLight, BringsItsRadianceFromOneDirectionEverywhere) {
         EXPECT_TRUE(s->delta);
     }
     // A delta light is only found by light sampling; rays that escape must not see it.
-    EXPECT_TRUE(isBlack(light->escaped(Vec3(2, -1, 2) / 3.f)));
-    EXPECT_EQ(light->pdfEscaped(Vec3(2, -1, 2) / 3.f), 0);
+    EXPECT_TRUE(isBlack(light->escaped(Vec3(0.f), Vec3(2, -1, 2) / 3.f)));
+    EXPECT_EQ(light->pdfEscaped(Vec3(0.f), Vec3(2, -1, 2) / 3.f), 0);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ class DirectedPointLight : public Light {
                                                                   : sampleUniformSphere(uLeaving));
         const Rgb intensity = intensity_ * share(worldToLight_(d));
         if (isBlack(intensity)) return {};
-        return EmittedRay{position_, d, Vec3(0.f), 0, 0, intensity, {1, coneDensity(edge)}};
+        return EmittedRay{.p = position_, .d = d, .radiance = intensity, .density = {1, coneDensity(edge)}};
     }
-    EmissionDensity emissionDensity(const Vec3&, const Vec3& d, const SceneSphere&) const final {
+    EmissionDensity emissionDensity(const EmitterHit&, const Vec3& d, const SceneSphere&) const final {
         const float edge = coneCosine();
         return {1, dot(d, axis_) >= edge ? coneDensity(edge) : 0};
     }

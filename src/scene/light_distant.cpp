@@ -13,14 +13,16 @@ class DistantLight final : public Light {
     }
     std::optional<EmittedRay> emit(const Vec2&, const Vec2& uLeaving, const SceneSphere& scene) const override {
         const Vec3 d = -direction_;
-        return EmittedRay{scene.inFront(d, uLeaving), d, Vec3(0.f), 0, 0, radiance_, {1, scene.perFacingArea()}};
+        return EmittedRay{
+            .p = scene.inFront(d, uLeaving), .d = d, .radiance = radiance_, .density = {1, scene.perFacingArea()}};
     }
-    EmissionDensity emissionDensity(const Vec3&, const Vec3&, const SceneSphere& scene) const override {
+    EmissionDensity emissionDensity(const EmitterHit&, const Vec3&, const SceneSphere& scene) const override {
         return {1, scene.perFacingArea()};
     }
     // The flux through the disk that the scene's bounding sphere presents to the light.
     Rgb power(float sceneRadius) const override { return radiance_ * (kPi * sqr(sceneRadius)); }
     bool isDelta() const override { return true; }
+    bool isAtInfinity() const override { return true; }
 
   private:
     Vec3 direction_;  // towards the light

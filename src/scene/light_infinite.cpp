@@ -1,6 +1,7 @@
 // Infinite area light with an environment map (PBR 3e, sections 12.6 and 14.2.4).
 #include <numbers>
 
+#include "math/coarse_cells.h"
 #include "math/distribution.h"
 #include "math/warp.h"
 #include "scene/light.h"
@@ -8,11 +9,6 @@
 
 namespace drc {
 namespace {
-
-// Maximum side of the cells by which the map is sampled, in texels, and the factor by which they may increase the
-// second moment of the samples.
-constexpr int kLargestCell = 32;
-constexpr double kNoiseAllowed = 1.05;
 
 // The mean of a bilinearly interpolated row over a texel's own cell is 1/8, 6/8 and 1/8 of three neighbouring texels.
 float cellAverage(float before, float here, float after) { return (before + 6 * here + after) / 8; }
@@ -61,26 +57,28 @@ class InfiniteLight final : public Light {
         const auto s = sample(scene.center, uOrigin);
         if (!s) return {};
         const Vec3 d = -s->wi;
-        const Rgb radiance = escaped(s->wi);
+        const Rgb radiance = escaped(scene.center, s->wi);
         if (isBlack(radiance)) return {};
-        return EmittedRay{scene.inFront(d, uLeaving), d, Vec3(0.f), 0, 0, radiance, {s->pdf, scene.perFacingArea()}};
+        return EmittedRay{
+            .p = scene.inFront(d, uLeaving), .d = d, .radiance = radiance, .density = {s->pdf, scene.perFacingArea()}};
     }
-    EmissionDensity emissionDensity(const Vec3&, const Vec3& d, const SceneSphere& scene) const override {
-        return {pdfEscaped(-d), scene.perFacingArea()};
+    EmissionDensity emissionDensity(const EmitterHit&, const Vec3& d, const SceneSphere& scene) const override {
+        return {pdfEscaped(scene.center, -d), scene.perFacingArea()};
     }
 
     Rgb power(float sceneRadius) const override { return mean_ * (kPi * sqr(sceneRadius)); }
+    bool isAtInfinity() const override { return true; }
     bool isInfinite() const override { return true; }
 
-    Rgb escaped(const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_(wi))); }
+    Rgb escaped(const Vec3&, const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_(wi))); }
 
-    float pdfEscaped(const Vec3& wi) const override {
+    float pdfEscaped(const Vec3&, const Vec3& wi) const override {
         const Vec3 w = worldToLight_(wi);
         const Cell cell = cellAt(mapCoordinates(w));
         return distribution_.pdf(cell.column, cell.row) * rowDensity_[cell.row] * stretch(w);
     }
 
-    Vec2 inverse(const Vec3& wi) const override {
+    Vec2 inverse(const Vec3&, const Vec3& wi) const override {
         const Vec3 w = normalize(worldToLight_(wi));
         const Vec2 uv = mapCoordinates(w);
         const Cell cell = cellAt(uv);
@@ -139,7 +137,8 @@ class InfiniteLight final : public Light {
     void buildDistribution() {
         // Texels are weighted by the integral of the interpolated luminance over them, so that no direction with light
         // has zero pdf, and none is sampled far too often.
-        std::vector<float> f(texels_.size());
+        TexelIntegrals f{width_, height_, std::vector<float>(texels_.size())};
+        std::vector<double> solidAngles;
         double weights = 0;
         double mean[3] = {0, 0, 0};
         std::vector<float> rows(size_t(width_) * 3);
@@ -150,25 +149,20 @@ class InfiniteLight final : public Light {
                         cellAverage(luminance(texel(x - 1, y + k - 1)), luminance(texel(x, y + k - 1)),
                                     luminance(texel(x + 1, y + k - 1)));
             const double solidAngle = oneMinusCosDifference(y, height_);
+            solidAngles.push_back(solidAngle);
             for (int x = 0; x < width_; ++x) {
                 const size_t i = size_t(y) * width_ + x;
-                f[i] = float(cellAverage(rows[x], rows[size_t(width_) + x], rows[2 * size_t(width_) + x]) * solidAngle);
+                f.values[i] =
+                    float(cellAverage(rows[x], rows[size_t(width_) + x], rows[2 * size_t(width_) + x]) * solidAngle);
                 for (int c = 0; c < 3; ++c) mean[c] += texels_[i][c] * solidAngle;
             }
             weights += solidAngle * width_;
         }
         mean_ = Rgb(float(mean[0] / weights), float(mean[1] / weights), float(mean[2] / weights));
 
-        // Larger cells give a smaller table that fits into the processor's caches. They must not increase the noise
-        // much.
-        int cell = kLargestCell;
-        while (cell > 1 && (width_ % cell != 0 || height_ % cell != 0 || noise(f, cell) > kNoiseAllowed * noise(f, 1)))
-            cell /= 2;
-        const int columns = width_ / cell, cellRows = height_ / cell;
-        std::vector<float> cells(size_t(columns) * cellRows, 0.f);
-        for (int y = 0; y < height_; ++y)
-            for (int x = 0; x < width_; ++x) cells[size_t(y / cell) * columns + x / cell] += f[size_t(y) * width_ + x];
-        distribution_ = Distribution2D(cells, columns, cellRows);
+        const TexelIntegrals cells = sumsOverCells(f, coarsestCell(f, solidAngles));
+        const int cellRows = cells.height;
+        distribution_ = Distribution2D(cells.values, cells.width, cellRows);
         oneMinusCos_.clear();
         rowDensity_.resize(cellRows);
         for (int row = 0; row <= cellRows; ++row)
@@ -176,27 +170,6 @@ class InfiniteLight final : public Light {
         // Converts pdfs over the unit square to pdfs over the sphere.
         for (int row = 0; row < cellRows; ++row)
             rowDensity_[row] = float(1 / (2 * std::numbers::pi * oneMinusCosDifference(row, cellRows) * cellRows));
-    }
-
-    // Second moment of radiance over pdf, up to a constant factor, if the map is sampled by cells of cell x cell
-    // texels. f: weights of the texels.
-    double noise(const std::vector<float>& f, int cell) const {
-        double sum = 0;
-        for (int y0 = 0; y0 < height_; y0 += cell)
-            for (int x0 = 0; x0 < width_; x0 += cell) {
-                double light = 0, squares = 0, size = 0;
-                for (int y = y0; y < y0 + cell; ++y) {
-                    const double solidAngle = oneMinusCosDifference(y, height_);
-                    size += cell * solidAngle;
-                    for (int x = x0; x < x0 + cell; ++x) {
-                        const double l = f[size_t(y) * width_ + x];
-                        light += l;
-                        squares += l * l / solidAngle;
-                    }
-                }
-                if (light > 0) sum += squares * size / light;
-            }
-        return sum;
     }
 
     // Difference of cos(theta) between the upper and the lower edge of a row.

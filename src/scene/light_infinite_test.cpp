@@ -26,25 +26,27 @@ void checkSampling(const Light& light, int samples = 60000) {
     for (int i = 0; i < samples; ++i) {
         const auto s = light.sample(Vec3(0, 0, 0), rng.nextVec2());
         for (int k = 0; k < 4; ++k)
-            bySample[k].add(s ? light.escaped(s->wi).y / s->pdf * (k < 3 ? 1 + double(s->wi[k]) : 1.0) : 0.0);
+            bySample[k].add(s ? light.escaped(Vec3(0.f), s->wi).y / s->pdf * (k < 3 ? 1 + double(s->wi[k]) : 1.0)
+                              : 0.0);
         if (s) {
             EXPECT_NEAR(length(s->wi), 1, 1e-5);
             EXPECT_EQ(s->distance, kInfinity);
             EXPECT_TRUE(isBlack(s->radiance)) << "escaped() has it";
             // A direction exactly at the edge of a texel may be looked up in the adjacent one.
-            const float pdf = light.pdfEscaped(s->wi);
+            const float pdf = light.pdfEscaped(Vec3(0.f), s->wi);
             density.add(std::abs(pdf - s->pdf) > 1e-3f * s->pdf);
         }
         const Vec3 u = sampleUniformSphere(rng.nextVec2());
-        const Rgb radiance = light.escaped(u);
+        const Rgb radiance = light.escaped(Vec3(0.f), u);
         for (int k = 0; k < 4; ++k) byDirection[k].add(radiance.y * 4 * kPi * (k < 3 ? 1 + double(u[k]) : 1.0));
-        EXPECT_TRUE(isBlack(radiance) || light.pdfEscaped(u) > 0);
+        EXPECT_TRUE(isBlack(radiance) || light.pdfEscaped(Vec3(0.f), u) > 0);
     }
     EXPECT_LT(density.mean(), 1e-3);
     for (int k = 0; k < 4; ++k) expectSame(bySample[k], byDirection[k], 1e-4, "moment");
     // pdfEscaped integrates to one.
     RunningMean integral;
-    for (int i = 0; i < samples; ++i) integral.add(light.pdfEscaped(sampleUniformSphere(rng.nextVec2())) * 4 * kPi);
+    for (int i = 0; i < samples; ++i)
+        integral.add(light.pdfEscaped(Vec3(0.f), sampleUniformSphere(rng.nextVec2())) * 4 * kPi);
     EXPECT_NEAR(integral.mean(), 1, 4 * std::sqrt(integral.variance()) + 1e-4);
 }
 
@@ -61,16 +63,16 @@ TEST(InfiniteLight, CellsAreCoarseOnlyWhereThatCostsNothing) {
     checkSampling(*plain);
     checkSampling(*sun, 400000);
     // Texels of a cell have equal pdf. That of the sun is far larger than that of a texel two away.
-    EXPECT_FLOAT_EQ(plain->pdfEscaped(at(104.5f, 40.5f)), plain->pdfEscaped(at(110.5f, 46.5f)));
-    EXPECT_GT(sun->pdfEscaped(at(100.5f, 40.5f)), 100 * sun->pdfEscaped(at(102.5f, 40.5f)));
+    EXPECT_FLOAT_EQ(plain->pdfEscaped(Vec3(0.f), at(104.5f, 40.5f)), plain->pdfEscaped(Vec3(0.f), at(110.5f, 46.5f)));
+    EXPECT_GT(sun->pdfEscaped(Vec3(0.f), at(100.5f, 40.5f)), 100 * sun->pdfEscaped(Vec3(0.f), at(102.5f, 40.5f)));
 }
 
 TEST(InfiniteLight, ConstantIsUniform) {
     const LightPtr light = makeInfiniteLight(Transform(), Rgb(1, 2, 3));
     EXPECT_TRUE(light->isInfinite());
     EXPECT_FALSE(light->isDelta());
-    EXPECT_EQ(light->escaped(Vec3(0, 0, 1)), Rgb(1, 2, 3));
-    EXPECT_NEAR(light->pdfEscaped(direction(0.01f, 2)), uniformSpherePdf(), 1e-6);
+    EXPECT_EQ(light->escaped(Vec3(0.f), Vec3(0, 0, 1)), Rgb(1, 2, 3));
+    EXPECT_NEAR(light->pdfEscaped(Vec3(0.f), direction(0.01f, 2)), uniformSpherePdf(), 1e-6);
     EXPECT_NEAR(light->sample(Vec3(0, 0, 0), Vec2(0.1f, 0.2f))->pdf, uniformSpherePdf(), 1e-6);
     EXPECT_NEAR(light->power(2).y, 2 * kPi * 4, 1e-4);
     checkSampling(*light);
@@ -81,18 +83,18 @@ TEST(InfiniteLight, LooksUpAsPbrt) {
     for (int i = 0; i < 8; ++i) m.texels.push_back(Rgb(float(i), 0, 0));
     const LightPtr light = makeInfiniteLight(Transform(), Rgb(2.f), m);
     // Centre of texel (1, 0): phi = 2 pi 1.5 / 4, theta = pi / 4.
-    EXPECT_NEAR(light->escaped(direction(kPi / 4, 0.75f * kPi)).x, 2, 1e-5);
-    EXPECT_NEAR(light->escaped(direction(3 * kPi / 4, 1.75f * kPi)).x, 14, 1e-5);
+    EXPECT_NEAR(light->escaped(Vec3(0.f), direction(kPi / 4, 0.75f * kPi)).x, 2, 1e-5);
+    EXPECT_NEAR(light->escaped(Vec3(0.f), direction(3 * kPi / 4, 1.75f * kPi)).x, 14, 1e-5);
     // Between texels (0,0), (1,0), (0,1), (1,1).
-    EXPECT_NEAR(light->escaped(direction(kPi / 2, kPi / 2)).x, 2 * (0 + 1 + 4 + 5) / 4.f, 1e-5);
+    EXPECT_NEAR(light->escaped(Vec3(0.f), direction(kPi / 2, kPi / 2)).x, 2 * (0 + 1 + 4 + 5) / 4.f, 1e-5);
     // phi = 0: between columns 3 and 0, of row 0.
-    EXPECT_NEAR(light->escaped(direction(kPi / 4, 0)).x, 3, 1e-5);
+    EXPECT_NEAR(light->escaped(Vec3(0.f), direction(kPi / 4, 0)).x, 3, 1e-5);
     // At a pole the first row and the last are interpolated.
-    EXPECT_NEAR(light->escaped(direction(1e-4f, 0.75f * kPi)).x, 2 * (1 + 5) / 2.f, 1e-2);
+    EXPECT_NEAR(light->escaped(Vec3(0.f), direction(1e-4f, 0.75f * kPi)).x, 2 * (1 + 5) / 2.f, 1e-2);
     // The light's own z axis points towards world x.
     const Transform t = Transform::rotate(90, Vec3(0, 1, 0));
     const LightPtr turned = makeInfiniteLight(t, Rgb(2.f), m);
-    EXPECT_NEAR(turned->escaped(t.vector(direction(kPi / 4, 0.75f * kPi))).x, 2, 1e-5);
+    EXPECT_NEAR(turned->escaped(Vec3(0.f), t.vector(direction(kPi / 4, 0.75f * kPi))).x, 2, 1e-5);
 }
 
 TEST(InfiniteLight, SamplingMatchesDensity) {
@@ -107,9 +109,9 @@ TEST(InfiniteLight, BlackAndBrokenMaps) {
     EnvironmentMap black{2, 2, std::vector<Rgb>(4, Rgb(0.f))};
     const LightPtr light = makeInfiniteLight(Transform(), Rgb(1.f), black);
     EXPECT_TRUE(isBlack(light->power(1)));
-    EXPECT_TRUE(isBlack(light->escaped(Vec3(0, 0, 1))));
+    EXPECT_TRUE(isBlack(light->escaped(Vec3(0.f), Vec3(0, 0, 1))));
     EnvironmentMap broken{2, 1, {Rgb(NAN, 0, 0), Rgb(1, 1, 1)}};
-    EXPECT_TRUE(isFinite(makeInfiniteLight(Transform(), Rgb(1.f), broken)->escaped(Vec3(0, 0, 1))));
+    EXPECT_TRUE(isFinite(makeInfiniteLight(Transform(), Rgb(1.f), broken)->escaped(Vec3(0.f), Vec3(0, 0, 1))));
 }
 
 TEST(InfiniteLight, InverseGivesBackTheRandomNumbers) {
@@ -122,7 +124,7 @@ TEST(InfiniteLight, InverseGivesBackTheRandomNumbers) {
             const auto s = light->sample(Vec3(0, 0, 0), u);
             ASSERT_TRUE(s);
             // A direction exactly at the edge of a cell may be assigned to the adjacent one.
-            far += (light->inverse(s->wi) - u).length() > 1e-3f;
+            far += (light->inverse(Vec3(0.f), s->wi) - u).length() > 1e-3f;
         }
         EXPECT_LE(far, 4);
     }

@@ -16,10 +16,12 @@ class PointLight final : public Light {
         return LightSample{d / distance, intensity_ / distance2, 1, distance, true};
     }
     std::optional<EmittedRay> emit(const Vec2&, const Vec2& uLeaving, const SceneSphere&) const override {
-        return EmittedRay{position_,  sampleUniformSphere(uLeaving), Vec3(0.f), 0, 0,
-                          intensity_, {1, uniformSpherePdf()}};
+        return EmittedRay{.p = position_,
+                          .d = sampleUniformSphere(uLeaving),
+                          .radiance = intensity_,
+                          .density = {1, uniformSpherePdf()}};
     }
-    EmissionDensity emissionDensity(const Vec3&, const Vec3&, const SceneSphere&) const override {
+    EmissionDensity emissionDensity(const EmitterHit&, const Vec3&, const SceneSphere&) const override {
         return {1, uniformSpherePdf()};
     }
     Rgb power(float) const override { return intensity_ * (4 * kPi); }

@@ -29,8 +29,21 @@ class Material {
     virtual const Relief& relief() const { return relief_; }
     void setRelief(Relief relief) { relief_ = std::move(relief); }
 
+    // What the surface does besides scattering light. The front end gives it to the primitives that have the material
+    // themselves, not as a part of a mix.
+    // The share of rays that hit the surface; the others pass through it. Null: all hit it.
+    const FloatTexturePtr& opacity() const { return opacity_; }
+    // Radiance that leaves both sides; null: none.
+    const RgbTexturePtr& emission() const { return emission_; }
+
+  protected:
+    void setOpacity(FloatTexturePtr opacity) { opacity_ = std::move(opacity); }
+    void setEmission(RgbTexturePtr emission) { emission_ = std::move(emission); }
+
   private:
     Relief relief_;
+    FloatTexturePtr opacity_;
+    RgbTexturePtr emission_;
 };
 
 using MaterialPtr = std::shared_ptr<const Material>;

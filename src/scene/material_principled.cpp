@@ -36,6 +36,20 @@ struct Point {
         sheen, sheenRoughness, subsurface;
 };
 
+class Emitted final : public RgbTexture {
+  public:
+    Emitted(RgbTexturePtr colour, FloatTexturePtr strength)
+        : colour_(std::move(colour)), strength_(std::move(strength)) {}
+    Rgb eval(const TextureContext& at) const override {
+        return clampNonNegative(colour_->eval(at)) * std::max(0.f, strength_->eval(at));
+    }
+    bool isConstant() const override { return areConstant(colour_, strength_); }
+
+  private:
+    RgbTexturePtr colour_;
+    FloatTexturePtr strength_;
+};
+
 class Principled final : public Material {
   public:
     explicit Principled(PrincipledParams params) : params_(std::move(params)) {
@@ -58,6 +72,10 @@ class Principled final : public Material {
         p.sheenTint = orConstant(p.sheenTint, Rgb(1.f));
         p.subsurface = orConstant(p.subsurface, 0);
         setRelief(p.relief);
+        if (p.alpha && !(p.alpha->isConstant() && p.alpha->eval({}) >= 1)) setOpacity(p.alpha);
+        const auto emission =
+            std::make_shared<Emitted>(orConstant(p.emission, Rgb(1.f)), orConstant(p.emissionStrength, 0));
+        if (!(emission->isConstant() && isBlack(emission->eval({})))) setEmission(emission);
     }
 
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {

@@ -33,8 +33,11 @@ struct PrincipledParams {
     RgbTexturePtr sheenTint;              // 1
     // 0; weight. What scatters below the surface is taken as diffuse; it leaves a thin wall on both sides alike.
     FloatTexturePtr subsurface;
-    bool thinWall = false;  // a sheet without inside: glass does not bend light
-    Relief relief;          // none
+    FloatTexturePtr alpha;             // 1; share of rays that hit the surface (Material::opacity)
+    RgbTexturePtr emission;            // 1; colour of
+    FloatTexturePtr emissionStrength;  // 0; the radiance that leaves both sides (Material::emission)
+    bool thinWall = false;             // a sheet without inside: glass does not bend light
+    Relief relief;                     // none
 };
 MaterialPtr makePrincipled(PrincipledParams params);
 

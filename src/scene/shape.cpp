@@ -17,4 +17,6 @@ float Shape::pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const
     return std::isfinite(pdf) ? pdf : 0;
 }
 
+Vec2 Shape::uvSeenFrom(const ShapeSample& at, const Vec3&) const { return at.uv; }
+
 }  // namespace drc

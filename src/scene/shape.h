@@ -48,9 +48,18 @@ struct ShapeSample {
     Vec3 p;
     Vec3 ng;        // unit
     float pdf = 0;  // per unit area
+    Vec2 uv{0.f};   // as a hit at p has
+    uint32_t part = 0;
 };
 
-// The description of a hit that pdfFrom() needs.
+// A place given by its (u, v).
+struct ShapeSpot {
+    Vec3 p;
+    Vec3 ng;         // unit
+    float area = 0;  // per unit of u and v; zero where there is no surface
+};
+
+// The description of a hit that pdf() and pdfFrom() need.
 struct ShapePoint {
     Vec3 p, ng;
     Vec2 uv{0.f};
@@ -66,13 +75,22 @@ class Shape {
     // Nearest hit with tMin < t < ray.tMax.
     virtual std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const = 0;
     virtual float area() const = 0;
-    // Samples a point uniformly by area.
+    // Samples a point uniformly by area, or nearly so: by area before a transformation that stretches.
     virtual ShapeSample sample(const Vec2& u) const = 0;
+    // Pdf of sample() per unit area.
+    virtual float pdf(const ShapePoint&) const { return 1 / area(); }
     // Samples a point for illumination of p; its pdf is per solid angle at p. By default sample() with the pdf
     // converted.
     virtual ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const;
     // Pdf of sampleFrom(p), per solid angle, for the direction wi, which hits the shape at `hit`.
     virtual float pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const;
+    // Whether sampleFrom() samples directions, and not points by area.
+    virtual bool samplesDirections() const { return false; }
+    // The place at (u, v) in [0, 1]^2. None if (u, v) does not determine the place.
+    virtual std::optional<ShapeSpot> spotAt(const Vec2&) const { return {}; }
+    // The (u, v) that a ray finds which arrives at a sampled point from the direction d (unit). By default the sample's
+    // own; flat curves turn towards the ray.
+    virtual Vec2 uvSeenFrom(const ShapeSample& at, const Vec3& d) const;
     // The curves, which Embree intersects itself; null for any other shape.
     virtual const Curves* asCurves() const { return nullptr; }
 };

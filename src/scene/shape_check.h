@@ -31,6 +31,33 @@ inline void expectSame(const RunningMean& a, const RunningMean& b, double slack,
     EXPECT_NEAR(a.mean(), b.mean(), 4 * std::sqrt(a.variance() + b.variance()) + slack) << what;
 }
 
+// Whether (u, v) are the same; u may have gone once around.
+inline bool isSamePlace(const Vec2& a, const Vec2& b) {
+    const float du = std::abs(a.x - b.x);
+    return std::min(du, 1 - du) < 2e-3f && std::abs(a.y - b.y) < 2e-3f;
+}
+
+// Checks that spotAt(uv) is where rays find uv, and that its area adds up to that of the shape.
+inline void checkSpots(const Shape& shape) {
+    constexpr int kSide = 200;
+    double area = 0;
+    int missed = 0;
+    const float h = 1e-3f * shape.bounds().radius();
+    for (int i = 0; i < kSide; ++i)
+        for (int j = 0; j < kSide; ++j) {
+            const Vec2 uv((float(i) + 0.5f) / kSide, (float(j) + 0.5f) / kSide);
+            const auto spot = shape.spotAt(uv);
+            ASSERT_TRUE(spot);
+            if (!(spot->area > 0)) continue;
+            area += double(spot->area) / (kSide * kSide);
+            EXPECT_NEAR(length(spot->ng), 1, 1e-5);
+            const auto hit = shape.intersect(rayFrom(spot->p + spot->ng * h, -spot->ng), 0);
+            if (!hit || !isSamePlace(uv, hit->uv) || dot(hit->ng, spot->ng) < 0.999f) ++missed;
+        }
+    EXPECT_LE(missed, kSide * kSide / 1000);  // at an apex, and where normals turn within h
+    EXPECT_NEAR(area, shape.area(), 2e-3 * shape.area());
+}
+
 // Compares sampleFrom(p) with uniformly sampled directions, by the solid angle that the shape subtends at p and its
 // first moments. Also checks that pdfFrom(), points and normals agree with intersect().
 inline void checkSamplingFrom(const Shape& shape, const Vec3& p, int samples = 40000) {
@@ -51,6 +78,7 @@ inline void checkSamplingFrom(const Shape& shape, const Vec3& p, int samples = 4
             const float pdf = shape.pdfFrom(p, w, {s.p, s.ng});
             EXPECT_NEAR(pdf, s.pdf, 2e-3f * s.pdf);
             if (absDot(hit->ng, w) > 0.05f) {
+                different += !isSamePlace(s.uv, hit->uv);
                 different += std::abs(dot(hit->ng, s.ng) - 1) > 1e-3f;
                 EXPECT_NEAR(shape.pdfFrom(p, w, {p + w * hit->t, hit->ng}), s.pdf, 2e-2f * s.pdf);
             }
@@ -66,8 +94,8 @@ inline void checkSamplingFrom(const Shape& shape, const Vec3& p, int samples = 4
     for (int k = 0; k < 4; ++k) expectSame(bySample[k], byDirection[k], 1e-3, names[k]);
 }
 
-// Checks that points of sample() are on the surface (a ray along the normal hits them) and inside the bounds, and that
-// the expectation of 1 / pdf is the area.
+// Checks that points of sample() are on the surface (a ray along the normal hits them) and inside the bounds, that the
+// expectation of 1 / pdf is the area, and spotAt().
 inline void checkSampling(const Shape& shape, int samples = 4000) {
     Pcg32 rng(5);
     RunningMean area;
@@ -86,8 +114,11 @@ inline void checkSampling(const Shape& shape, int samples = 4000) {
         if (!hit) continue;  // exactly on an edge
         EXPECT_NEAR(hit->t, h, 2e-2f * h);
         EXPECT_NEAR(dot(hit->ng, s.ng), 1, 1e-3);
+        EXPECT_TRUE(isSamePlace(s.uv, hit->uv)) << s.uv << hit->uv;
+        EXPECT_NEAR(shape.pdf({s.p, s.ng, s.uv, s.part}), s.pdf, 1e-3f * s.pdf);
     }
     EXPECT_NEAR(area.mean(), shape.area(), 4 * std::sqrt(area.variance()) + 1e-4 * shape.area());
+    checkSpots(shape);
 }
 
 // Compares dpdu and dpdv with finite differences: a small step in the tangent plane must change uv accordingly.

@@ -41,15 +41,13 @@ class Disk final : public Shape {
         const Vec3d p(o.x + t * d.x, o.y + t * d.y, height_);
         const double r2 = p.x * p.x + p.y * p.y;
         if (r2 > radius_ * radius_ || r2 < innerRadius_ * innerRadius_) return {};
-        double phi = std::atan2(p.y, p.x);
-        if (phi < 0) phi += 2 * kPiD;
-        if (phi > phiMax_) return {};
+        if (phiOf(p) > phiMax_) return {};
         const double r = std::sqrt(r2), width = radius_ - innerRadius_;
         ShapeHit hit;
         hit.t = float(t);
         hit.p = Vec3(space_.pointToWorld(p));
         hit.ng = ng_;
-        hit.uv = Vec2(float(phi / phiMax_), float(1 - (r - innerRadius_) / width));
+        hit.uv = uvOf(p);
         hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-p.y, p.x, 0) * phiMax_));
         // At the centre any radial direction can be used.
         const Vec3d radial = r > 0 ? Vec3d(p.x / r, p.y / r, 0) : Vec3d(1, 0, 0);
@@ -70,10 +68,27 @@ class Disk final : public Shape {
             x = r * std::cos(u.y * phiMax_);
             y = r * std::sin(u.y * phiMax_);
         }
-        return {Vec3(space_.pointToWorld(Vec3d(x, y, height_))), ng_, float(1 / area_)};
+        const Vec3d p(x, y, height_);
+        return {Vec3(space_.pointToWorld(p)), ng_, float(1 / area_), uvOf(p)};
+    }
+
+    std::optional<ShapeSpot> spotAt(const Vec2& uv) const override {
+        const double width = radius_ - innerRadius_, r = radius_ - double(uv.y) * width, phi = double(uv.x) * phiMax_;
+        return ShapeSpot{Vec3(space_.pointToWorld(Vec3d(r * std::cos(phi), r * std::sin(phi), height_))), ng_,
+                         float(r * width * phiMax_ * space_.areaScale(kObjectNormal))};
     }
 
   private:
+    // In object space, from 0 to 2 pi.
+    static double phiOf(const Vec3d& p) {
+        const double phi = std::atan2(p.y, p.x);
+        return phi < 0 ? phi + 2 * kPiD : phi;
+    }
+    Vec2 uvOf(const Vec3d& p) const {
+        return Vec2(float(phiOf(p) / phiMax_),
+                    float(1 - (std::sqrt(p.x * p.x + p.y * p.y) - innerRadius_) / (radius_ - innerRadius_)));
+    }
+
     QuadricSpace space_;
     double height_, radius_, innerRadius_, phiMax_;
     Vec3 ng_;

@@ -138,7 +138,16 @@ class ShapeOfRevolution final : public Shape {
     ShapeSample sample(const Vec2& u) const override {
         const double v = table_.sample(u.y);
         const Vec3d p = pointAt(u.x, v), n = normalAt(p, v);
-        return {Vec3(space_.pointToWorld(p)), space_.normalToWorld(n), areaPdf(n)};
+        return {Vec3(space_.pointToWorld(p)), space_.normalToWorld(n), areaPdf(n), Vec2(u.x, float(v))};
+    }
+    float pdf(const ShapePoint& at) const override { return areaPdf(space_.normalToObject(at.ng)); }
+
+    std::optional<ShapeSpot> spotAt(const Vec2& uv) const override {
+        const double v = double(uv.y);
+        const Vec3d p = pointAt(double(uv.x), v), n = normalAt(p, v);
+        const bool exists = v >= profile_.vMin && profile_.radiusSquared(v) >= 0;
+        const double area = exists ? profile_.areaElement(v) * phiMax_ * space_.areaScale(n) : 0;
+        return ShapeSpot{Vec3(space_.pointToWorld(p)), space_.normalToWorld(n), float(area)};
     }
 
     ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const override {

@@ -55,7 +55,17 @@ class Sphere final : public Shape {
 
     ShapeSample sample(const Vec2& u) const override {
         const Vec3d p = pointAt(u.x, u.y);
-        return {Vec3(space_.pointToWorld(p)), space_.normalToWorld(p / radius_), areaPdf(p / radius_)};
+        return {Vec3(space_.pointToWorld(p)), space_.normalToWorld(p / radius_), areaPdf(p / radius_), uvOf(p)};
+    }
+    float pdf(const ShapePoint& at) const override { return areaPdf(space_.normalToObject(at.ng)); }
+    bool samplesDirections() const override { return full_ && space_.conformal(); }
+
+    std::optional<ShapeSpot> spotAt(const Vec2& uv) const override {
+        const double theta = thetaMin_ + double(uv.y) * (thetaMax_ - thetaMin_), phi = double(uv.x) * phiMax_;
+        const Vec3d n(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+        const double area = radius_ * radius_ * std::sin(theta) * std::abs(thetaMax_ - thetaMin_) * phiMax_;
+        return ShapeSpot{Vec3(space_.pointToWorld(n * radius_)), space_.normalToWorld(n),
+                         float(area * space_.areaScale(n))};
     }
 
     // Uniform over the cone that the sphere subtends (PBR 3e, section 14.2.2), if there is one.
@@ -77,11 +87,16 @@ class Sphere final : public Shape {
         const Vec3d n = (Vec3d(frame.s) * (sinAlpha * std::cos(phi)) + Vec3d(frame.t) * (sinAlpha * std::sin(phi)) +
                          Vec3d(frame.n) * cosAlpha)
                             .normalized();
-        return {Vec3(space_.origin() + n * r), space_.normalToWorld(space_.normalToObject(Vec3(n))), cone->pdf()};
+        const Vec3d inObject = space_.normalToObject(Vec3(n));
+        return {Vec3(space_.origin() + n * r), space_.normalToWorld(inObject), cone->pdf(), uvOf(inObject * radius_)};
     }
 
     float pdfFrom(const Vec3& p, const Vec3&, const ShapePoint& hit) const override {
-        if (const std::optional<Cone> cone = coneFrom(p)) return cone->pdf();
+        if (const std::optional<Cone> cone = coneFrom(p)) {
+            // Only the near side is sampled. A ray may still hit the far side, through a hole of an alpha mask.
+            const Vec3d at(hit.p);
+            return (at - space_.origin()).dot(Vec3d(p) - at) >= 0 ? cone->pdf() : 0;
+        }
         return toSolidAngle(areaPdf(space_.normalToObject(hit.ng)), p, hit.p, hit.ng);
     }
 
@@ -111,18 +126,26 @@ class Sphere final : public Shape {
     // Pdf of sample() per unit world area, where the object-space normal is n.
     float areaPdf(const Vec3d& n) const { return float(1 / (objectArea_ * space_.areaScale(n))); }
 
+    // In object space, from 0 to 2 pi.
+    static double phiOf(const Vec3d& p) {
+        const double phi = std::atan2(p.y, p.x);
+        return phi < 0 ? phi + 2 * kPiD : phi;
+    }
+    Vec2 uvOf(const Vec3d& p) const {
+        const double theta = std::acos(std::clamp(p.z / radius_, -1.0, 1.0));
+        return Vec2(float(phiOf(p) / phiMax_), float((theta - thetaMin_) / (thetaMax_ - thetaMin_)));
+    }
+
     std::optional<ShapeHit> hitAt(Vec3d p, double t) const {
         p *= radius_ / p.length();
         if (p.x == 0 && p.y == 0) p.x = 1e-5 * radius_;
-        double phi = std::atan2(p.y, p.x);
-        if (phi < 0) phi += 2 * kPiD;
-        if ((zMin_ > -radius_ && p.z < zMin_) || (zMax_ < radius_ && p.z > zMax_) || phi > phiMax_) return {};
-        const double theta = std::acos(std::clamp(p.z / radius_, -1.0, 1.0)), thetaRange = thetaMax_ - thetaMin_;
+        if ((zMin_ > -radius_ && p.z < zMin_) || (zMax_ < radius_ && p.z > zMax_) || phiOf(p) > phiMax_) return {};
+        const double thetaRange = thetaMax_ - thetaMin_;
         const double rho = std::sqrt(p.x * p.x + p.y * p.y);
         ShapeHit hit;
         hit.t = float(t);
         hit.p = Vec3(space_.pointToWorld(p));
-        hit.uv = Vec2(float(phi / phiMax_), float((theta - thetaMin_) / thetaRange));
+        hit.uv = uvOf(p);
         hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-p.y, p.x, 0) * phiMax_));
         hit.dpdv = Vec3(space_.vectorToWorld(Vec3d(p.z * p.x / rho, p.z * p.y / rho, -rho) * thetaRange));
         hit.ng = space_.normalToWorld(p / radius_);

@@ -151,5 +151,14 @@ TEST(Sphere, SamplingFromInsideAndOfParts) {
     checkSamplingFrom(*makeSphere({.objectToWorld = Transform::scale(1, 2, 3)}), Vec3(3, 1, 1));
 }
 
+// A ray through a hole in the near side hits the far side, which sampleFrom() never chooses.
+TEST(Sphere, TheFarSideIsNotSampledFromOutside) {
+    const ShapePtr sphere =
+        makeSphere({.objectToWorld = Transform::translate(Vec3(1, 0, 0)), .reverseOrientation = true});
+    const Vec3 p(5, 0, 0), wi(-1, 0, 0);
+    EXPECT_GT(sphere->pdfFrom(p, wi, {Vec3(2, 0, 0), Vec3(-1, 0, 0)}), 0);
+    EXPECT_EQ(sphere->pdfFrom(p, wi, {Vec3(0, 0, 0), Vec3(1, 0, 0)}), 0);
+}
+
 }  // namespace
 }  // namespace drc

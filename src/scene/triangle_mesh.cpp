@@ -27,6 +27,12 @@ float TriangleMesh::area(uint32_t triangle) const {
     return static_cast<float>(0.5 * windingNormal(*this, triangle).length());
 }
 
+std::array<Vec2, 3> TriangleMesh::textureCoordinates(uint32_t triangle) const {
+    if (uvs.empty()) return {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)};
+    const uint32_t* v = &indices[3 * size_t(triangle)];
+    return {uvs[v[0]], uvs[v[1]], uvs[v[2]]};
+}
+
 void TriangleMesh::apply(const Transform& t) {
     for (Vec3& p : positions) p = t.point(p);
     for (Vec3& n : normals) n = normalize(t.normal(n));
