@@ -273,6 +273,9 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
         warn(params.pos(), "shapes of an instanced object cannot be area lights; it does not emit");
     } else if (areaLight && moves) {
         warn(params.pos(), "shapes that move cannot be area lights; it does not emit");
+    } else if (areaLight && dialect_ == Dialect::V4 && !pending.primitive.material) {
+        warn(params.pos(),
+             "as in pbrt-v4, a shape with the material 'interface' cannot be an area light; it does not emit");
     } else if (areaLight) {
         pending.areaLight = areaLight;
         pending.lightSlot = scene_->lights.size();
