@@ -289,6 +289,7 @@ MipPyramid<T>::MipPyramid(const Image& image, TexelEncoding encoding) {
             level.floats = toStored<float>(texels);
         levels_.push_back(std::move(level));
     }
+    memory_ = NotedMemory(MemoryUse::Textures, bytes());
 }
 
 template <typename T>

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/memory_use.h"
 #include "image/image.h"
 
 namespace drc {
@@ -56,6 +57,7 @@ class MipPyramid {
     std::vector<Level> levels_;
     std::vector<float> decode_;  // values of the 256 bytes; empty unless the finest level is stored as bytes
     float maxResolutionLog2_ = 0;
+    NotedMemory memory_;
 };
 
 using FloatPyramid = MipPyramid<float>;
