@@ -1,5 +1,7 @@
 #include "pbrt/texture_files.h"
 
+#include <malloc.h>
+
 #include <new>
 
 #include "image/image_io.h"
@@ -44,6 +46,11 @@ std::shared_ptr<const FloatPyramid> TextureFiles::scalar(const std::string& path
 
 void TextureFiles::finish() {
     tasks_.wait();
+#ifdef __GLIBC__
+    // The images that the threads have decoded are several times as large as what is kept of them. Freed, they would
+    // stay with the threads.
+    if (!readings_.empty()) malloc_trim(0);
+#endif
     for (const auto& reading : readings_) {
         if (!reading->error) continue;
         try {
