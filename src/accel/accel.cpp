@@ -16,6 +16,7 @@
 #include "base/limits.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/memory_use.h"
 #include "math/sampler.h"
 #include "scene/tracing_memory.h"
 
@@ -26,6 +27,7 @@ namespace {
 struct GeometryData {
     const Primitive* primitive;
     uint32_t index;                  // among all of the scene's geometries
+    NotedMemory memory;              // of the mesh
     std::optional<PackedMesh> mesh;  // set for meshes; otherwise the primitive is a shape,
     const Curves* curves = nullptr;  // or, if this is not null, curves
     const Bsdf* lobes = nullptr;     // see SurfaceInteraction::lobes
@@ -186,6 +188,16 @@ void shapeOccluded(const RTCOccludedFunctionNArguments* a) {
     }
 }
 
+// Called before Embree allocates, with what it will, and after it has freed, with a negative number.
+bool noteMemoryOfEmbree(void*, ssize_t bytes, bool) {
+    addMemoryUse(MemoryUse::Accelerator, bytes);
+    return true;
+}
+
+size_t bytesOf(const PackedMesh& mesh) {
+    return mesh.vertices().size() * sizeof(PackedMesh::Vertex) + mesh.faces().size() * sizeof(PackedMesh::Face);
+}
+
 }  // namespace
 
 struct Accel::Impl {
@@ -260,6 +272,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
         RTCGeometry geometry = nullptr;
         if (primitive.mesh) {
             const PackedMesh& mesh = data->mesh.emplace(*primitive.mesh);
+            data->memory = NotedMemory(MemoryUse::Accelerator, bytesOf(mesh));
             geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
             rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices().data(),
                                        offsetof(PackedMesh::Vertex, p), sizeof(PackedMesh::Vertex),
@@ -294,6 +307,7 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
     const MemoryClaim memory = claimForTracing(scene);
     impl_->device = rtcNewDevice(nullptr);
     if (impl_->device == nullptr) throw Error("Embree could not be started");
+    rtcSetDeviceMemoryMonitorFunction(impl_->device, noteMemoryOfEmbree, nullptr);
     impl_->objects.resize(scene.objects.size());
     for (size_t i = 0; i < scene.objects.size(); ++i) {
         impl_->fill(impl_->objects[i], scene.objects[i].primitives);

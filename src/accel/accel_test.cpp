@@ -5,6 +5,7 @@
 
 #include "base/folder_testing.h"
 #include "base/memory_testing.h"
+#include "base/memory_use.h"
 #include "scene/curves.h"
 #include "scene/material_matte.h"
 #include "scene/shape_check.h"
@@ -190,6 +191,29 @@ TEST(Accel, ScenesThatNeedMoreThanThereIsAreRefused) {
     });
     EXPECT_THAT(error, testing::StartsWith("tracing rays in a scene of 2.51e+05 triangles and 0 pieces of curves needs "
                                            "about 33 MiB of memory"));
+}
+
+// What --stats says of the accelerator: Embree's trees and the copies of meshes, for as long as they live.
+TEST(Accel, NotesItsMemory) {
+    constexpr int kTriangles = 20000;
+    auto mesh = std::make_shared<TriangleMesh>();
+    for (int i = 0; i < kTriangles; ++i)
+        for (int k = 0; k < 3; ++k) {
+            mesh->positions.push_back(Vec3(float(i) + float(k == 1), float(i % 100) + float(k == 2), float(i % 7)));
+            mesh->indices.push_back(uint32_t(3 * i + k));
+        }
+    Scene scene;
+    scene.primitives.push_back(
+        {.mesh = mesh, .shape = {}, .material = {}, .areaLight = {}, .alpha = {}, .shadowAlpha = {}});
+    const int64_t before = memoryUse(MemoryUse::Accelerator);
+    {
+        const Accel accel(scene);
+        const double perTriangle = double(memoryUse(MemoryUse::Accelerator) - before) / kTriangles;
+        // Three vertices and a face, and at least its part of the tree.
+        EXPECT_GT(perTriangle, 3 * 32 + 24 + 30);
+        EXPECT_LT(perTriangle, 3 * 32 + 24 + 200);
+    }
+    EXPECT_EQ(memoryUse(MemoryUse::Accelerator), before);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/command.h"
+#include "app/memory_table.h"
 #include "app/models.h"
 #include "app/picture_finisher.h"
 #include "app/render_options.h"
@@ -88,6 +89,7 @@ void run(Session& session, PictureFinisher& finisher, const RenderOptions& o) {
 
 void render(RenderOptions o, const CLI::App& command) {
     const auto start = processInfo().start;
+    MemoryTable memory;
     setLogLevel(o.quiet ? LogLevel::Quiet : o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
     installInterruptHandler();
@@ -118,6 +120,7 @@ void render(RenderOptions o, const CLI::App& command) {
     Session session(*scene, params, chosen.mapDenoiser, &stats, start);
     PictureWriter writer(scene->settings, o.outputs, o.aovs);
     PictureFinisher finisher(filtersFor(params, denoiser), writer, stats);
+    memory.afterBuilding(*scene);
     const auto rendering = Clock::now();
     stats.timer("build").add(rendering - build);
     run(session, finisher, o);
@@ -136,14 +139,20 @@ void render(RenderOptions o, const CLI::App& command) {
         metadata["drc:interrupted"] = "true";
         writer.divertFromBetterPictures(session.samplesDone());
     }
+    memory.afterRendering(session, stats);
     session.endSampling();
+    memory.beforeFinishing();
     finisher.finish(session.picture(), metadata);
+    memory.afterFinishing();
     std::string names;
     for (const std::string& path : writer.outputs()) names += (names.empty() ? "" : ", ") + path;
     logInfo(fmt::format("{}{}: {} in {:.1f} s", interrupted ? "interrupted; " : "", names, session.status(),
                         std::chrono::duration<double>(Clock::now() - start).count()));
     if (!o.timing.empty()) writeTiming(o.timing, stats);
-    if (o.stats) fmt::print("{}", stats.report());
+    if (o.stats) {
+        memory.report(stats);
+        fmt::print("{}", stats.report());
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -80,6 +81,31 @@ void parallelFor(int begin, int end, int grain, const std::function<void(int, in
     };
     // To enter the arena again would end an isolation.
     InArena::here() ? loop() : threads()->arena.execute(loop);
+}
+
+struct BackgroundTasks::Impl {
+    CancelToken cancel;
+    tbb::task_group group;
+};
+
+BackgroundTasks::BackgroundTasks() : impl_(std::make_unique<Impl>()) {}
+
+BackgroundTasks::~BackgroundTasks() {
+    impl_->cancel.cancel();
+    wait();
+}
+
+void BackgroundTasks::start(std::function<void()> task) {
+    threads()->arena.execute([&] {
+        impl_->group.run([task = std::move(task), cancel = &impl_->cancel] {
+            // A thread that waits in the task must not begin another one: each holds memory of its own.
+            if (!cancel->cancelled()) isolated(task);
+        });
+    });
+}
+
+void BackgroundTasks::wait() {
+    threads()->arena.execute([&] { impl_->group.wait(); });
 }
 
 void isolated(const std::function<void()>& body) { tbb::this_task_arena::isolate(body); }

@@ -2,6 +2,7 @@
 #pragma once
 #include <atomic>
 #include <functional>
+#include <memory>
 
 namespace drc {
 
@@ -32,5 +33,25 @@ void parallelFor(int begin, int end, int grain, const std::function<void(int, in
 // Calls the body so that a thread that waits in it, for a parallel loop of the body's own or of a library on oneTBB,
 // works for that loop only and takes no piece of an enclosing loop.
 void isolated(const std::function<void()>& body);
+
+// Tasks that the other threads of the loops work on while the caller does something else. They begin in any order. The
+// number of threads must not be changed meanwhile.
+class BackgroundTasks {
+  public:
+    BackgroundTasks();
+    // Waits for the tasks that have begun; the others are never begun.
+    ~BackgroundTasks();
+    BackgroundTasks(const BackgroundTasks&) = delete;
+    BackgroundTasks& operator=(const BackgroundTasks&) = delete;
+
+    // One thread at a time. The task must not throw.
+    void start(std::function<void()> task);
+    // Works on the tasks, too, until all are done.
+    void wait();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace drc

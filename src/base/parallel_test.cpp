@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "base/error.h"
@@ -69,6 +72,62 @@ TEST(Parallel, StopsWhenCancelled) {
         &cancel);
     EXPECT_EQ(calls, 3);
     setThreadCount(0);
+}
+
+TEST(BackgroundTasks, AllAreDoneAfterWaiting) {
+    const int before = threadCount();
+    for (const int threads : {1, 2, 5}) {
+        setThreadCount(threads);
+        std::atomic<int> sum{0};
+        {
+            BackgroundTasks tasks;
+            for (int round = 0; round < 2; ++round) {
+                for (int i = 1; i <= 100; ++i)
+                    tasks.start([&sum, i] { parallelFor(0, i, 1, [&](int b, int e) { sum += e - b; }); });
+                // Loops of the caller's own go on meanwhile.
+                std::atomic<int> own{0};
+                parallelFor(0, 1000, 7, [&](int b, int e) { own += e - b; });
+                EXPECT_EQ(own, 1000);
+                tasks.wait();
+                EXPECT_EQ(sum, 5050 * (round + 1)) << threads;
+            }
+        }
+    }
+    setThreadCount(before);
+}
+
+TEST(BackgroundTasks, NoMoreThanTheThreadsAtATime) {
+    const int before = threadCount();
+    setThreadCount(2);
+    std::atomic<int> running{0}, most{0};
+    {
+        BackgroundTasks tasks;
+        for (int i = 0; i < 50; ++i)
+            tasks.start([&] {
+                const int now = ++running;
+                for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
+                }
+                // A task that waits for its own loop must not begin another task.
+                parallelFor(0, 64, 1, [](int, int) { std::this_thread::sleep_for(std::chrono::microseconds(20)); });
+                --running;
+            });
+        tasks.wait();
+    }
+    EXPECT_GE(most, 1);
+    EXPECT_LE(most, 2);
+    setThreadCount(before);
+}
+
+TEST(BackgroundTasks, ThoseLeftAreDroppedAtTheEnd) {
+    const int before = threadCount();
+    setThreadCount(1);  // so that none begins before the end
+    int done = 0;
+    {
+        BackgroundTasks tasks;
+        for (int i = 0; i < 10; ++i) tasks.start([&] { ++done; });
+    }
+    EXPECT_EQ(done, 0);
+    setThreadCount(before);
 }
 
 TEST(Parallel, ThreadCount) {

@@ -21,9 +21,9 @@ struct EncodedImage {
 [[noreturn]] void failDecoding(const EncodedImage& encoded, std::string_view what);
 
 // Throws Error if the size is not positive or is beyond the limits. Reserves memory for all that the picture takes
-// until it can be rendered with: its floats, then the colours, a copy of them and their coarser levels; and
-// `extraBytes` more for the decoder. Keep the claim while the picture is read, and no longer: pictures are read one
-// after the other, before the meshes, and nothing else is allocated until the colours are.
+// until it can be rendered with: its floats, and the colours, a copy of them and their coarser levels, or what takes
+// less in their place; and `extraBytes` more for the decoder. Keep the claim while the picture is read, and no longer.
+// Claims for pictures that are read at the same time add up.
 [[nodiscard]] MemoryClaim claimMemory(const EncodedImage& encoded, int64_t width, int64_t height, int64_t channels,
                                       double extraBytes = 0);
 

@@ -5,8 +5,8 @@
 namespace drc::pbrt {
 namespace {
 
-DecodedImage colorsOf(const Image& image, bool isSrgbEncoded) {
-    DecodedImage result{image.width(), image.height(), {}, isSrgbEncoded};
+DecodedImage colorsOf(const Image& image) {
+    DecodedImage result{image.width(), image.height(), {}};
     result.texels.reserve(image.pixelCount());
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) result.texels.push_back(image.rgb(x, y));
@@ -15,11 +15,8 @@ DecodedImage colorsOf(const Image& image, bool isSrgbEncoded) {
 
 }  // namespace
 
-DecodedImage readAsStored(const std::string& path) {
-    const ImageFile file = readImageFile(path);
-    return colorsOf(file.image, file.isSrgbEncoded());
-}
+DecodedImage readAsStored(const std::string& path) { return colorsOf(readImage(path)); }
 
-DecodedImage readLinear(const std::string& path) { return colorsOf(readLinearRgb(path), false); }
+DecodedImage readLinear(const std::string& path) { return colorsOf(readLinearRgb(path)); }
 
 }  // namespace drc::pbrt

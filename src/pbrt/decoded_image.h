@@ -1,4 +1,4 @@
-// Reads an image that a scene names.
+// Reads an image that a light names.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,8 +9,7 @@ namespace drc::pbrt {
 
 struct DecodedImage {
     int width = 0, height = 0;
-    std::vector<Rgb> texels;     // row-major from the top
-    bool isSrgbEncoded = false;  // the file stores integers, and the texels are its values, not decoded
+    std::vector<Rgb> texels;  // row-major from the top
 };
 
 // The values in the file; integers are scaled to [0, 1]. Throws Error that names the path.

@@ -13,7 +13,10 @@ namespace drc::pbrt {
 namespace {
 
 constexpr int kGzipFormat = 16 + MAX_WBITS;  // no bare zlib streams
-constexpr size_t kChunk = size_t(1) << 20;
+// What is unpacked at a time: a few times the packed size, because scenes have thousands of small files, and the pages
+// of a large buffer cost more than they hold.
+constexpr size_t kLeastChunk = size_t(1) << 12, kMostChunk = size_t(1) << 20;
+constexpr size_t kUsualRatio = 4;
 
 class Inflater {
   public:
@@ -37,22 +40,23 @@ std::string gunzip(std::string_view bytes, const std::string& path, const Gunzip
     z_stream& z = inflater.stream;
     std::string result;
     std::optional<MemoryClaim> memory;  // for what the result has room for
-    const auto unpacked = std::make_unique<char[]>(kChunk);
+    const size_t chunk = std::clamp(kUsualRatio * bytes.size(), kLeastChunk, kMostChunk);
+    const auto unpacked = std::make_unique_for_overwrite<char[]>(chunk);
     size_t read = 0;
     const auto failGzip = [&](const std::string& what) { throw Error(path + ": the gzip stream " + what); };
     for (;;) {
         if (z.avail_in == 0) {
-            const size_t chunk = std::min(kChunk, bytes.size() - read);
+            const size_t next = std::min(kMostChunk, bytes.size() - read);
             z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + read));
-            z.avail_in = uInt(chunk);
-            read += chunk;
+            z.avail_in = uInt(next);
+            read += next;
         }
         z.next_out = reinterpret_cast<Bytef*>(unpacked.get());
-        z.avail_out = uInt(kChunk);
+        z.avail_out = uInt(chunk);
         const int status = inflate(&z, Z_NO_FLUSH);
-        const size_t size = kChunk - z.avail_out;
+        const size_t size = chunk - z.avail_out;
         if (result.capacity() - result.size() < size) {
-            const size_t more = 2 * result.capacity() + kChunk;
+            const size_t more = 2 * result.capacity() + chunk;
             memory.emplace(double(more), path + ", unpacked,");
             result.reserve(more);
         }

@@ -5,12 +5,32 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "base/error.h"
 
 namespace drc::pbrt {
+namespace {
+
+// Files of up to this size are copied. To unmap one interrupts all cores that run the process.
+constexpr size_t kSmall = size_t(1) << 16;
+
+// Reads up to `size` bytes; a file that has been shortened meanwhile gives fewer. -1 if it cannot be read.
+ssize_t readAll(int file, char* to, size_t size) {
+    size_t done = 0;
+    while (done < size) {
+        const ssize_t count = ::read(file, to + done, size - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return -1;
+        if (count == 0) break;
+        done += size_t(count);
+    }
+    return ssize_t(done);
+}
+
+}  // namespace
 
 MappedFile::MappedFile(const std::string& path, const std::string& what, uint64_t most) {
     const auto failed = [&](int reason) {
@@ -27,6 +47,12 @@ MappedFile::MappedFile(const std::string& path, const std::string& what, uint64_
         reason = S_ISDIR(status.st_mode) ? EISDIR : EINVAL;
     } else if (uint64_t(status.st_size) > most) {
         reason = EFBIG;
+    } else if (status.st_size > 0 && size_t(status.st_size) <= kSmall) {
+        copy_ = std::make_unique_for_overwrite<char[]>(size_t(status.st_size));
+        const ssize_t size = readAll(file, copy_.get(), size_t(status.st_size));
+        if (size < 0) reason = errno;
+        data_ = copy_.get();
+        size_ = size_t(std::max<ssize_t>(size, 0));
     } else if (status.st_size > 0) {
         void* memory = ::mmap(nullptr, size_t(status.st_size), PROT_READ, MAP_PRIVATE, file, 0);
         if (memory == MAP_FAILED) {
@@ -41,7 +67,7 @@ MappedFile::MappedFile(const std::string& path, const std::string& what, uint64_
 }
 
 MappedFile::~MappedFile() {
-    if (data_ != nullptr) ::munmap(const_cast<char*>(data_), size_);
+    if (data_ != nullptr && !copy_) ::munmap(const_cast<char*>(data_), size_);
 }
 
 }  // namespace drc::pbrt

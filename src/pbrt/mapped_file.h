@@ -1,5 +1,6 @@
-// A whole file as read-only memory.
+// A whole file as read-only memory: mapped, or copied if it is small.
 #pragma once
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,7 @@ class MappedFile {
   private:
     const char* data_ = nullptr;
     size_t size_ = 0;
+    std::unique_ptr<char[]> copy_;  // of a small file
 };
 
 }  // namespace drc::pbrt

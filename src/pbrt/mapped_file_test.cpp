@@ -18,6 +18,12 @@ TEST(MappedFile, HoldsTheFile) {
     const TemporaryFolder folder;
     EXPECT_EQ(MappedFile(folder.write("a", "text"), "file").text(), "text");
     EXPECT_EQ(MappedFile(folder.write("b", ""), "file").text(), "");
+    // Small files are copied, and large ones mapped.
+    for (const size_t size : {65535, 65536, 65537, 1 << 20}) {
+        std::string text(size, 'a');
+        for (size_t i = 0; i < size; ++i) text[i] = char('a' + i * 7 % 26);
+        EXPECT_EQ(MappedFile(folder.write("c", text), "file").text(), text) << size;
+    }
 }
 
 TEST(MappedFile, WhatIsNoFileIsRefusedAtOnce) {

@@ -66,7 +66,10 @@ class ParamParser {
             value(first);
             return;
         }
+        const bool takesNumbers =
+            param_.type != ParamType::String && param_.type != ParamType::Texture && param_.type != ParamType::Bool;
         for (;;) {
+            if (takesNumbers) tokens_.takeNumbers(param_.numbers);
             const Token& token = tokens_.peek();
             // An array cannot continue in another file, so its closing bracket is missing.
             if (token.kind == TokenKind::End || token.pos.source != first.pos.source)

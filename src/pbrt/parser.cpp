@@ -36,20 +36,30 @@ void Parser::endImports() {
 
 std::unique_ptr<Scene> Parser::parse(const LoadOptions& options) {
     builder_.limitCurves(options.curvePieces);
+    try {
+        readDirectives();
+        return builder_.finish(options);
+    } catch (const Error&) {
+        // An image that cannot be read comes earlier in the file, though it may be found later.
+        builder_.finishTextures();
+        throw;
+    }
+}
+
+void Parser::readDirectives() {
     for (;;) {
         endImports();
         const Token token = tokens_.next();
         if (token.kind == TokenKind::End) {
             builder_.checkComplete(token.pos);
-            break;
+            return;
         }
         if (worldEnded_) {
             warn(token.pos, "only the first scene of a file is rendered; what follows WorldEnd is ignored");
-            break;
+            return;
         }
         directive(token);
     }
-    return builder_.finish(options);
 }
 
 }  // namespace drc::pbrt

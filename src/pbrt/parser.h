@@ -19,6 +19,7 @@ class Parser {
 
   private:
     Parser(std::shared_ptr<const Source> main, const FileSearch& files, const Vec3& origin);
+    void readDirectives();
     void directive(const Token& word);
     // Ends the blocks of imported files that have ended.
     void endImports();

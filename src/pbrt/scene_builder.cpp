@@ -363,30 +363,41 @@ void SceneBuilder::loadMeshes(const LoadOptions& options) {
                                     "are made; use fewer levels",
                                     subdivided, options.subdividedTriangles));
     }
+    forEachPending([](PendingPrimitive& p) {
+        if (!p.geometry.loadMesh) return;
+        try {
+            p.primitive.mesh = p.geometry.loadMesh();
+        } catch (const Error& error) {
+            fail(p.pos, std::string("cannot load the mesh: ") + error.what());
+        } catch (const std::bad_alloc&) {
+            fail(p.pos, "cannot load the mesh: there is not enough memory");
+        }
+        p.geometry.loadMesh = nullptr;  // frees the data that it owns
+    });
+}
+
+void SceneBuilder::makeAreaLights() {
+    forEachPending([](PendingPrimitive& p) {
+        if (p.areaLight) p.primitive.areaLight = placedAt(p.pos, [&] { return p.areaLight(p.primitive); });
+    });
+    for (const PendingPrimitive& p : pending_)
+        if (p.lightSlot) scene_->lights[*p.lightSlot] = p.primitive.areaLight;
+}
+
+void SceneBuilder::forEachPending(const std::function<void(PendingPrimitive&)>& work) {
     // Errors are stored by position, so that the first one in the file is reported, whichever thread found one first.
     std::vector<std::exception_ptr> errors(pending_.size());
     parallelFor(0, int(pending_.size()), 1, [&](int begin, int end) {
         for (int k = begin; k < end; ++k) {
-            PendingPrimitive& p = pending_[size_t(k)];
-            if (!p.geometry.loadMesh) continue;
             try {
-                p.primitive.mesh = p.geometry.loadMesh();
+                work(pending_[size_t(k)]);
             } catch (...) {
                 errors[size_t(k)] = std::current_exception();
             }
-            p.geometry.loadMesh = nullptr;  // frees the data that it owns
         }
     });
-    for (size_t i = 0; i < errors.size(); ++i) {
-        if (!errors[i]) continue;
-        try {
-            std::rethrow_exception(errors[i]);
-        } catch (const Error& error) {
-            fail(pending_[i].pos, std::string("cannot load the mesh: ") + error.what());
-        } catch (const std::bad_alloc&) {
-            fail(pending_[i].pos, "cannot load the mesh: there is not enough memory");
-        }
-    }
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
 }
 
 std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
@@ -414,11 +425,9 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
         make_.camera(camera_.type, camera_.params, {inScene.animated(), transformTimes_}, settings.film, files_);
 
     loadMeshes(options);
+    makeAreaLights();
+    finishTextures();
     for (PendingPrimitive& p : pending_) {
-        if (p.areaLight) {
-            p.primitive.areaLight = placedAt(p.pos, [&] { return p.areaLight(p.primitive); });
-            scene_->lights[*p.lightSlot] = p.primitive.areaLight;
-        }
         auto& primitives = p.object ? scene_->objects[*p.object].primitives : scene_->primitives;
         primitives.push_back(std::move(p.primitive));
     }

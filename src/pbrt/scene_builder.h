@@ -1,5 +1,6 @@
 // Executes directives: each changes the graphics state or adds to the scene. Independent of tokens and files.
 #pragma once
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -71,7 +72,9 @@ class SceneBuilder {
 
     // Throws Error, at the end of the file, if the scene is incomplete.
     void checkComplete(const SourcePos& end) const;
-    // Loads the meshes and returns the finished scene.
+    // Waits for the images of textures. Throws Error at the first that cannot be read.
+    void finishTextures() { textureFiles_.finish(); }
+    // Loads the meshes, waits for the images of textures and returns the finished scene.
     std::unique_ptr<Scene> finish(const LoadOptions& options);
 
   private:
@@ -123,6 +126,9 @@ class SceneBuilder {
     }
     void pop(const std::string& kind, const SourcePos& pos);
     void loadMeshes(const LoadOptions& options);
+    void makeAreaLights();
+    // Calls work for all pending primitives, on all cores. Of what it throws, that of the first primitive is rethrown.
+    void forEachPending(const std::function<void(PendingPrimitive&)>& work);
 
     // The parameters, with those added that Attribute has set for this target.
     ParamSet completed(const std::string& target, ParamSet params) const;

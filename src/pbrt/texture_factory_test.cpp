@@ -24,6 +24,7 @@ class TextureFactoryTest : public testing::Test {
         const TextureParams textureParams(set, textures_);
         const auto texture = make(TextureRequest{textureParams, ctm, files_, images_});
         set.warnUnused();
+        images_.finish();
         return texture;
     }
     // A float texture of pbrt's given type, from parameters in the syntax of the file.

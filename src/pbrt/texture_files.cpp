@@ -1,22 +1,37 @@
 #include "pbrt/texture_files.h"
 
-#include "pbrt/decoded_image.h"
+#include <malloc.h>
+
+#include <new>
+
+#include "image/image_io.h"
 
 namespace drc::pbrt {
+namespace {
+
+template <typename T>
+MipPyramid<T> readPyramid(const std::string& path, TexelGamma gamma) {
+    const ImageFile file = readImageFile(path);
+    const bool srgb = gamma == TexelGamma::Srgb || (gamma == TexelGamma::FromFile && file.isSrgbEncoded());
+    return MipPyramid<T>(file.image, srgb ? TexelEncoding::Srgb : TexelEncoding::Linear);
+}
+
+}  // namespace
 
 template <typename T>
 std::shared_ptr<const MipPyramid<T>> TextureFiles::find(Cache<T>& cache, const std::string& path, TexelGamma gamma,
                                                         const SourcePos& pos) {
     auto& entry = cache[{path, gamma}];
     if (entry) return entry;
-    try {
-        DecodedImage image = readAsStored(path);
-        const bool srgb = gamma == TexelGamma::Srgb || (gamma == TexelGamma::FromFile && image.isSrgbEncoded);
-        entry = std::make_shared<MipPyramid<T>>(TexelImage{image.width, image.height, std::move(image.texels)},
-                                                srgb ? TexelEncoding::Srgb : TexelEncoding::Linear);
-    } catch (const Error& error) {
-        fail(pos, error.what());
-    }
+    entry = std::make_shared<MipPyramid<T>>();
+    Reading& reading = *readings_.emplace_back(std::make_unique<Reading>(pos));
+    tasks_.start([&reading, pyramid = entry, path, gamma] {
+        try {
+            *pyramid = readPyramid<T>(path, gamma);
+        } catch (...) {
+            reading.error = std::current_exception();
+        }
+    });
     return entry;
 }
 
@@ -27,6 +42,32 @@ std::shared_ptr<const RgbPyramid> TextureFiles::color(const std::string& path, T
 std::shared_ptr<const FloatPyramid> TextureFiles::scalar(const std::string& path, TexelGamma gamma,
                                                          const SourcePos& pos) {
     return find<float>(scalars_, path, gamma, pos);
+}
+
+void TextureFiles::finish() {
+    tasks_.wait();
+#ifdef __GLIBC__
+    // The images that the threads have decoded are several times as large as what is kept of them. Freed, they would
+    // stay with the threads.
+    if (!readings_.empty()) malloc_trim(0);
+#endif
+    for (const auto& reading : readings_) {
+        if (!reading->error) continue;
+        try {
+            std::rethrow_exception(reading->error);
+        } catch (const Error& error) {
+            fail(reading->pos, error.what());
+        } catch (const std::bad_alloc&) {
+            fail(reading->pos, "there is not enough memory for the texture");
+        }
+    }
+}
+
+size_t TextureFiles::bytes() const {
+    size_t sum = 0;
+    for (const auto& entry : colors_) sum += entry.second->bytes();
+    for (const auto& entry : scalars_) sum += entry.second->bytes();
+    return sum;
 }
 
 }  // namespace drc::pbrt

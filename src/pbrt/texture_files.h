@@ -1,10 +1,14 @@
-// The image files of a scene's textures. Each is read once and shared by all textures that use it.
+// The image files of a scene's textures. Each is read once and shared by all textures that use it. They are read on
+// other threads while the scene's file is.
 #pragma once
+#include <exception>
 #include <map>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "base/parallel.h"
 #include "pbrt/source.h"
 #include "scene/mip_pyramid.h"
 
@@ -15,19 +19,30 @@ enum class TexelGamma { FromFile, Srgb, Linear };
 
 class TextureFiles {
   public:
-    // Throws Error at pos if the file cannot be read.
+    // The pyramid is empty until finish(). pos: where the scene names the file, for errors.
     std::shared_ptr<const RgbPyramid> color(const std::string& path, TexelGamma gamma, const SourcePos& pos);
     std::shared_ptr<const FloatPyramid> scalar(const std::string& path, TexelGamma gamma, const SourcePos& pos);
 
+    // Waits until all files asked for are read. Throws Error, at the position of the first that cannot be.
+    void finish();
+    // Of all pyramids, after finish().
+    size_t bytes() const;
+
   private:
+    struct Reading {
+        SourcePos pos;
+        std::exception_ptr error;
+    };
     template <typename T>
-    using Cache = std::map<std::pair<std::string, TexelGamma>, std::shared_ptr<const MipPyramid<T>>>;
+    using Cache = std::map<std::pair<std::string, TexelGamma>, std::shared_ptr<MipPyramid<T>>>;
     template <typename T>
-    static std::shared_ptr<const MipPyramid<T>> find(Cache<T>& cache, const std::string& path, TexelGamma gamma,
-                                                     const SourcePos& pos);
+    std::shared_ptr<const MipPyramid<T>> find(Cache<T>& cache, const std::string& path, TexelGamma gamma,
+                                              const SourcePos& pos);
 
     Cache<Rgb> colors_;
     Cache<float> scalars_;
+    std::vector<std::unique_ptr<Reading>> readings_;  // in the order in which they were asked for
+    BackgroundTasks tasks_;                           // last, so that it ends before what it works on
 };
 
 }  // namespace drc::pbrt

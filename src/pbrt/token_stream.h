@@ -24,6 +24,11 @@ class TokenStream {
 
     const Token& peek();
     Token next();
+    // Appends the numbers that follow in the file, up to anything else (Tokenizer::takeNumbers). None while a token is
+    // peeked at.
+    void takeNumbers(std::vector<double>& to) {
+        if (!ahead_) stack_.back().tokenizer.takeNumbers(to);
+    }
     // Continues with the tokens of this file, and then with those after the Include. Throws Error at pos for a file
     // that cannot be read, includes itself, is nested too deep, or exceeds the limits. Must not be called while a token
     // is peeked at.

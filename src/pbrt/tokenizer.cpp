@@ -116,6 +116,24 @@ Token Tokenizer::next() {
     return token;
 }
 
+void Tokenizer::takeNumbers(std::vector<double>& to) {
+    const char* const text = text_.data();
+    const char* const last = text + text_.size();
+    for (;;) {
+        const char* first = text + at_;
+        while (first < last && isSpace(*first)) ++first;
+        at_ = size_t(first - text);
+        // A plus, and what overflows, is left to Token::number().
+        if (first == last || !startsNumber(*first) || *first == '+') return;
+        double number = 0;
+        const auto [end, error] = std::from_chars(first, last, number);
+        if (error != std::errc() || !(end == last || endsWord(*end)) || !std::isfinite(static_cast<float>(number)))
+            return;
+        to.push_back(number);
+        at_ = size_t(end - text);
+    }
+}
+
 Token Tokenizer::string() {
     const size_t start = at_;
     Token token;

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pbrt/source.h"
 
@@ -28,6 +29,9 @@ class Tokenizer {
     explicit Tokenizer(const Source& source);
     // The next token; after the last one, always End. Throws Error for an unterminated string.
     Token next();
+    // Appends the numbers that follow, as next() and Token::number() would give them, up to anything else: another
+    // token, a comment, the end, or a number that must be looked at. Meshes are written as millions of numbers.
+    void takeNumbers(std::vector<double>& to);
     const Source& source() const { return *source_; }
 
   private:

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <random>
 
 #include "pbrt/test_scenes.h"
 
@@ -35,6 +36,45 @@ TEST(Tokenizer, KindsTextAndPositions) {
         EXPECT_EQ(token.pos.location().line, e.line) << e.text;
         EXPECT_EQ(token.pos.location().column, e.column) << e.text;
     }
+}
+
+// What takeNumbers() takes, next() and Token::number() would have given, and what follows is the same.
+TEST(Tokenizer, NumbersTakenTogetherAreThoseTakenOneByOne) {
+    const std::string numbers[] = {"0",     "-1.5e2", ".25", "-.5", "7.",      "1e-50", "0012",   "16777217",
+                                   "1e38",  "-0",     "+3",  "3.",  "1e-5000", "1e39",  "1e5000", "-nan",
+                                   "1.2.3", "4x",     "+-1", "-",   ".",       "0x10",  "1e",     "-inf"};
+    const std::string others[] = {"]", "# 5 6\n", "word", "\"7\"", "", "[", "8#9\n"};
+    const std::string blanks[] = {" ", "\n", "\t\r\n  "};
+    std::mt19937 rng(5);
+    const auto pick = [&](const auto& from) { return from[rng() % std::size(from)]; };
+    size_t together = 0;
+    for (int round = 0; round < 4000; ++round) {
+        std::string text;
+        for (int i = 0; i < 12; ++i) text += (rng() % 8 == 0 ? pick(others) : pick(numbers)) + pick(blanks);
+        const auto source = Source::fromText(text, "a.pbrt", ".");
+        // The numbers up to the first thing that is none, and what comes after them.
+        const auto read = [&](bool byTaking, std::vector<double>& values) {
+            Tokenizer tokenizer(*source);
+            for (;;) {
+                if (byTaking) {
+                    const size_t before = values.size();
+                    tokenizer.takeNumbers(values);
+                    together += values.size() - before;
+                }
+                const Token token = tokenizer.next();
+                if (token.kind != TokenKind::Number) return std::to_string(token.pos.offset) + token.describe();
+                try {
+                    values.push_back(token.number());
+                } catch (const Error& error) {
+                    return std::string(error.what());
+                }
+            }
+        };
+        std::vector<double> one, all;
+        EXPECT_EQ(read(true, all), read(false, one)) << text;
+        EXPECT_EQ(all, one) << text;
+    }
+    EXPECT_GT(together, 2000u);
 }
 
 TEST(Tokenizer, WordsEndAtBracketsQuotesAndComments) {

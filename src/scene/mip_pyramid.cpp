@@ -2,9 +2,12 @@
 
 #include <Imath/half.h>
 
-#include <array>
+#include <algorithm>
+#include <atomic>
 
 #include "base/error.h"
+#include "base/parallel.h"
+#include "image/color.h"
 
 namespace drc {
 namespace {
@@ -59,19 +62,55 @@ Taps taps(float x, int size, ImageWrap wrap) {
     return t;
 }
 
-// The bytes that the table maps to these values; none if a value is not in the table.
+// Calls row(y) for each row of an image, on all cores.
+template <typename F>
+void forEachRow(int width, int height, const F& row) {
+    constexpr int kTexelsTogether = 1 << 15;
+    parallelFor(0, height, std::max(1, kTexelsTogether / width), [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) row(y);
+    });
+}
+
+// The values of the 256 bytes, by how they are encoded.
+std::vector<float> byteValues(TexelEncoding encoding) {
+    std::vector<float> values(256);
+    for (int k = 0; k < 256; ++k) {
+        const float plain = static_cast<float>(k) / 255;
+        values[size_t(k)] = encoding == TexelEncoding::Srgb ? srgbToLinear(plain) : plain;
+    }
+    return values;
+}
+
+// The whole part is the byte whose value, of byteValues(), is nearest.
+float positionAmongBytes(float value, TexelEncoding encoding) {
+    return 255 * (encoding == TexelEncoding::Srgb ? srgbEncode(value) : value) + 0.5f;
+}
+
+// The texels as bytes with these values; none if a texel has another value.
 template <typename T>
-std::vector<uint8_t> toBytes(const std::vector<T>& texels, const std::vector<float>& table) {
-    std::vector<uint8_t> bytes;
-    bytes.reserve(texels.size() * kChannels<T>);
-    for (const T& texel : texels)
-        for (int c = 0; c < kChannels<T>; ++c) {
-            const float v = channel(texel, c);
-            int k = static_cast<int>(std::lower_bound(table.begin(), table.end(), v) - table.begin());
-            if (k == 256 || (k > 0 && v - table[k - 1] < table[k] - v)) --k;
-            if (!(std::abs(table[k] - v) <= 2e-6f)) return {};
-            bytes.push_back(static_cast<uint8_t>(k));
+std::vector<uint8_t> toBytes(const Image& image, TexelEncoding encoding, const std::vector<float>& values) {
+    constexpr int n = kChannels<T>;
+    constexpr float kSame = 2e-6f;
+    std::vector<uint8_t> bytes(image.pixelCount() * n);
+    std::atomic<bool> isOther{false};
+    forEachRow(image.width(), image.height(), [&](int y) {
+        if (isOther.load(std::memory_order_relaxed)) return;
+        uint8_t* out = &bytes[size_t(y) * size_t(image.width()) * n];
+        for (int x = 0; x < image.width(); ++x) {
+            T texel;
+            assignTexel(texel, image.rgb(x, y));
+            for (int c = 0; c < n; ++c) {
+                const float v = channel(texel, c), guess = positionAmongBytes(v, encoding);
+                const int k = guess >= 0 && guess < 256 ? static_cast<int>(guess) : 0;
+                if (!(std::abs(values[size_t(k)] - v) <= kSame)) {
+                    isOther.store(true, std::memory_order_relaxed);
+                    return;
+                }
+                *out++ = static_cast<uint8_t>(k);
+            }
         }
+    });
+    if (isOther) return {};
     return bytes;
 }
 
@@ -84,10 +123,10 @@ std::vector<Stored> toStored(const std::vector<T>& texels) {
     return stored;
 }
 
-// The next coarser image. Each texel is the mean of the area it covers, including parts of texels where the size is
-// odd.
-template <typename T>
-std::vector<T> halved(const std::vector<T>& from, int width, int height, int newWidth, int newHeight) {
+// The next coarser image of texel(index). Each texel is the mean of the area it covers, including parts of texels where
+// the size is odd.
+template <typename T, typename Texel>
+std::vector<T> halved(const Texel& texel, int width, int height, int newWidth, int newHeight) {
     struct Span {
         int first, count;
         float weight[4];
@@ -107,14 +146,16 @@ std::vector<T> halved(const std::vector<T>& from, int width, int height, int new
     };
     const std::vector<Span> xs = spans(width, newWidth), ys = spans(height, newHeight);
     std::vector<T> to(size_t(newWidth) * newHeight, T(0.f));
-    for (int y = 0; y < newHeight; ++y)
+    forEachRow(newWidth, newHeight, [&](int y) {
         for (int x = 0; x < newWidth; ++x) {
-            T& sum = to[size_t(y) * newWidth + x];
+            T sum(0.f);
             for (int j = 0; j < ys[y].count; ++j)
                 for (int i = 0; i < xs[x].count; ++i)
                     sum +=
-                        from[size_t(ys[y].first + j) * width + xs[x].first + i] * (ys[y].weight[j] * xs[x].weight[i]);
+                        texel(size_t(ys[y].first + j) * width + xs[x].first + i) * (ys[y].weight[j] * xs[x].weight[i]);
+            to[size_t(y) * newWidth + x] = sum;
         }
+    });
     return to;
 }
 
@@ -156,6 +197,12 @@ struct MipPyramid<T>::Level {
 };
 
 template <typename T>
+MipPyramid<T>::MipPyramid() = default;
+template <typename T>
+MipPyramid<T>::MipPyramid(MipPyramid&& other) noexcept = default;
+template <typename T>
+MipPyramid<T>& MipPyramid<T>::operator=(MipPyramid&& other) noexcept = default;
+template <typename T>
 MipPyramid<T>::~MipPyramid() = default;
 
 template <typename T>
@@ -182,42 +229,58 @@ size_t MipPyramid<T>::bytes() const {
 }
 
 template <typename T>
-MipPyramid<T>::MipPyramid(const TexelImage& image, TexelEncoding encoding) {
-    if (image.width <= 0 || image.height <= 0 || image.texels.size() != size_t(image.width) * image.height)
-        throw Error("texture image is empty or incomplete");
-    maxResolutionLog2_ = std::log2(static_cast<float>(std::max(image.width, image.height)));
-
-    std::vector<T> texels(image.texels.size());
-    for (size_t i = 0; i < texels.size(); ++i) assignTexel(texels[i], image.texels[i]);
+MipPyramid<T>::MipPyramid(const Image& image, TexelEncoding encoding) {
+    if (image.empty()) throw Error("texture image is empty");
+    int width = image.width(), height = image.height();
+    maxResolutionLog2_ = std::log2(static_cast<float>(std::max(width, height)));
 
     // The values of an 8-bit image may be stored ones, or already linearised by the reader.
-    std::vector<float> plain(256), srgb(256);
-    for (int k = 0; k < 256; ++k) {
-        plain[k] = static_cast<float>(k) / 255;
-        srgb[k] = srgbToLinear(plain[k]);
-    }
     Level finest;
-    finest.width = image.width;
-    finest.height = image.height;
-    finest.bytes = toBytes(texels, plain);
-    if (!finest.bytes.empty()) {
-        decode_ = encoding == TexelEncoding::Srgb ? srgb : plain;
-    } else if (encoding == TexelEncoding::Linear) {
-        finest.bytes = toBytes(texels, srgb);
-        if (!finest.bytes.empty()) decode_ = srgb;
+    finest.width = width;
+    finest.height = height;
+    const std::vector<float> plain = byteValues(TexelEncoding::Linear), srgb = byteValues(TexelEncoding::Srgb);
+    finest.bytes = toBytes<T>(image, TexelEncoding::Linear, plain);
+    decode_ = encoding == TexelEncoding::Srgb ? srgb : plain;
+    if (finest.bytes.empty() && encoding == TexelEncoding::Linear) {
+        finest.bytes = toBytes<T>(image, TexelEncoding::Srgb, srgb);
+        decode_ = srgb;
     }
-    if (encoding == TexelEncoding::Srgb)
-        for (T& texel : texels)
-            for (int c = 0; c < kChannels<T>; ++c) setChannel(texel, c, srgbToLinear(channel(texel, c)));
-    if (finest.bytes.empty()) finest.floats = toStored<float>(texels);
     const bool compact = !finest.bytes.empty();
-    int width = image.width, height = image.height;
+    if (!compact) {
+        decode_.clear();
+        finest.floats.resize(image.pixelCount() * kChannels<T>);
+        forEachRow(width, height, [&](int y) {
+            float* out = &finest.floats[size_t(y) * size_t(width) * kChannels<T>];
+            for (int x = 0; x < width; ++x) {
+                T texel;
+                assignTexel(texel, image.rgb(x, y));
+                for (int c = 0; c < kChannels<T>; ++c) {
+                    const float v = channel(texel, c);
+                    *out++ = encoding == TexelEncoding::Srgb ? srgbToLinear(v) : v;
+                }
+            }
+        });
+    }
     levels_.push_back(std::move(finest));
+
+    std::vector<T> texels;  // of the last level; none at first, because the finest is large
+    const auto texelOfFinest = [&](size_t i) {
+        const Level& from = levels_.front();
+        T texel;
+        for (int c = 0; c < kChannels<T>; ++c) {
+            const size_t at = i * kChannels<T> + size_t(c);
+            setChannel(texel, c, compact ? decode_[from.bytes[at]] : from.floats[at]);
+        }
+        return texel;
+    };
     while (width > 1 || height > 1) {
         Level level;
         level.width = std::max(1, width / 2);
         level.height = std::max(1, height / 2);
-        texels = halved(texels, width, height, level.width, level.height);
+        if (texels.empty())
+            texels = halved<T>(texelOfFinest, width, height, level.width, level.height);
+        else
+            texels = halved<T>([&](size_t i) { return texels[i]; }, width, height, level.width, level.height);
         width = level.width;
         height = level.height;
         if (compact)
@@ -226,6 +289,7 @@ MipPyramid<T>::MipPyramid(const TexelImage& image, TexelEncoding encoding) {
             level.floats = toStored<float>(texels);
         levels_.push_back(std::move(level));
     }
+    memory_ = NotedMemory(MemoryUse::Textures, bytes());
 }
 
 template <typename T>

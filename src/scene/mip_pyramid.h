@@ -9,15 +9,10 @@
 #include <memory>
 #include <vector>
 
-#include "math/vec.h"
+#include "base/memory_use.h"
+#include "image/image.h"
 
 namespace drc {
-
-// A decoded image, row-major, row 0 at the top.
-struct TexelImage {
-    int width = 0, height = 0;
-    std::vector<Rgb> texels;
-};
 
 enum class TexelEncoding {
     Linear,  // the texture's values are those of the image
@@ -30,8 +25,13 @@ enum class ImageWrap { Repeat, Black, Clamp };
 template <typename T>
 class MipPyramid {
   public:
-    // Throws Error if the image is empty, or if its size does not match the number of texels.
-    MipPyramid(const TexelImage& image, TexelEncoding encoding);
+    // Empty, to be assigned to before any lookup.
+    MipPyramid();
+    // Of the colours that Image::rgb() gives. Builds on all cores, the same for any number of them. Throws Error if the
+    // image is empty.
+    MipPyramid(const Image& image, TexelEncoding encoding);
+    MipPyramid(MipPyramid&& other) noexcept;
+    MipPyramid& operator=(MipPyramid&& other) noexcept;
     ~MipPyramid();
 
     int levels() const;
@@ -57,6 +57,7 @@ class MipPyramid {
     std::vector<Level> levels_;
     std::vector<float> decode_;  // values of the 256 bytes; empty unless the finest level is stored as bytes
     float maxResolutionLog2_ = 0;
+    NotedMemory memory_;
 };
 
 using FloatPyramid = MipPyramid<float>;

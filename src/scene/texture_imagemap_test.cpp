@@ -14,8 +14,14 @@ TextureContext at(float u, float v, float width = 0) {
     return c;
 }
 
+Image rowOf(const std::vector<Rgb>& texels) {
+    Image image(int(texels.size()), 1);
+    for (int x = 0; x < image.width(); ++x) image.setRgb(x, 0, texels[size_t(x)]);
+    return image;
+}
+
 const auto kStripes =
-    std::make_shared<RgbPyramid>(TexelImage{4, 1, {Rgb(0.f), Rgb(1.f), Rgb(0.f), Rgb(1.f)}}, TexelEncoding::Linear);
+    std::make_shared<RgbPyramid>(rowOf({Rgb(0.f), Rgb(1.f), Rgb(0.f), Rgb(1.f)}), TexelEncoding::Linear);
 
 TEST(ImageMap, MappingAndScale) {
     ImageMapParams p;
@@ -40,7 +46,7 @@ TEST(ImageMap, FootprintIsScaledWithTheMapping) {
 }
 
 TEST(ImageMap, Float) {
-    const auto pyramid = std::make_shared<FloatPyramid>(TexelImage{1, 1, {Rgb(1, 0.5f, 0.25f)}}, TexelEncoding::Linear);
+    const auto pyramid = std::make_shared<FloatPyramid>(rowOf({Rgb(1, 0.5f, 0.25f)}), TexelEncoding::Linear);
     EXPECT_NEAR(makeImageMap(pyramid, {})->eval(at(0, 0)), luminance(Rgb(1, 0.5f, 0.25f)), 1e-6f);
 }
 
