@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/log.h"
+#include "render/lattice_denoiser.h"
 
 namespace drc {
 namespace {
@@ -36,13 +37,19 @@ void OidnPictureFilter::apply(LayeredPicture& picture) const {
                          settings.auxiliaries == OidnAuxiliaries::Raw     ? "as they are"
                          : settings.auxiliaries == OidnAuxiliaries::Clean ? "as clean"
                                                                           : "after denoising them"));
+    const auto denoise = [&](Image& color) {
+        denoiseByLattices(color, g.albedo, g.normal, *picture.film,
+                          [&](Image& part, const Image& albedo, const Image& normal) {
+                              library_.denoise(part, albedo, normal, settings);
+                          });
+    };
     if (!directAlone_) {
-        library_.denoise(picture.beauty, g.albedo, g.normal, settings);
+        denoise(picture.beauty);
         return;
     }
     Image direct = picture.part("direct");
     for (float& v : direct.data()) v = std::max(v, 0.f);
-    library_.denoise(direct, g.albedo, g.normal, settings);
+    denoise(direct);
     // One layer replaces all layers of direct light.
     PictureLayer denoised{"direct", "direct", std::move(direct), std::nullopt};
     std::erase_if(picture.layers, [](const PictureLayer& layer) { return layer.part == "direct"; });

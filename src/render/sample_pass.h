@@ -21,6 +21,9 @@ struct SamplePass {
 
     int pass = 0;  // from 0
 
+    // The distance of the rows and columns of a lattice.
+    static int stepOf(int lattice) { return 4 >> lattice; }
+
     // The index, within a pixel, of the sample that the pass takes.
     uint32_t sample() const { return uint32_t(std::max(0, pass - (kLattices - 1))); }
     // The number of samples that every pixel has had after so many passes, and its inverse.
@@ -32,7 +35,7 @@ struct SamplePass {
     // Calls f(column) for the columns of the region that the pass samples in a row of it.
     template <class F>
     void forEachColumn(int row, int width, F&& f) const {
-        const int step = pass == 0 ? 4 : pass == 1 ? 2 : 1;
+        const int step = stepOf(std::min(pass, kLattices - 1));
         if (row % step != 0) return;
         // The previous lattice has already sampled every other column of such a row.
         const bool shared = pass > 0 && pass < kLattices && row % (2 * step) == 0;
