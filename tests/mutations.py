@@ -111,6 +111,18 @@ FAULTS = [
           "return value < 1 && uniformOf(ray, data, part) >= value;", "return uniformOf(ray, data, part) >= 1 || value <= 0;", "Alpha*"),
     Fault("normal maps do not follow mirrored coordinates", "src/scene/bump.cpp",
           "dot(alongU.t, at.dpdv) < 0 ? -alongU.t : alongU.t", "alongU.t", "NormalMaps*"),
+    Fault("light is not weakened by media on its way to a point", "src/integrators/direct_lighting.cpp",
+          "if (medium || accel_.hasOpenMedia()) light *=", "if (false) light *=", "Media.*"),
+    Fault("media scatter backwards where they should forwards", "src/scene/henyey_greenstein.cpp",
+          "(g > 0 ? dot(wo, wi) : -dot(wo, wi))", "(g > 0 ? -dot(wo, wi) : dot(wo, wi))", "Media.*"),
+    Fault("what is inside of a medium's surface is taken for outside", "src/accel/interaction.h",
+          "return dot(ng, d) < 0 ? media.inside : media.outside;", "return dot(ng, d) > 0 ? media.inside : media.outside;",
+          "Media.*"),
+    Fault("free paths in coloured media are weighted as in grey ones", "src/integrators/medium_segment.cpp",
+          "const float pdf = dot(shares, density);", "const float pdf = dot(Rgb(1.f / 3), density);", "Media.*"),
+    Fault("what paths find out for the cells does not lose what media take", "src/integrators/final_gather.cpp",
+          "            emitted(light);\n            trainings.scatter(weight, Rgb(1.f));",
+          "            emitted(light);\n            trainings.scatter(Rgb(weight.x > 0 ? 1.f : 0.f), Rgb(1.f));", "Media.*"),
 ]
 
 

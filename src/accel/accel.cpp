@@ -208,6 +208,8 @@ struct Accel::Impl {
     const Instance* firstInstance = nullptr;
     bool anythingMoves = false;
     bool hasShadowMasks = false;
+    bool hasOpenMedia = false;
+    float reachOfMedia = 0;
     uint32_t geometries = 0;  // so far
 
     ~Impl() {
@@ -268,6 +270,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
         data->primitive = &primitive;
         data->index = geometries++;
         hasShadowMasks |= primitive.shadowAlpha != nullptr;
+        hasOpenMedia |= primitive.media.changes() && !primitive.material;
         data->lobes = lobesOf(primitive.material.get());
         RTCGeometry geometry = nullptr;
         if (primitive.mesh) {
@@ -331,6 +334,10 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
         impl_->instances.push_back(&instance);
     }
     rtcCommitScene(impl_->world.scene);
+    if (!scene.media.empty()) {
+        const Bounds bounds = scene.bounds();
+        if (!bounds.empty()) impl_->reachOfMedia = length(bounds.max - bounds.min);
+    }
     if (const RTCError e = rtcGetDeviceError(impl_->device); e != RTC_ERROR_NONE)
         throw Error(fmt::format("Embree could not build the scene (error {})", int(e)));
 }
@@ -416,6 +423,7 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
         if (data.mesh) data.mesh->keepOffEdges(found.triangle, found.b1, found.b2, rounding, hit);
         hit.error += rounding;
     }
+    hit.medium = ray.medium;
     hit.wo = -ray.d;
     hit.t = found.t;
     hit.time = ray.time;
@@ -425,6 +433,8 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
 
 bool Accel::anythingMoves() const { return impl_->anythingMoves; }
 bool Accel::hasShadowMasks() const { return impl_->hasShadowMasks; }
+bool Accel::hasOpenMedia() const { return impl_->hasOpenMedia; }
+float Accel::lengthInMedium(float length) const { return std::isinf(length) ? impl_->reachOfMedia : length; }
 
 bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax, float time) const {
     if (!impl_->isWithinReach(o, d)) return false;

@@ -70,6 +70,7 @@ Ray SurfaceInteraction::spawnRay(const Vec3& d, float spread) const {
     ray.time = time;
     ray.coneWidth = footprint;
     ray.coneSpread = std::max(spread, coneSpread);
+    ray.medium = mediumTowards(d);
     return ray;
 }
 

@@ -24,6 +24,7 @@ struct SurfaceInteraction {
     bool moves = false;  // whether the surface moves while the shutter is open
     uint32_t triangle = 0;
     const Primitive* primitive = nullptr;
+    const Medium* medium = nullptr;  // that the ray arrived in; null: empty space
     // The material's lobes if they are the same everywhere and have been computed in advance; otherwise null.
     const Bsdf* lobes = nullptr;
 
@@ -36,6 +37,12 @@ struct SurfaceInteraction {
     Rgb emitted() const;
     EmitterHit emitterHit() const { return {p, ng, triangle, uv}; }
     SpawnPoint spawnPoint() const { return {p, ng, footprint, error}; }
+    // The medium in which light that leaves p in direction d goes on.
+    const Medium* mediumTowards(const Vec3& d) const {
+        const MediumInterface& media = primitive->media;
+        if (!media.changes()) return medium;
+        return dot(ng, d) < 0 ? media.inside : media.outside;
+    }
     // A ray that leaves p in direction d, with its origin offset from the surface to the side of d. Its cone grows with
     // the given spread, but at least with that of the arriving ray.
     Ray spawnRay(const Vec3& d, float spread) const;

@@ -22,7 +22,9 @@ inline uint64_t pixelStream(uint64_t seed, uint64_t purpose, int x, int y) {
 // time.
 inline CameraRay cameraRay(const Scene& scene, const Vec2& film, Sampler& sampler) {
     const Vec2 uLens = sampler.get2D();
-    return scene.camera->generateRay(film, uLens, sampler.get1D());
+    CameraRay camera = scene.camera->generateRay(film, uLens, sampler.get1D());
+    camera.ray.medium = scene.cameraMedium;
+    return camera;
 }
 
 // Sample `index` of pixel (x, y). The position on the film is drawn in proportion to the pixel filter.

@@ -1,5 +1,7 @@
 #include "integrators/direct_lighting.h"
 
+#include "scene/henyey_greenstein.h"
+
 namespace drc {
 
 Rgb DirectLighting::emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const {
@@ -30,9 +32,10 @@ Rgb DirectLighting::emissionAtInfinity(const Vec3& d, const Vec3& from, float pd
     return sum;
 }
 
-DirectLighting::Proposal DirectLighting::propose(const SurfaceInteraction& at, const BsdfView& bsdf, int group,
-                                                 float uLight, const Vec2& u) const {
-    const auto choice = lights_.sample(at.p, uLight);
+template <class Scattered>
+DirectLighting::Proposal DirectLighting::propose(const Vec3& p, int group, float uLight, const Vec2& u,
+                                                 Scattered&& scattered) const {
+    const auto choice = lights_.sample(p, uLight);
     if (choice.light == nullptr) return {};
     float pdf = choice.probability;
     Vec2 onLight = u;
@@ -43,26 +46,44 @@ DirectLighting::Proposal DirectLighting::propose(const SurfaceInteraction& at, c
         pdf *= guided.density;
         slot = guided.slot;
     }
-    const auto s = choice.light->sample(at.p, onLight);
+    const auto s = choice.light->sample(p, onLight);
     const bool infinite = choice.light->isInfinite();
     if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return {};
-    const LobeValue value = bsdf.evaluate(s->wi);
+    const LobeValue value = scattered(s->wi);
     if (isBlack(value.f)) {
         if (slot >= 0) guide_->learn(slot, false);
         return {};
     }
     pdf *= s->pdf;
-    return {choice.light, *s, value.f * (absDot(s->wi, bsdf.bsdf().frame().n) / pdf), pdf, value.pdf, slot};
+    return {choice.light, *s, value.f * (1 / pdf), pdf, value.pdf, slot};
 }
 
-Rgb DirectLighting::arriving(const SurfaceInteraction& at, Proposal& proposal) const {
-    if (proposal.light == nullptr) return Rgb(0.f);
+DirectLighting::Proposal DirectLighting::propose(const SurfaceInteraction& at, const BsdfView& bsdf, int group,
+                                                 float uLight, const Vec2& u) const {
+    return propose(at.p, group, uLight, u, [&](const Vec3& wi) {
+        LobeValue value = bsdf.evaluate(wi);
+        value.f *= absDot(wi, bsdf.bsdf().frame().n);
+        return value;
+    });
+}
+
+DirectLighting::Proposal DirectLighting::propose(const MediumVertex& at, float uLight, const Vec2& u) const {
+    return propose(at.p, kNoGroup, uLight, u, [&](const Vec3& wi) {
+        const float phase = phaseHenyeyGreenstein(at.medium->g, at.wo, wi);
+        return LobeValue{Rgb(phase), phase};
+    });
+}
+
+Rgb DirectLighting::arriving(const SpawnPoint& from, const Medium* medium, float time, Proposal& proposal) const {
     const LightSample& s = proposal.sample;
-    const bool blocked = shadowed(accel_, at.spawnPoint(), s.wi, s.distance, at.time);
+    const bool blocked = shadowed(accel_, from, s.wi, s.distance, time);
     if (proposal.slot >= 0) guide_->learn(proposal.slot, !blocked);
     if (blocked) return Rgb(0.f);
-    proposal.screened = accel_.hasShadowMasks() && screened(accel_, at.spawnPoint(), s.wi, s.distance, at.time);
-    return proposal.throughput * (proposal.light->isInfinite() ? proposal.light->escaped(at.p, s.wi) : s.radiance);
+    proposal.screened = accel_.hasShadowMasks() && screened(accel_, from, s.wi, s.distance, time);
+    Rgb light =
+        proposal.throughput * (proposal.light->isInfinite() ? proposal.light->escaped(from.p, s.wi) : s.radiance);
+    if (medium || accel_.hasOpenMedia()) light *= transmittance(accel_, from, medium, s.wi, s.distance, time);
+    return light;
 }
 
 }  // namespace drc

@@ -3,6 +3,7 @@
 #pragma once
 #include "integrators/environment_guide.h"
 #include "integrators/light_sampler.h"
+#include "integrators/medium_segment.h"
 #include "integrators/ray_queries.h"
 #include "scene/bsdf_view.h"
 
@@ -61,9 +62,9 @@ class DirectLighting {
     struct Proposal {
         const Light* light = nullptr;  // null: no light
         LightSample sample{};
-        Rgb throughput{0.f};  // BSDF times cosine, divided by lightPdf
+        Rgb throughput{0.f};  // BSDF times cosine, or phase function, divided by lightPdf
         float lightPdf = 0;   // per solid angle, including the choice of the light
-        float bsdfPdf = 0;    // of BSDF sampling for the same direction
+        float bsdfPdf = 0;    // of BSDF or phase function sampling for the same direction
         int slot = -1;        // of the guide, which learns from the sample's visibility; -1: not guided
         // Whether the rays of paths are blocked where the shadow ray is not, so that no other technique finds this
         // light.
@@ -73,11 +74,20 @@ class DirectLighting {
     };
     // uLight chooses the light, u the direction or the point on the light.
     Proposal propose(const SurfaceInteraction& at, const BsdfView& bsdf, int group, float uLight, const Vec2& u) const;
+    Proposal propose(const MediumVertex& at, float uLight, const Vec2& u) const;
     // The sample's contribution without weight(): throughput times Le, or black if the shadow ray is blocked. Finds out
     // whether the proposal is screened.
-    Rgb arriving(const SurfaceInteraction& at, Proposal& proposal) const;
+    Rgb arriving(const SurfaceInteraction& at, Proposal& proposal) const {
+        if (proposal.light == nullptr) return Rgb(0.f);
+        return arriving(at.spawnPoint(), at.mediumTowards(proposal.sample.wi), at.time, proposal);
+    }
+    Rgb arriving(const MediumVertex& at, Proposal& proposal) const {
+        if (proposal.light == nullptr) return Rgb(0.f);
+        return arriving(at.spawnPoint(), at.medium, at.time, proposal);
+    }
     // The contribution with weight().
-    Rgb weighted(const SurfaceInteraction& at, Proposal& proposal) const {
+    template <class Vertex>
+    Rgb weighted(const Vertex& at, Proposal& proposal) const {
         const Rgb light = arriving(at, proposal);
         return light * proposal.weight();
     }
@@ -86,6 +96,11 @@ class DirectLighting {
     const LightSampler& lights() const { return lights_; }
 
   private:
+    // scattered(wi): BSDF times cosine, or phase function, and the pdf of sampling that direction.
+    template <class Scattered>
+    Proposal propose(const Vec3& p, int group, float uLight, const Vec2& u, Scattered&& scattered) const;
+    Rgb arriving(const SpawnPoint& from, const Medium* medium, float time, Proposal& proposal) const;
+
     const Accel& accel_;
     const LightSampler& lights_;
     EnvironmentGuide* guide_ = nullptr;

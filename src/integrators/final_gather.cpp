@@ -90,6 +90,7 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
     float distance = 0, pdf = path.pdf;
     const Accel& accel = lighting_.accel();
     SurfaceInteraction hit;
+    MediumVertex inMedium;
     Accel::Found found;
     bool any = accel.find(path.ray, found);
     for (;;) {
@@ -98,13 +99,37 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
             if (shown) sum += path.throughput * share * light;
             trainings.add(light, path.depth - 1, settings.maxDepth);
         };
-        const Arrival arrival = toSurface(accel, path.ray, found, any, hit, [&](const SurfaceInteraction& surface) {
+        const auto met = [&](const SurfaceInteraction& surface) {
             path.distance += surface.t;
             distance += surface.t;
             emitted(lighting_.emissionAtHit(surface, path.from, path.pdf));
-        });
+        };
+        const auto passed = [&](const Rgb& light, const Rgb& weight) {
+            emitted(light);
+            trainings.scatter(weight, Rgb(1.f));
+        };
+        const Arrival arrival =
+            walker_.advance(path, any, found, hit, inMedium, sample.sampler, sample.gBuffer, met, passed);
         if (arrival == Arrival::Escaped)
             emitted(lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group));
+        if (arrival == Arrival::Scattered) {
+            if (path.depth >= settings.maxDepth) shown = false;
+            if (!shown && !trainings.wantMore(path.depth, settings.maxDepth)) break;
+            const VertexNumbers u(sample.sampler);
+            DirectLighting::Proposal light = lighting_.propose(inMedium, u.light, u.onLight);
+            const Rgb throughput = path.throughput;
+            const int depth = path.depth;
+            const bool goesOn = walker_.scatter(path, inMedium, u);
+            any = goesOn && accel.find(path.ray, found);
+            const Rgb lit = lighting_.weighted(inMedium, light);
+            if (shown) sum += throughput * share * lit;
+            trainings.add(lit, depth, settings.maxDepth);
+            if (!goesOn) break;
+            distance = 0;
+            pdf = path.pdf;
+            trainings.scatter(path.weight, Rgb(1.f));
+            continue;
+        }
         if (arrival != Arrival::Surface) break;
         if (path.depth >= settings.maxDepth) shown = false;
         if (!shown && !trainings.wantMore(path.depth, settings.maxDepth)) break;
@@ -116,7 +141,8 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
         path.group = lighting_.groupOf(hit, bsdf);
-        if (sample.gBuffer && path.depth == 0) sample.gBuffer->record(path.throughput, hit, bsdf, path.distance);
+        if (sample.gBuffer && path.depth == 0)
+            sample.gBuffer->record(path.throughput * path.passing, hit, bsdf, path.distance);
 
         bool answered = false, trainsHere = false;
         const bool mixed = bsdf.hasWithin(others);

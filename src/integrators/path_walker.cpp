@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "scene/henyey_greenstein.h"
+
 namespace drc {
 namespace {
 
@@ -45,14 +47,46 @@ bool PathWalker::scatter(PathState& path, const SurfaceInteraction& hit, const B
     }
     path.from = hit.p;
     path.ray = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
+    return survives(path, u.roulette);
+}
 
-    if (path.depth + path.chain >= settings_.rouletteDepth) {
-        const float survival = std::min(0.95f, maxComponent(path.throughput) * path.etaScale);
-        if (u.roulette >= survival) return false;
-        path.throughput *= 1 / survival;
-        path.weight *= 1 / survival;
-    }
+bool PathWalker::scatter(PathState& path, const MediumVertex& at, const VertexNumbers& u) const {
+    const Vec3 wi = sampleHenyeyGreenstein(at.medium->g, at.wo, u.direction);
+    path.weight = Rgb(1.f);
+    path.pdf = phaseHenyeyGreenstein(at.medium->g, at.wo, wi);
+    path.group = DirectLighting::kNoGroup;
+    ++path.depth;
+    path.from = at.p;
+    path.ray = at.spawnRay(wi, std::max(at.coneSpread, kDiffuseSpread));
+    return survives(path, u.roulette);
+}
+
+bool PathWalker::survives(PathState& path, float u) const {
+    if (path.depth + path.chain < settings_.rouletteDepth) return true;
+    const float survival = std::min(0.95f, maxComponent(path.throughput) * path.etaScale);
+    if (u >= survival) return false;
+    path.throughput *= 1 / survival;
+    path.weight *= 1 / survival;
     return true;
+}
+
+void PathWalker::recordThroughMedia(Ray ray, Rgb seen, float distance, GBufferSample& gBuffer) const {
+    const Accel& accel = lighting_.accel();
+    SurfaceInteraction hit;
+    Accel::Found found;
+    const bool any = accel.find(ray, found);
+    const auto goesOn = [&](const Ray& segment, float length) {
+        if (segment.medium) {
+            const float reach = accel.lengthInMedium(length);
+            gBuffer.albedo += seen * segment.medium->scatteredIn(reach);
+            seen *= segment.medium->transmittance(reach);
+        }
+        distance += length;
+        return true;
+    };
+    const Arrival arrival = toSurface(
+        accel, ray, found, any, hit, [](const SurfaceInteraction&) {}, goesOn);
+    if (arrival == Arrival::Surface) gBuffer.record(seen, hit, hit.bsdf(), distance);
 }
 
 Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emission, PathSinks sinks,
@@ -66,6 +100,7 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
     FirstHit *hitWanted = sinks.firstHit, *albedoWanted = nullptr, *directWanted = sinks.firstHit;
     const Accel& accel = lighting_.accel();
     SurfaceInteraction hit;
+    MediumVertex inMedium;
     Accel::Found found;
     bool any = start == nullptr && accel.find(path.ray, found);
     for (;;) {
@@ -82,9 +117,24 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
             hit = *std::exchange(start, nullptr);
             met(hit);
         } else {
-            const Arrival arrival = toSurface(accel, path.ray, found, any, hit, met);
+            const auto passed = [&](const Rgb& emitted, const Rgb&) {
+                if (counted) sum += path.throughput * emitted;
+            };
+            const Arrival arrival = advance(path, any, found, hit, inMedium, sampler, sinks.gBuffer, met, passed);
             if (arrival == Arrival::Escaped && counted)
                 sum += path.throughput * lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group);
+            if (arrival == Arrival::Scattered) {
+                counted = true;
+                if (path.depth >= maxDepth) break;
+                const VertexNumbers u(sampler);
+                DirectLighting::Proposal light = lighting_.propose(inMedium, u.light, u.onLight);
+                const Rgb throughput = path.throughput;
+                const bool goesOn = scatter(path, inMedium, u);
+                any = goesOn && accel.find(path.ray, found);
+                sum += throughput * lighting_.weighted(inMedium, light);
+                if (!goesOn) break;
+                continue;
+            }
             if (arrival != Arrival::Surface) break;
         }
         counted = true;
@@ -94,7 +144,8 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
         if (bsdf.size() == 0) break;
         path.group = lighting_.groupOf(hit, bsdf);
         if (albedoWanted) std::exchange(albedoWanted, nullptr)->albedo = unitAlbedo(bsdf, hit.wo);
-        if (sinks.gBuffer && path.depth == 0) sinks.gBuffer->record(path.throughput, hit, bsdf, path.distance);
+        if (sinks.gBuffer && path.depth == 0)
+            sinks.gBuffer->record(path.throughput * path.passing, hit, bsdf, path.distance);
         const BsdfView view(bsdf, hit.wo);
         const VertexNumbers u(sampler);
         DirectLighting::Proposal light;

@@ -34,6 +34,7 @@ struct PathState {
     Vec3 from;  // the vertex that the ray leaves, on the surface, not offset from it
     Rgb throughput{1.f};
     Rgb weight{1.f};                        // the factor that the latest vertex has multiplied it by
+    float passing = 1;                      // the probability with which media have let it pass so far
     float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
     float etaScale = 1;                     // undoes the scaling of radiance by refraction, for Russian roulette
     float distance = 0;                     // length of the path, world units
@@ -50,27 +51,33 @@ struct VertexNumbers {
     float light, lobe, roulette;
 };
 
-// Follows the ray to the next surface with a material, through emitters without one; met(hit) is called for each of
-// these emitters and for that surface. Escaped: there is no such surface, and `ray` is the last segment. Lost: there
-// were too many emitters, and no light may be taken from there. found: the result of accel.find for the ray.
-enum class Arrival { Surface, Escaped, Lost };
-template <class Met>
+// Follows the ray to the next surface with a material, through those without one. met(hit) is called for that surface,
+// and for emitters on the way. Escaped: there is no such surface, and `ray` is the last segment. Lost: there were too
+// many surfaces, and no light may be taken from there. found: the result of accel.find for the ray. goesOn(ray, length)
+// is called for each segment of the way, before what it leads to; if it returns false, the path ends on that segment,
+// and the result is Scattered.
+enum class Arrival { Surface, Escaped, Lost, Scattered };
+template <class Met, class GoesOn>
 inline Arrival toSurface(const Accel& accel, Ray& ray, Accel::Found& found, bool any, SurfaceInteraction& hit,
-                         Met&& met) {
+                         Met&& met, GoesOn&& goesOn) {
     for (int passed = 0; passed <= kMaxPassThrough; ++passed) {
-        if (!any || !nextSurface(accel, ray, found, hit)) return Arrival::Escaped;
-        met(hit);
-        if (hit.primitive->material) return Arrival::Surface;
+        if (any) accel.describe(ray, found, hit);
+        if (!goesOn(ray, any ? hit.t : kInfinity)) return Arrival::Scattered;
+        if (!any) return Arrival::Escaped;
+        const bool ends = hit.primitive->material != nullptr;
+        if (ends || hit.primitive->areaLight) met(hit);
+        if (ends) return Arrival::Surface;
         ray = hit.spawnRay(ray.d);
         any = accel.find(ray, found);
     }
     return Arrival::Lost;
 }
+// The same in empty space, or as if everything were in it.
 template <class Met>
 inline Arrival toSurface(const Accel& accel, Ray& ray, SurfaceInteraction& hit, Met&& met) {
     Accel::Found found;
     const bool any = accel.find(ray, found);
-    return toSurface(accel, ray, found, any, hit, met);
+    return toSurface(accel, ray, found, any, hit, met, [](const Ray&, float) { return true; });
 }
 
 // The chain of mirrors and smooth glass between a camera and the surfaces that it sees in them.
@@ -130,8 +137,46 @@ class PathWalker {
 
     // Samples the next direction at a vertex. False: the path ends.
     bool scatter(PathState& path, const SurfaceInteraction& hit, const BsdfView& view, const VertexNumbers& u) const;
+    bool scatter(PathState& path, const MediumVertex& at, const VertexNumbers& u) const;
+
+    // Follows the path to its next vertex, which is `hit`, or `vertex` if the path is scattered in a medium on the way.
+    // any, found: what accel.find said of path.ray. met(hit) as for toSurface. passed(emitted, weight) is called for
+    // each segment in a medium: with the light that it emits towards the path's latest vertex, and then with what the
+    // rest of the path is to be multiplied by, as path.throughput has been.
+    template <class Met, class Passed>
+    Arrival advance(PathState& path, bool any, Accel::Found& found, SurfaceInteraction& hit, MediumVertex& vertex,
+                    Sampler& sampler, GBufferSample* gBuffer, Met&& met, Passed&& passed) const {
+        const auto goesOn = [&](const Ray& ray, float length) {
+            if (ray.medium == nullptr) return true;
+            const float reach = lighting_.accel().lengthInMedium(length);
+            const Vec2 u = ray.medium->scatters() ? sampler.get2D() : Vec2(0.f);
+            const MediumSegment segment = sampleSegment(*ray.medium, reach, path.throughput, u);
+            if (gBuffer && path.depth == 0) {
+                const Rgb seen = path.throughput * path.passing;
+                if (segment.scattered)
+                    recordThroughMedia(ray, seen, path.distance, *gBuffer);
+                else
+                    gBuffer->albedo += seen * ray.medium->scatteredIn(reach);
+            }
+            path.passing *= segment.passing;
+            passed(ray.medium->emitted(reach), segment.weight);
+            path.throughput *= segment.weight;
+            if (!segment.scattered) return true;
+            path.distance += *segment.scattered;
+            vertex = MediumVertex(ray, *segment.scattered);
+            return false;
+        };
+        return toSurface(lighting_.accel(), path.ray, found, any, hit, met, goesOn);
+    }
 
   private:
+    // The part of a path's state that all kinds of vertices change alike: Russian roulette. False: the path ends.
+    bool survives(PathState& path, float u) const;
+    // Records what the camera sees along a ray through media, as if they did not scatter the path but only hid a part
+    // of what is behind them. All samples of a pixel then record nearly the same, whether they are scattered or not.
+    // seen: the throughput up to the ray. distance: the same, along the path.
+    void recordThroughMedia(Ray ray, Rgb seen, float distance, GBufferSample& gBuffer) const;
+
     const DirectLighting& lighting_;
     PathSettings settings_;
 };

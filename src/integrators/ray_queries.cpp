@@ -2,22 +2,6 @@
 
 namespace drc {
 
-bool nextSurface(const Accel& accel, Ray& ray, SurfaceInteraction& hit) {
-    Accel::Found found;
-    return accel.find(ray, found) && nextSurface(accel, ray, found, hit);
-}
-
-bool nextSurface(const Accel& accel, Ray& ray, const Accel::Found& found, SurfaceInteraction& hit) {
-    accel.describe(ray, found, hit);
-    for (int i = 0; i < kMaxPassThrough; ++i) {
-        if (hit.primitive->material || hit.primitive->areaLight) return true;
-        ray = hit.spawnRay(ray.d);
-        if (!accel.intersect(ray, hit)) return false;
-    }
-    // Not false, since the caller would then take the sky for what lies behind.
-    return true;
-}
-
 namespace {
 
 // The segment from a surface point along d to `distance`, without its ends.
@@ -79,6 +63,32 @@ bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, const S
     const Segment segment(from, d, to);
     if (accel.hasShadowMasks()) return isScreened(accel, segment, time);
     return segment.tMax > 0 && accel.occluded(segment.o, segment.d, segment.tMax, time);
+}
+
+Rgb transmittance(const Accel& accel, const SpawnPoint& from, const Medium* medium, const Vec3& d, float distance,
+                  float time) {
+    Rgb share(1.f);
+    if (!accel.hasOpenMedia()) {
+        if (medium) share = medium->transmittance(accel.lengthInMedium(distance));
+        return share;
+    }
+    const Segment segment(from, d, distance);
+    Ray ray;
+    ray.o = segment.o;
+    ray.d = segment.d;
+    ray.tMax = segment.tMax;
+    ray.time = time;
+    ray.medium = medium;
+    SurfaceInteraction hit;
+    for (int i = 0; i < kMaxPassThrough && ray.tMax > 0; ++i) {
+        const bool any = accel.intersect(ray, hit);
+        if (ray.medium) share *= ray.medium->transmittance(accel.lengthInMedium(any ? hit.t : ray.tMax));
+        if (!any || isBlack(share)) break;
+        const float left = ray.tMax - hit.t;
+        ray = hit.spawnRay(ray.d);
+        ray.tMax = left;
+    }
+    return share;
 }
 
 }  // namespace drc

@@ -18,11 +18,6 @@ inline float spreadAfter(const BsdfSample& s, float spread) {
     return s.isSpecular() ? spread : std::max(spread, kDiffuseSpread);
 }
 
-// The nearest surface along the ray that has a material or emits. The ray passes through other surfaces, but at most
-// kMaxPassThrough of them; then the last of them is returned. False if the ray escapes. `ray` becomes the last segment.
-bool nextSurface(const Accel& accel, Ray& ray, SurfaceInteraction& hit);
-bool nextSurface(const Accel& accel, Ray& ray, const Accel::Found& found, SurfaceInteraction& hit);
-
 // Whether anything blocks the segment from a surface point along d (unit) to `distance`, which is infinity for lights
 // at infinity.
 bool shadowed(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
@@ -30,5 +25,9 @@ bool shadowed(const Accel& accel, const SpawnPoint& from, const Vec3& d, float d
 bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
 // screened() between two surface points, of which the one sees the other along d (unit).
 bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, const SpawnPoint& to, float time);
+// The share of light that the media let through along the segment of shadowed(), whatever surfaces there are. medium:
+// in which the segment begins.
+Rgb transmittance(const Accel& accel, const SpawnPoint& from, const Medium* medium, const Vec3& d, float distance,
+                  float time);
 
 }  // namespace drc

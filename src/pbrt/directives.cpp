@@ -181,14 +181,15 @@ void texture(Context c) {
 
 void makeNamedMedium(Context c) {
     const std::string name = text(c, "the name");
-    parseParams(c.tokens, "medium '" + name + "'", c.pos, c.files, c.builder.colorRules(true));
-    warn(c.pos, "participating media are not supported yet; medium '" + name + "' is left out");
+    c.builder.makeNamedMedium(
+        name, parseParams(c.tokens, "medium '" + name + "'", c.pos, c.files, c.builder.colorRules(false)));
 }
 
 void mediumInterface(Context c) {
-    text(c, "the inside medium");
-    if (c.tokens.peek().kind == TokenKind::String) text(c, "the outside medium");
-    warnOnce(c.pos, "participating media are not supported yet; MediumInterface has no effect");
+    const Token inside = c.tokens.expectString("the inside medium of MediumInterface");
+    // If there is one name, it is that of both.
+    const Token outside = c.tokens.peek().kind == TokenKind::String ? c.tokens.next() : inside;
+    c.builder.mediumInterface(inside, outside);
 }
 
 // A directive of the form  Name "type" parameters. kind is used in messages.

@@ -32,6 +32,7 @@ struct GraphicsState {
     NamedMap<MaterialInstance> namedMaterials;
     NamedTextures textures;
     AreaLightBuilder areaLight;  // empty if shapes do not emit
+    MediumInterface media;       // of shapes; the one outside is the camera's, too
     // For pbrt-v4: the colour space of "rgb" values, and the parameters set by Attribute, by target.
     const ColorSpace* colorSpace = &ColorSpace::srgb();
     std::map<std::string, std::shared_ptr<const ParamSet>> attributes;

@@ -21,7 +21,7 @@ constexpr std::string_view kBlanks = " \t\n\r";
 enum class ColorUse { Light, Reflectance, Index };
 
 ColorUse useOf(const std::string& param, const ColorRules& rules) {
-    if (rules.isLight) return ColorUse::Light;
+    if (rules.isLight || param == "Le") return ColorUse::Light;
     for (const std::string_view name : {"eta", "k", "sigma_a", "sigma_s", "mfp"})
         if (param == name || param.ends_with("." + std::string(name))) return ColorUse::Index;
     return ColorUse::Reflectance;
@@ -189,7 +189,10 @@ class ParamParser {
     }
 
     // pbrt-v4 normalises spectra of lights to a luminance of one.
-    Rgb scaled(const Rgb& c) const { return rules_.dialect == Dialect::V4 && rules_.isLight ? atUnitLuminance(c) : c; }
+    Rgb scaled(const Rgb& c) const {
+        const bool isLight = useOf(param_.name, rules_) == ColorUse::Light;
+        return rules_.dialect == Dialect::V4 && isLight ? atUnitLuminance(c) : c;
+    }
 
     // Of spectra that the file gives. An index of refraction of zero would make no sense.
     Beyond beyond() const {

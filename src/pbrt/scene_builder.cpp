@@ -9,6 +9,7 @@
 
 #include "base/limits.h"
 #include "base/parallel.h"
+#include "pbrt/medium_factory.h"
 #include "pbrt/overrides.h"
 #include "pbrt/scene_limits.h"
 #include "pbrt/suggest.h"
@@ -77,6 +78,7 @@ void SceneBuilder::camera(const std::string& type, ParamSet params) {
     camera_ = {type, std::move(params)};
     motionOf("camera", camera_.params.pos());
     worldToCamera_ = state_.ctm;
+    scene_->cameraMedium = state_.media.outside;
     coordinateSystems_["camera"] = state_.ctm.inverse();
 }
 void SceneBuilder::film(const std::string& type, ParamSet params) { film_ = {type, std::move(params)}; }
@@ -245,6 +247,16 @@ void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
     state_.areaLight = make_.areaLight(type, completed("light", std::move(params)), files_);
 }
 
+void SceneBuilder::makeNamedMedium(const std::string& name, ParamSet params) {
+    params = completed("medium", std::move(params));
+    media_.define(name, makeMedium(params, dialect_));
+    params.warnUnused();
+}
+
+void SceneBuilder::mediumInterface(const Token& inside, const Token& outside) {
+    state_.media = {media_.named(inside.value(), inside.pos), media_.named(outside.value(), outside.pos)};
+}
+
 void SceneBuilder::shape(const std::string& type, ParamSet params) {
     params = completed("shape", std::move(params));
     const bool moves = state_.ctm.isAnimated();  // if so, the transformation is applied by an instance
@@ -264,6 +276,7 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     pending.primitive.alpha = pending.geometry.alpha;
     pending.primitive.shadowAlpha = pending.geometry.shadowAlpha;
     pending.primitive.alphaIsShare = pending.geometry.alphaIsShare;
+    pending.primitive.media = state_.media;
     pending.primitive.material = make_.materialOfShape(*state_.material, params, materialSources());
     params.warnUnused();
     takeFromMaterial(pending.primitive);
@@ -302,10 +315,10 @@ AreaLightBuilder SceneBuilder::areaLightOf(const Primitive& primitive) {
 bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
     if (!next.geometry.curves || pending_.empty()) return false;
     PendingPrimitive& last = pending_.back();
-    const bool alike = last.geometry.curves && last.geometry.curves->looksLike(*next.geometry.curves) &&
-                       last.object == next.object && last.primitive.material == next.primitive.material &&
-                       last.primitive.alpha == next.primitive.alpha &&
-                       last.primitive.shadowAlpha == next.primitive.shadowAlpha;
+    const bool alike =
+        last.geometry.curves && last.geometry.curves->looksLike(*next.geometry.curves) && last.object == next.object &&
+        last.primitive.material == next.primitive.material && last.primitive.alpha == next.primitive.alpha &&
+        last.primitive.shadowAlpha == next.primitive.shadowAlpha && last.primitive.media == next.primitive.media;
     if (last.areaLight || !alike) return false;
     last.geometry.curves->append(*next.geometry.curves);
     return true;
@@ -424,6 +437,7 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     scene_->camera =
         make_.camera(camera_.type, camera_.params, {inScene.animated(), transformTimes_}, settings.film, files_);
 
+    scene_->media = media_.finish();
     loadMeshes(options);
     makeAreaLights();
     finishTextures();

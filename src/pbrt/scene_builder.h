@@ -13,7 +13,9 @@
 #include "pbrt/instance_budget.h"
 #include "pbrt/param_parser.h"
 #include "pbrt/scene_file.h"
+#include "pbrt/scene_media.h"
 #include "pbrt/texture_factory.h"
+#include "pbrt/tokenizer.h"
 #include "scene/scene.h"
 
 namespace drc::pbrt {
@@ -69,6 +71,9 @@ class SceneBuilder {
     void light(const std::string& type, ParamSet params);
     void areaLight(const std::string& type, ParamSet params);
     void shape(const std::string& type, ParamSet params);
+    void makeNamedMedium(const std::string& name, ParamSet params);
+    // The names of media, which may be defined later; empty: none.
+    void mediumInterface(const Token& inside, const Token& outside);
 
     // Throws Error, at the end of the file, if the scene is incomplete.
     void checkComplete(const SourcePos& end) const;
@@ -145,6 +150,7 @@ class SceneBuilder {
 
     Setting camera_, film_, filter_, sampler_, integrator_;
     TransformSet worldToCamera_;
+    SceneMedia media_;
     std::array<float, 2> transformTimes_{0, 1};
 
     std::optional<SourcePos> worldBegin_;

@@ -4,18 +4,18 @@
 
 #include "base/error.h"
 
-// One line for each integrator: its name, the function that makes it, which its own file defines, and whether it has
-// map passes.
-#define DRC_INTEGRATORS(X)                     \
-    X("drc", makeFinalGatherIntegrator, false) \
-    X("drc-maps", makeMapsIntegrator, true)    \
-    X("path", makePathIntegrator, false)       \
-    X("bdpt", makeBdptIntegrator, false)       \
-    X("direct", makeDirectIntegrator, false)
+// One line for each integrator: its name, the function that makes it, which its own file defines, whether it has map
+// passes, and whether it renders participating media.
+#define DRC_INTEGRATORS(X)                           \
+    X("drc", makeFinalGatherIntegrator, false, true) \
+    X("drc-maps", makeMapsIntegrator, true, false)   \
+    X("path", makePathIntegrator, false, true)       \
+    X("bdpt", makeBdptIntegrator, false, false)      \
+    X("direct", makeDirectIntegrator, false, false)
 
 namespace drc {
 
-#define DRC_DECLARE(name, make, maps) std::unique_ptr<Integrator> make(const RenderContext& context);
+#define DRC_DECLARE(name, make, maps, media) std::unique_ptr<Integrator> make(const RenderContext& context);
 DRC_INTEGRATORS(DRC_DECLARE)
 #undef DRC_DECLARE
 
@@ -24,9 +24,9 @@ namespace {
 struct Entry {
     const char* name;
     std::unique_ptr<Integrator> (*make)(const RenderContext&);
-    bool maps;
+    bool maps, media;
 };
-#define DRC_ENTRY(name, make, maps) {name, make, maps},
+#define DRC_ENTRY(name, make, maps, media) {name, make, maps, media},
 constexpr Entry kIntegrators[] = {DRC_INTEGRATORS(DRC_ENTRY)};
 #undef DRC_ENTRY
 
@@ -49,5 +49,6 @@ std::vector<std::string> integratorNames() {
 }
 
 bool usesMaps(const std::string& integrator) { return entry(integrator).maps; }
+bool rendersMedia(const std::string& integrator) { return entry(integrator).media; }
 
 }  // namespace drc

@@ -69,5 +69,7 @@ std::unique_ptr<Integrator> makeIntegrator(const std::string& name, const Render
 std::vector<std::string> integratorNames();
 // Whether this integrator has map passes.
 bool usesMaps(const std::string& integrator);
+// Whether this integrator renders participating media. Others need a scene without.
+bool rendersMedia(const std::string& integrator);
 
 }  // namespace drc

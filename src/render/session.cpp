@@ -27,13 +27,20 @@ PathSettings pathSettings(const RenderParams& params) {
     return settings;
 }
 
+// The scene, without media if the integrator does not render them.
+Scene& withMediaFor(Scene& scene, const std::string& integrator) {
+    if (!rendersMedia(integrator) && scene.removeMedia())
+        logWarning("--integrator " + integrator + " does not render participating media; they are left out");
+    return scene;
+}
+
 }  // namespace
 
 Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const MapDenoiser> mapDenoiser, Stats* stats,
                  Schedule::Clock::time_point start)
     : scene_(scene),
       params_(resolved(params, scene)),
-      accel_(scene),
+      accel_(withMediaFor(scene, params_.integrator)),
       lights_(scene),
       tracer_(scene, accel_, lights_, pathSettings(params_)),
       mapDenoiser_(std::move(mapDenoiser)),
@@ -88,6 +95,8 @@ float Session::medianDistance() const {
 }
 
 void Session::warnIfBlack() const {
+    const auto emits = [](const auto& medium) { return !isBlack(medium->emission); };
+    if (std::ranges::any_of(scene_.media, emits)) return;
     if (scene_.lights.empty()) {
         logWarning("the scene has no lights; the picture will be black");
         return;

@@ -4,6 +4,8 @@
 
 namespace drc {
 
+struct Medium;
+
 struct Ray {
     Vec3 o;
     Vec3 d;                  // unit, unless stated otherwise
@@ -13,6 +15,7 @@ struct Ray {
     // Tracing", 2019): its width at o in world units, and the growth of its width per unit of distance.
     float coneWidth = 0;
     float coneSpread = 0;
+    const Medium* medium = nullptr;  // that the ray is in; null: empty space
 };
 
 }  // namespace drc

@@ -77,6 +77,18 @@ Bounds Scene::bounds() const {
     return b;
 }
 
+bool Scene::removeMedia() {
+    if (media.empty()) return false;
+    const auto remove = [](std::vector<Primitive>& from) {
+        for (Primitive& primitive : from) primitive.media = {};
+    };
+    remove(primitives);
+    for (ObjectDefinition& object : objects) remove(object.primitives);
+    cameraMedium = nullptr;
+    media.clear();
+    return true;
+}
+
 size_t Scene::triangleCount() const {
     size_t n = triangles(primitives);
     for (const Instance& i : instances) n += triangles(objects[size_t(i.object)].primitives);

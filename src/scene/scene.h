@@ -10,6 +10,7 @@
 #include "scene/filter.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 #include "scene/shape.h"
 #include "scene/triangle_mesh.h"
 
@@ -24,6 +25,7 @@ struct Primitive {
     FloatTexturePtr alpha;                       // transparent where 0, for all rays; null: opaque
     FloatTexturePtr shadowAlpha;                 // the same for shadow rays only; null: as alpha
     bool alphaIsShare = false;                   // of the rays that alpha lets hit the surface (pbrt-v4), at random
+    MediumInterface media = {};                  // owned by Scene::media
 };
 
 // What pbrt calls an object: primitives in their own space, to be instanced.
@@ -75,6 +77,8 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<LightPtr> lights;  // all lights, including those of emissive primitives
     std::unique_ptr<Camera> camera;
+    std::vector<std::shared_ptr<const Medium>> media;
+    const Medium* cameraMedium = nullptr;  // that the camera is in; null: empty space
     RenderSettings settings;
     // What has been subtracted from the file's world coordinates, because floats are finest near zero.
     Vec3 origin{0.f};
@@ -82,6 +86,8 @@ struct Scene {
     // Bounds of all primitives over their whole motion.
     Bounds bounds() const;
     size_t triangleCount() const;  // counts the triangles of every instance
+    // Puts empty space in place of all media. False if there are none.
+    bool removeMedia();
 };
 
 }  // namespace drc
