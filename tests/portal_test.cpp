@@ -2,8 +2,6 @@
 // every integrator.
 #include <gtest/gtest.h>
 
-#include "base/folder_testing.h"
-#include "image/image_io.h"
 #include "pictures.h"
 #include "pipeline.h"
 #include "room_with_window.h"
@@ -11,61 +9,22 @@
 namespace drc {
 namespace {
 
+using test::besideTheWindow;
 using test::Estimate;
+using test::kConstantSky;
 using test::pictures;
 using test::Pipeline;
 using test::respelt;
+using test::roomUnder;
+using test::sky;
+using test::total;
 
 // In the window, outward along +x.
 const std::string kPortal = " \"point3 portal\" [2 -1 1  2 -1 2  2 0 2  2 0 1] ";
 
-const std::string kConstant = "LightSource \"infinite\" \"rgb L\" [3 4 5]";
-
-// pbrt-v4 text. environment: its directive.
-std::string room(const std::string& environment) {
-    std::string text = respelt(test::roomWithWindow(), "\"plastic\" \"rgb Kd\" [0.2 0.2 0.2] \"rgb Ks\" [0.5 0.5 0.5]",
-                               "\"coateddiffuse\" \"rgb reflectance\" [0.2 0.2 0.2]");
-    return respelt(test::inWordsOfV4(text), kConstant, environment);
-}
-
-// A sky with a bright half and a small sun that shines into the room.
-std::string sky(const TemporaryFolder& folder) {
-    Image square(32, 32);
-    for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 32; ++x) square.setRgb(x, y, x > 16 ? Rgb(2, 3, 4) : Rgb(0.3f, 0.2f, 0.2f));
-    square.setRgb(24, 14, Rgb(300, 250, 200));
-    writeExr(folder.path("sky.exr"), square);
-    return "LightSource \"infinite\" \"string filename\" \"" + folder.path("sky.exr") + "\"";
-}
-
-// Means over the columns of the picture that do not show the window, whose edge is noise of another kind.
-constexpr int kWidth = 12, kFirst = 3;
-Estimate besideTheWindow(const Estimate& pixels) {
-    Estimate means{std::vector<double>(27), std::vector<double>(27), std::vector<double>(27)};
-    const size_t rows = pixels.mean.size() / 3 / kWidth;
-    for (size_t y = 0; y < rows; ++y)
-        for (size_t x = kFirst; x < kWidth; ++x)
-            for (size_t c = 0; c < 3; ++c) {
-                const size_t from = (y * kWidth + x) * 3 + c, to = (x - kFirst) * 3 + c;
-                const double variance = pixels.variance[from] / double(rows * rows);
-                means.mean[to] += pixels.mean[from] / double(rows);
-                means.variance[to] += variance;
-                means.freedom[to] += variance * variance / pixels.freedom[from];
-            }
-    for (size_t i = 0; i < means.freedom.size(); ++i)
-        means.freedom[i] = means.freedom[i] > 0 ? means.variance[i] * means.variance[i] / means.freedom[i] : 1e9;
-    return means;
-}
-
-double total(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double v : values) sum += v;
-    return sum;
-}
-
 void expectSamePictureLessNoise(const std::string& environment) {
     constexpr int kSamples = 2048, kPlainSamples = 8 * kSamples;
-    const Pipeline plain(room(environment)), portal(room(environment + kPortal));
+    const Pipeline plain(roomUnder(environment)), portal(roomUnder(environment + kPortal));
     for (const auto way : {&Pipeline::path, &Pipeline::direct}) {
         const Estimate a = besideTheWindow(plain.estimate(way, kPlainSamples, 256));
         const Estimate b = besideTheWindow(portal.estimate(way, kSamples, 32));
@@ -80,7 +39,7 @@ void expectSamePictureLessNoise(const std::string& environment) {
     }
 }
 
-TEST(Portal, SamePictureLessNoiseOfAConstantSky) { expectSamePictureLessNoise(kConstant); }
+TEST(Portal, SamePictureLessNoiseOfAConstantSky) { expectSamePictureLessNoise(kConstantSky); }
 
 TEST(Portal, SamePictureLessNoiseOfAMap) {
     const TemporaryFolder folder;
@@ -93,9 +52,9 @@ INSTANTIATE_TEST_SUITE_P(Portal, PortalOfIntegrator, testing::Values("path", "bd
 
 TEST_P(PortalOfIntegrator, GivesThePictureOfPathsWithoutIt) {
     const TemporaryFolder folder;
-    for (const std::string& environment : {kConstant, sky(folder)}) {
-        const auto paths = pictures(room(environment), "path", 24, 256);
-        const auto seen = pictures(room(environment + kPortal), GetParam(), 24, 64);
+    for (const std::string& environment : {kConstantSky, sky(folder)}) {
+        const auto paths = pictures(roomUnder(environment), "path", 24, 256);
+        const auto seen = pictures(roomUnder(environment + kPortal), GetParam(), 24, 64);
         const Estimate a = test::estimateOfMeans(seen), b = test::estimateOfMeans(paths);
         // Maps of few texels blur what comes through a window.
         const double slack = GetParam() == std::string("drc-maps") ? 0.02 : 0.002;
@@ -109,9 +68,9 @@ TEST_P(PortalOfIntegrator, GivesThePictureOfPathsWithoutIt) {
 // A guide learns which parts of the portal are open.
 TEST(Portal, IsGuided) {
     const std::string blind = test::quad("2.02 -1 1.25", "2.02 0 1.25", "2.02 0 2.2", "2.02 -1 2.2");
-    const std::string environment = kConstant + kPortal + "\nMaterial \"diffuse\"\n" + test::inWordsOfV4(blind);
-    const Pipeline plain(room(environment));
-    Pipeline guided(room(environment));
+    const std::string environment = kConstantSky + kPortal + "\nMaterial \"diffuse\"\n" + test::inWordsOfV4(blind);
+    const Pipeline plain(roomUnder(environment));
+    Pipeline guided(roomUnder(environment));
     EnvironmentGuide guide(*guided.lights.infiniteLights().front(), 1);
     guided.tracer.setGuide(&guide);
     for (int pass = 0; pass < 64; ++pass) {
@@ -130,7 +89,7 @@ TEST(Portal, IsGuided) {
 // A second window lets nothing in, and what stands outside is black: as if a black card were before the window.
 TEST(Portal, NothingComesAnotherWay) {
     const std::string wall = test::inWordsOfV4(test::quad("-2 -2 0", "-2 2 0", "-2 2 3", "-2 -2 3"));
-    ASSERT_NE(room(kConstant).find(wall), std::string::npos);
+    ASSERT_NE(roomUnder(kConstantSky).find(wall), std::string::npos);
     const std::string card = "Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n" + wall +
                              "Material \"diffuse\" \"rgb reflectance\" [0.6 0.5 0.4]\n";
     const std::string milk =
@@ -138,8 +97,8 @@ TEST(Portal, NothingComesAnotherWay) {
     const std::string outside =
         "AttributeBegin\n" + milk +
         test::inWordsOfV4(test::quad("2.2 -1.1 1.5", "2.2 0.1 1.5", "2.2 0.1 2.3", "2.2 -1.1 2.3")) + "AttributeEnd\n";
-    const std::string open = respelt(room(kConstant + kPortal), wall, outside);
-    const std::string closed = respelt(respelt(room(kConstant), wall, card + outside), milk,
+    const std::string open = respelt(roomUnder(kConstantSky + kPortal), wall, outside);
+    const std::string closed = respelt(respelt(roomUnder(kConstantSky), wall, card + outside), milk,
                                        "Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n");
     const auto expected = pictures(closed, "path", 24, 256);
     for (const char* integrator : {"path", "bdpt", "drc"}) {
@@ -157,7 +116,7 @@ TEST(Portal, InAFurnaceIsNotSeen) {
     const std::string lamp =
         "\nAreaLightSource \"diffuse\" \"rgb L\" [0.5 0.5 0.5] \"bool twosided\" true\nMaterial \"diffuse\" \"rgb "
         "reflectance\" [0.5 0.5 0.5]\n";
-    std::string text = room("LightSource \"infinite\" \"rgb L\" [1 1 1]" + kPortal + lamp);
+    std::string text = roomUnder("LightSource \"infinite\" \"rgb L\" [1 1 1]" + kPortal + lamp);
     text = respelt(text, "Material \"diffuse\" \"rgb reflectance\" [0.6 0.5 0.4]\n", "");
     const size_t ball = text.find("Material \"coateddiffuse\"");
     ASSERT_NE(ball, std::string::npos);

@@ -22,9 +22,13 @@ Rgb DirectLighting::emissionAtInfinity(const Vec3& d, const Vec3& from, float pd
     forLightsAtInfinity(from, d, [&](const Light& light, const Rgb& radiance) {
         float weight = 1;
         if (pdf != kSpecular) {
-            float lightPdf = lights_.probability(from, &light) * light.pdfEscaped(from, d);
-            if (group != kNoGroup && &light == guide_->light())
-                lightPdf *= guide_->density(group, light.inverse(from, d));
+            float lightPdf = lights_.probability(from, &light);
+            if (group != kNoGroup && &light == guide_->light()) {
+                const EnvironmentWindows::Inverse at = guide_->windows().inverse(from, d);
+                lightPdf *= at.pdf * guide_->density(group, at.u);
+            } else {
+                lightPdf *= light.pdfEscaped(from, d);
+            }
             weight = powerHeuristic(pdf, lightPdf);
         }
         sum += radiance * weight;
@@ -46,9 +50,12 @@ DirectLighting::Proposal DirectLighting::propose(const Vec3& p, int group, float
         pdf *= guided.density;
         slot = guided.slot;
     }
-    const auto s = choice.light->sample(p, onLight);
+    const auto s = slot >= 0 ? guide_->windows().sample(p, onLight) : choice.light->sample(p, onLight);
     const bool infinite = choice.light->isInfinite();
-    if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) return {};
+    if (!s || !(s->pdf > 0) || (!infinite && isBlack(s->radiance))) {
+        if (slot >= 0) guide_->learn(slot, false);
+        return {};
+    }
     const LobeValue value = scattered(s->wi);
     if (isBlack(value.f)) {
         if (slot >= 0) guide_->learn(slot, false);

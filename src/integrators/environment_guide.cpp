@@ -65,8 +65,8 @@ Cell choose(const std::array<uint16_t, N>& cumulative, float u) {
 
 }  // namespace
 
-EnvironmentGuide::EnvironmentGuide(const Light& light, float size)
-    : light_(light), perSize_(1 / std::max(size, 1e-20f)), tables_(kGroups) {
+EnvironmentGuide::EnvironmentGuide(EnvironmentWindows windows, float size)
+    : windows_(std::move(windows)), perSize_(1 / std::max(size, 1e-20f)), tables_(kGroups) {
     Table uniform;
     std::array<double, kRows> rows;
     std::array<double, kColumns> columns;

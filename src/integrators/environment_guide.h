@@ -2,22 +2,21 @@
 // see only what a few windows show of the sky.
 //
 // Guiding is done in primary sample space (Guo et al., "Primary Sample Space Path Guiding", EGSR 2018): what is guided
-// are the random numbers that Light::sample(u) turns into directions. The unit square is divided into equal blocks,
-// each of which has an equal share of the light's power, however bright its directions are. Surface points are grouped
-// by position and normal. Each group counts how often samples of each block arrived unoccluded, and chooses blocks in
-// proportion to the square root of that rate, which minimises the variance. A share of the samples stays unguided, so
-// that no direction is ever excluded.
+// are the random numbers that become directions of the light, or of what the windows of a room show of it. The unit
+// square is divided into equal blocks, each of which has an equal share of the light's power, however bright its
+// directions are. Surface points are grouped by position and normal. Each group counts how often samples of each block
+// arrived unoccluded, and chooses blocks in proportion to the square root of that rate, which minimises the variance. A
+// share of the samples stays unguided, so that no direction is ever excluded.
 //
 // The counts of one sample pass guide the following ones. Between two calls of update() the density is fixed. It is
 // therefore known exactly for multiple importance sampling, and does not depend on the order in which threads count.
-// multiple importance sampling, and it does not depend on the order in which threads count.
 #pragma once
 #include <array>
 #include <atomic>
 #include <memory>
 #include <vector>
 
-#include "scene/light.h"
+#include "integrators/environment_windows.h"
 
 namespace drc {
 
@@ -25,11 +24,14 @@ class EnvironmentGuide {
   public:
     static constexpr int kRows = 8, kColumns = 16, kBlocks = kRows * kColumns;
 
-    // light: a light at infinity that implements inverse(). size: edge length of the voxels by which points are
-    // grouped, in world units.
-    EnvironmentGuide(const Light& light, float size);
+    // windows: through which a light is sampled; the light must implement inverse(). size: edge length of the voxels by
+    // which points are grouped, in world units.
+    EnvironmentGuide(EnvironmentWindows windows, float size);
+    EnvironmentGuide(const Light& light, float size) : EnvironmentGuide(EnvironmentWindows(light), size) {}
 
-    const Light* light() const { return &light_; }
+    const Light* light() const { return &windows_.environment(); }
+    // What turns guided random numbers into directions: in place of the light's own sample() and pdf.
+    const EnvironmentWindows& windows() const { return windows_; }
     // Group of the points near p with normals near n (unit).
     int group(const Vec3& p, const Vec3& n) const;
     // Prefetches what sample(group, ...) reads.
@@ -39,8 +41,8 @@ class EnvironmentGuide {
     }
 
     struct Guided {
-        Vec2 u;             // to be passed to Light::sample
-        float density = 1;  // factor by which the light's own pdf is to be multiplied
+        Vec2 u;             // to be passed to windows().sample()
+        float density = 1;  // factor by which its pdf is to be multiplied
         int slot = 0;       // to be passed to learn()
     };
     // u: uniform on the unit square.
@@ -67,7 +69,7 @@ class EnvironmentGuide {
     };
     void rebuild(Table& table, const std::atomic<uint64_t>* counts) const;
 
-    const Light& light_;
+    EnvironmentWindows windows_;
     float perSize_;
     bool learning_ = true;
     int passes_ = 0;

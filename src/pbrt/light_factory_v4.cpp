@@ -113,7 +113,7 @@ LightPtr makeInfinite(const LightContext& context) {
     const Rgb radiance = params.getColor("L", Rgb(1.f)) * brightness(params, "illuminance", own);
     LightPtr environment = makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square));
     const auto portal = portalOf(context);
-    return portal ? makePortalLight(std::move(environment), std::max(1, square.height), *portal) : environment;
+    return portal ? makePortalLight(std::move(environment), *portal) : environment;
 }
 
 using LightMaker = LightPtr (*)(const LightContext&);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/log.h"
+#include "integrators/window_finder.h"
 #include "render/deadline.h"
 #include "render/sample_pass.h"
 
@@ -18,6 +19,8 @@ constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003;
 constexpr float kVoxelsInDistance = 8;
 // The square root of the number of camera rays that look for surfaces before rendering.
 constexpr int kProbes = 16;
+// The same for those that look for windows.
+constexpr int kViews = 48;
 
 PathSettings pathSettings(const RenderParams& params) {
     PathSettings settings;
@@ -70,9 +73,9 @@ void Session::setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film
 }
 
 template <class F>
-void Session::probe(F&& f) const {
+void Session::probe(int side, F&& f) const {
     const PixelRegion region = scene_.settings.region();
-    for (uint32_t i = 0; i < kProbes * kProbes; ++i) {
+    for (uint32_t i = 0; i < uint32_t(side * side); ++i) {
         Sampler sampler(hashCombine(params_.seed, kProbeStream), i);
         const Vec2 u = sampler.get2D();
         const Vec2 film(float(region.x0) + u.x * float(region.width()),
@@ -84,7 +87,7 @@ void Session::probe(F&& f) const {
 
 float Session::medianDistance() const {
     std::vector<float> distances;
-    probe([&](const Ray& ray, Sampler& sampler) {
+    probe(kProbes, [&](const Ray& ray, Sampler& sampler) {
         PrimaryHit hit;
         if (tracer_.primaryHit(ray, sampler, hit)) distances.push_back(hit.distance);
     });
@@ -105,7 +108,7 @@ void Session::warnIfBlack() const {
     bool seesAnything = distance_ > 0 || std::ranges::any_of(lights_.infiniteLights(), isSky);
     // Surfaces that only emit, or are black, have no distance above.
     if (!seesAnything)
-        probe([&](const Ray& ray, Sampler&) {
+        probe(kProbes, [&](const Ray& ray, Sampler&) {
             SurfaceInteraction hit;
             seesAnything = seesAnything || accel_.intersect(ray, hit);
         });
@@ -127,7 +130,12 @@ void Session::startGuide() {
     }
     if (brightest == nullptr) return;
     if (distance_ == 0) return;
-    guide_.emplace(*brightest, distance_ / kVoxelsInDistance);
+    std::vector<Ray> views;
+    if (brightest->bounds().empty())  // without a portal of its own
+        probe(kViews, [&](const Ray& ray, Sampler&) { views.push_back(ray); });
+    const EnvironmentWindows windows = windowsOnto(*brightest, accel_, views);
+    logDebug(fmt::format("{} windows found", windows.count()));
+    guide_.emplace(windows, distance_ / kVoxelsInDistance);
     tracer_.setGuide(&*guide_);
 }
 

@@ -63,9 +63,9 @@ class Session {
     std::string fileHeader(const std::string& identity) const;
     bool samplePass(int index, const CancelToken* cancel);
     void startGuide();
-    // Calls f(ray, sampler) for some camera rays all over the picture.
+    // Calls f(ray, sampler) for about side x side camera rays all over the picture.
     template <class F>
-    void probe(F&& f) const;
+    void probe(int side, F&& f) const;
     // The median distance that the picture shows, world units; 0 if it shows no surface.
     float medianDistance() const;
     // Warns of pictures that can only be black.

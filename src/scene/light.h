@@ -90,6 +90,8 @@ class Light {
     virtual float pdfEscaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return 0; }
     // The u in the unit square for which sample() at `from` returns direction wi.
     virtual Vec2 inverse(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Vec2(0, 0); }
+    // Rows of an environment's map, as a measure of its detail; 1 if it is constant.
+    virtual int mapRows() const { return 1; }
     // Bounds of a finite light, or of the portal of an environment, for choosing among many; empty for other lights at
     // infinity.
     virtual Bounds bounds() const { return {}; }
@@ -151,8 +153,8 @@ using EnvironmentMap = LightImage;
 // map: empty for a constant environment. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
 // An environment seen through a portal alone: a rectangle in world space, oriented as Portal says. Points outside, and
-// rays that do not pass it, receive nothing. rows: of the environment's map, 1 for a constant one.
-LightPtr makePortalLight(LightPtr environment, int rows, const std::array<Vec3, 4>& corners);
+// rays that do not pass it, receive nothing.
+LightPtr makePortalLight(LightPtr environment, const std::array<Vec3, 4>& corners);
 
 // Diffuse emitters (pbrt's "diffuse" area light). They emit on the side of the geometric normal, or on both sides, and
 // are sampled in proportion to the radiance that they emit. (Curves are sampled uniformly, whatever image they show.)

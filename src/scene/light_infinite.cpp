@@ -70,6 +70,7 @@ class InfiniteLight final : public Light {
     bool isAtInfinity() const override { return true; }
     bool isInfinite() const override { return true; }
 
+    int mapRows() const override { return height_; }
     Rgb escaped(const Vec3&, const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_(wi))); }
 
     float pdfEscaped(const Vec3&, const Vec3& wi) const override {

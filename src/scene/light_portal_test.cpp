@@ -27,8 +27,7 @@ EnvironmentMap patches(int width, int height) {
 struct Sky {
     const char* name;
     LightPtr environment;
-    int rows;
-    LightPtr light() const { return makePortalLight(environment, rows, kWindow); }
+    LightPtr light() const { return makePortalLight(environment, kWindow); }
 };
 void PrintTo(const Sky& sky, std::ostream* out) { *out << sky.name; }
 
@@ -36,9 +35,9 @@ std::vector<Sky> skies() {
     EnvironmentMap sunny{64, 32, std::vector<Rgb>(64 * 32, Rgb(0.3f))};
     sunny.texels[12 * 64 + 3] = Rgb(400.f);
     const Transform turned = Transform::rotate(70, Vec3(1, 2, 3));
-    return {{"Constant", makeInfiniteLight(turned, Rgb(2.f)), 1},
-            {"Map", makeInfiniteLight(turned, Rgb(1.f), patches(24, 12)), 12},
-            {"Sun", makeInfiniteLight(Transform(), Rgb(1.f), sunny), 32}};
+    return {{"Constant", makeInfiniteLight(turned, Rgb(2.f))},
+            {"Map", makeInfiniteLight(turned, Rgb(1.f), patches(24, 12))},
+            {"Sun", makeInfiniteLight(Transform(), Rgb(1.f), sunny)}};
 }
 
 const Vec3 kLit[] = {Vec3(0, 0, 1), Vec3(-0.3f, 1.7f, 0.1f), Vec3(0.9f, 0.9f, 1.5f), Vec3(-0.5f, -1, 2.5f)};
@@ -101,7 +100,7 @@ TEST_P(PortalLights, LightAsMuchAsTheEnvironmentThroughAHole) {
 
 TEST(PortalLight, GivesTheIrradianceOfARectangle) {
     // Four times the form factor of a corner above the centre of a parallel rectangle (PBR's and Howell's tables).
-    const LightPtr light = makePortalLight(makeInfiniteLight(Transform(), Rgb(2.f)), 1, kWindow);
+    const LightPtr light = makePortalLight(makeInfiniteLight(Transform(), Rgb(2.f)), kWindow);
     const double a = 1 / 1.5, b = 0.6 / 1.5;  // half sides over distance
     const double corner = 1 / (2 * std::numbers::pi) *
                           (a / std::sqrt(1 + a * a) * std::atan(b / std::sqrt(1 + a * a)) +
@@ -118,7 +117,7 @@ TEST(PortalLight, GivesTheIrradianceOfARectangle) {
 }
 
 TEST(PortalLight, DoesNotShineOutside) {
-    const LightPtr light = makePortalLight(makeInfiniteLight(Transform(), Rgb(2.f)), 1, kWindow);
+    const LightPtr light = makePortalLight(makeInfiniteLight(Transform(), Rgb(2.f)), kWindow);
     const Vec3 outside(1.5f, 0, 1), inside(0, 0, 1);
     EXPECT_FALSE(light->sample(outside, Vec2(0.3f, 0.4f)));
     EXPECT_TRUE(isBlack(light->escaped(outside, Vec3(1, 0, 0))));
@@ -128,13 +127,13 @@ TEST(PortalLight, DoesNotShineOutside) {
     EXPECT_TRUE(isBlack(light->escaped(inside, Vec3(-1, 0, 0))));
     // The corners in the opposite order: inside and outside change places.
     const LightPtr other =
-        makePortalLight(makeInfiniteLight(Transform(), Rgb(2.f)), 1, {kWindow[3], kWindow[2], kWindow[1], kWindow[0]});
+        makePortalLight(makeInfiniteLight(Transform(), Rgb(2.f)), {kWindow[3], kWindow[2], kWindow[1], kWindow[0]});
     EXPECT_TRUE(isBlack(other->escaped(inside, Vec3(1, 0, 0))));
     EXPECT_EQ(other->escaped(outside, Vec3(-1, 0, 0)), Rgb(2.f));
 }
 
 TEST(PortalLight, ReachesLikeALampInThePortal) {
-    const LightPtr light = makePortalLight(makeInfiniteLight(Transform(), Rgb(2.f)), 1, kWindow);
+    const LightPtr light = makePortalLight(makeInfiniteLight(Transform(), Rgb(2.f)), kWindow);
     EXPECT_TRUE(light->isInfinite() && light->isAtInfinity() && !light->isDelta());
     const LightReach reach = light->reach();
     EXPECT_LT(length(reach.axis - Vec3(-1, 0, 0)), 1e-6f);
@@ -142,7 +141,7 @@ TEST(PortalLight, ReachesLikeALampInThePortal) {
     EXPECT_NEAR(light->power(7).x, 2 * kPi * 2.4f, 1e-2f);
     EXPECT_NEAR(reach.intensity, 2 * 2.4f, 1e-2f);
     // A black sky.
-    const LightPtr black = makePortalLight(makeInfiniteLight(Transform(), Rgb(0.f)), 1, kWindow);
+    const LightPtr black = makePortalLight(makeInfiniteLight(Transform(), Rgb(0.f)), kWindow);
     EXPECT_TRUE(isBlack(black->power(1)));
     EXPECT_FALSE(black->sample(Vec3(0, 0, 1), Vec2(0.3f, 0.4f)));
 }

@@ -4,16 +4,23 @@
 
 #include <cmath>
 
+#include "math/warp.h"
+
 namespace drc {
 namespace {
 
 // The largest deviation of a corner's angle, as a cosine; that of pbrt-v4.
 constexpr float kTolerance = 1e-3f;
 
-Vec2 rectified(const Vec3& local) {
-    const auto at = [](float x, float z) { return std::clamp(std::atan2(x, z) * kInvPi + 0.5f, 0.f, 1.f); };
-    return Vec2(at(local.x, local.z), at(local.y, local.z));
+// atan2(x, z) / pi + 1/2, for z > 0.
+float rectified(float x, float z) {
+    const float a = std::abs(x);
+    const float half = a <= z ? 0.25f * atanInOctants(a / z) : 0.5f - 0.25f * atanInOctants(z / a);
+    return std::clamp(0.5f + std::copysign(half, x), 0.f, 1.f);
 }
+Vec2 rectified(const Vec3& local) { return Vec2(rectified(local.x, local.z), rectified(local.y, local.z)); }
+// Of the angle (u - 1/2) pi.
+SinCos sinCosOf(float u) { return sinCosOfTurn(u < 0.5f ? 0.5f * u + 0.75f : 0.5f * u - 0.25f); }
 
 // d(omega) / d(rectified) = pi^2 (1 - x^2) (1 - y^2) / z.
 float solidAngleAt(const Vec3& w) {
@@ -74,9 +81,9 @@ std::optional<Window> Portal::windowFrom(const Vec3& p) const {
 Portal::Direction Portal::directionOf(const Vec2& at) const {
     // x / z = tan a and y / z = tan b, with sines and cosines, since tangents may be infinite.
     constexpr float kLeast = 1e-7f;
-    const float a = (at.x - 0.5f) * kPi, b = (at.y - 0.5f) * kPi;
-    const float ca = std::max(kLeast, std::cos(a)), cb = std::max(kLeast, std::cos(b));
-    const Vec3 w = normalize(Vec3(std::sin(a) * cb, std::sin(b) * ca, ca * cb));
+    const SinCos a = sinCosOf(at.x), b = sinCosOf(at.y);
+    const float ca = std::max(kLeast, a.cos), cb = std::max(kLeast, b.cos);
+    const Vec3 w = normalize(Vec3(a.sin * cb, b.sin * ca, ca * cb));
     if (!(w.z > 0)) return {frame_.toWorld(w), 0, 0};
     return {frame_.toWorld(w), solidAngleAt(w), w.z};
 }

@@ -20,11 +20,15 @@ class Portal {
     static std::string flawOf(const std::array<Vec3, 4>& corners);
 
     const Vec3& outward() const { return frame_.n; }
+    // s and t along the sides, n outward.
+    const Frame& frame() const { return frame_; }
     float area() const { return width_ * height_; }
     std::array<Vec3, 4> corners() const;
     // u in the unit square.
     Vec3 pointAt(const Vec2& u) const { return corner_ + frame_.s * (u.x * width_) + frame_.t * (u.y * height_); }
 
+    // Whether p is inside.
+    bool faces(const Vec3& p) const { return dot(corner_ - p, frame_.n) > 0; }
     // Whether a ray from p in direction w passes the portal from the inside.
     bool isPassed(const Vec3& p, const Vec3& w) const;
     // What p sees through the portal, in rectified coordinates; none from outside.
@@ -46,7 +50,7 @@ class Portal {
 
   private:
     Vec3 corner_;
-    Frame frame_;  // s and t along the sides
+    Frame frame_;
     float width_, height_;
 };
 
