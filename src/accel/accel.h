@@ -41,8 +41,8 @@ class Accel {
     bool hasShadowMasks() const;
     // Whether rays change from one medium to another where no material stops them.
     bool hasOpenMedia() const;
-    // How much of a medium is passed on a way of this length. If it is infinite, that is as much as the scene is wide, as
-    // in pbrt.
+    // How much of a medium is passed on a way of this length. If it is infinite, that is as much as the scene is wide,
+    // as in pbrt.
     float lengthInMedium(float length) const;
 
   private:
