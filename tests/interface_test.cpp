@@ -70,10 +70,13 @@ INSTANTIATE_TEST_SUITE_P(
                          true}),
     [](const auto& i) { return respelt(i.param.integrator, "-", "_") + "_" + std::to_string(i.index); });
 
-std::vector<std::vector<Rgb>> picturesOf(const std::string& text, const char* integrator, int count, int spp,
-                                         int block) {
+std::vector<std::vector<Rgb>> picturesOf(const std::string& text, const char* integrator, int count, int spp, int block,
+                                         bool guide = true) {
     const auto scene = pbrt::loadPbrtString(text);
-    const auto change = [](RenderParams& params) { params.cellSize = 0.1f; };
+    const auto change = [&](RenderParams& params) {
+        params.cellSize = 0.1f;
+        params.guide = guide;
+    };
     return test::pictures(*scene,
                           {.integrator = integrator, .count = count, .spp = spp, .block = block, .change = change});
 }
@@ -97,13 +100,14 @@ TEST_P(SurfacesWithoutAMaterial, AreNotThere) {
 }
 
 // For camera paths, the same random numbers give the same picture, but for the rounding of rays that start anew at each
-// surface, which may decide otherwise at an edge.
+// surface, which may decide otherwise at an edge. Without the guide: the corners of the windows that it finds are where
+// rays happen to hit, and move by a little, and with them all light samples.
 TEST_P(SurfacesWithoutAMaterial, LeavePathsAsTheyAre) {
     const Case& c = GetParam();
     const std::string integrator = c.integrator;
     if (integrator != "path" && integrator != "direct") return;
-    const std::vector<Rgb> seen = picturesOf(room(c.v4, nothings(c.material)), c.integrator, 1, 16, 1)[0];
-    const std::vector<Rgb> expected = picturesOf(room(c.v4, ""), c.integrator, 1, 16, 1)[0];
+    const std::vector<Rgb> seen = picturesOf(room(c.v4, nothings(c.material)), c.integrator, 1, 16, 1, false)[0];
+    const std::vector<Rgb> expected = picturesOf(room(c.v4, ""), c.integrator, 1, 16, 1, false)[0];
     int different = 0, lit = 0;
     for (size_t i = 0; i < seen.size(); ++i) {
         different += length(seen[i] - expected[i]) > 2e-3f * length(expected[i]);

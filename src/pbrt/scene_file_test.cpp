@@ -138,12 +138,12 @@ TEST(SceneFile, NamedButUnbuiltThingsAreWarningsAndTheRestIsLoaded) {
             "WorldBegin\n"
             "Shape \"nurbs\" \"integer nu\" 2\n"
             "Texture \"f\" \"spectrum\" \"ptex\" \"float gamma\" 2\nMakeNamedMedium \"fog\" \"string type\" "
-            "\"homogeneous\"\n"
+            "\"heterogeneous\"\n"
             "MediumInterface \"\" \"fog\"\nShape \"sphere\"\nMaterial \"matte\" \"texture Kd\" \"f\"\n" +
                 kTriangle + "WorldEnd",
             ".", {}, "unbuilt.pbrt");
     });
-    EXPECT_EQ(warnings, 4);
+    EXPECT_EQ(warnings, 3);
     EXPECT_EQ(scene->primitives.size(), 2u);
     EXPECT_TRUE(scene->lights.empty());
 }

@@ -93,14 +93,14 @@ TEST(SceneFileV4, WhatIsKnownButNotBuiltIsNamed) {
     std::unique_ptr<Scene> scene;
     EXPECT_EQ(warningsOf([&] {
                   scene = loadWorldV4(
-                      "MakeNamedMedium \"v4fog\" \"string type\" \"homogeneous\" \"string preset\" \"Skin1\"\n"
+                      "MakeNamedMedium \"v4fog\" \"string type\" \"uniformgrid\" \"float density\" [1]\n"
                       "MediumInterface \"v4fog\" \"\"\n" +
                       kTriangle);
               }),
-              2);
+              1);
     EXPECT_EQ(scene->primitives.size(), 1u);
     // Unsupported directives need not have valid parameters of pbrt-v3.
-    EXPECT_EQ(errorOfWorldV4("MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"blackbody Le\" 6500"), "");
+    EXPECT_EQ(errorOfWorldV4("MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"blackbody Le\" 6500"), "");
     EXPECT_THAT(errorOfOptions("Sampler \"sobl\""), HasSubstr("did you mean 'sobol'?"));
     EXPECT_THAT(errorOfOptions("Camera \"perspective\" \"float shutterclose\" 0"), HasSubstr("shutter"));
     EXPECT_THAT(errorOfOptions("Film \"rgb\" \"float iso\" 0"), HasSubstr("must be positive"));
