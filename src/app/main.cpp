@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer("Example: drc render scene.pbrt -o picture.png");
     drc::addRenderCommand(app);
+    drc::addViewCommand(app);
     drc::addCompareCommand(app);
     drc::addInfoCommand(app);
     drc::addReferenceCommand(app);

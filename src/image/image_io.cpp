@@ -110,8 +110,9 @@ Image readImage(const std::string& path, Encoding* encoding) {
     return std::move(file.image);
 }
 
-Image readLinearRgb(const std::string& path) {
-    const ImageFile file = readImageFile(path);
+Image readLinearRgb(const std::string& path) { return linearRgbOf(readImageFile(path)); }
+
+Image linearRgbOf(const ImageFile& file) {
     // A render's file may list its layers in any order; the beauty is what has no layer name.
     const int r = file.image.channelIndex("R"), g = file.image.channelIndex("G"), b = file.image.channelIndex("B");
     Image rgb = file.image.toRgb();

@@ -20,6 +20,7 @@ ImageFile decodeImage(const EncodedImage& encoded);
 Image readImage(const std::string& path, Encoding* encoding = nullptr);
 // Three channels, linear: integers are decoded from sRGB. For an EXR with layers, the beauty.
 Image readLinearRgb(const std::string& path);
+Image linearRgbOf(const ImageFile& file);
 // The string attributes of the first part. Throws Error if the file is not an EXR.
 ExrMetadata readExrMetadata(const std::string& path);
 

@@ -31,8 +31,16 @@ class FinalGatherIntegrator final : public SampledIntegrator {
                                                     : std::exp2(std::round(std::log2(kCellSize * context.distance)));
         settings.lightScale = context.scene.settings.filmScale;
         cells_.emplace(settings);
-        rows_.resize(size_t(region_.height()));
-        planner_.emplace(region_, context.scene.settings.filmScale, uint32_t(context.params.firstSample));
+        plan();
+    }
+
+    // The cells are not of the camera. Deposits of a pass that was not complete are lost.
+    bool cameraMoved() override {
+        if (!cells_) return false;
+        region_ = context_.scene.settings.region();
+        rows_.clear();
+        plan();
+        return true;
     }
 
     PixelSamples samplesOf(int x, int y, uint32_t sample) const override {
@@ -133,6 +141,11 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         planner_->add(place.x, place.y, half, luminance(value), surface);
         if (gBuffer != nullptr) *gBuffer = surface;
         return value;
+    }
+
+    void plan() {
+        rows_.resize(size_t(region_.height()));
+        planner_.emplace(region_, context_.scene.settings.filmScale, uint32_t(context_.params.firstSample));
     }
 
     static constexpr uint64_t kCellStream = 0x3000000000, kHalfStream = 0x3001;

@@ -51,6 +51,9 @@ class Integrator {
     virtual std::function<void()> loadState(StateReader& /*from*/) {
         return [] {};
     }
+    // The scene's camera and film have changed, while no sample is taken: starts again with what is known of the scene
+    // itself. False: this integrator has to be made anew for that.
+    virtual bool cameraMoved() { return false; }
     // Frees what only further samples and saveState need. Neither may follow; a picture may.
     virtual void endSampling() {}
     // Whether there are map passes. mapPass runs one of them. index: of the pass. spacing: between maps, in pixels.

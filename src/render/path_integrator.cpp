@@ -7,6 +7,7 @@ namespace {
 class PathIntegrator final : public SampledIntegrator {
   public:
     using SampledIntegrator::SampledIntegrator;
+    bool cameraMoved() override { return true; }
 
   private:
     Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, GBufferSample* gBuffer) override {

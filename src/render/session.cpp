@@ -69,7 +69,25 @@ void Session::setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film
     scene_.camera = std::move(camera);
     scene_.settings.film = film;
     begin();
-    schedule_ = Schedule(params_, Schedule::Clock::now(), film.height, scene_.settings.region().count());
+    restart();
+}
+
+void Session::moveCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film) {
+    scene_.camera = std::move(camera);
+    scene_.settings.film = film;
+    if (!integrator_->cameraMoved()) {
+        begin();
+    } else if (scene_.settings.region() == film_->region()) {
+        film_->clear();
+    } else {
+        film_ = std::make_unique<Film>(scene_.settings, integrator_->layers());
+    }
+    restart();
+}
+
+void Session::restart() {
+    const int height = scene_.settings.film.height;
+    schedule_ = Schedule(params_, Schedule::Clock::now(), height, scene_.settings.region().count());
 }
 
 template <class F>

@@ -36,6 +36,9 @@ class Session {
     // Changes the camera: the film is cleared and may have another size, the prepared scene stays. Not while other
     // calls run.
     void setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film);
+    // The same for a camera that looks around in the same room: what has been found out about the scene is kept, such as
+    // radiance cells, and helps the new picture, which therefore depends on where the camera has been.
+    void moveCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film);
 
     // Writes all that the render has found out to a file, whole or not at all, and goes on from there: a session of the
     // same scene and parameters that has loaded the file ends with the same bits as one that was never stopped.
@@ -58,6 +61,8 @@ class Session {
     std::string status() const;
     const PathTracer& tracer() const { return tracer_; }
     const Accel& accel() const { return accel_; }
+    // The median distance that the picture shows, world units; 0 if it shows no surface.
+    float distance() const { return distance_; }
 
   private:
     std::string fileHeader(const std::string& identity) const;
@@ -72,6 +77,7 @@ class Session {
     void warnIfBlack() const;
     // Makes the integrator, the film, and all else that depends on the camera.
     void begin();
+    void restart();
 
     Scene& scene_;
     RenderParams params_;

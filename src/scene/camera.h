@@ -46,6 +46,10 @@ class Camera {
     virtual Vec3 position() const = 0;
     // The same camera for a film of another size. The screen window follows from the new aspect ratio by pbrt's rule.
     virtual std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const = 0;
+    // The same camera, but for a film of another size, at another place, where it stands still.
+    virtual std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const = 0;
+    // For a moving camera, that in the middle of the exposure.
+    virtual Transform worldToCamera() const = 0;
     // The camera's "up" direction, unit, world space.
     virtual Vec3 up() const = 0;
     virtual const Shutter& shutter() const = 0;

@@ -30,6 +30,12 @@ class EnvironmentCamera final : public Camera {
     std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const override {
         return std::make_unique<EnvironmentCamera>(params_, film);
     }
+    std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const override {
+        EnvironmentCameraParams params = params_;
+        params.worldToCamera = {worldToCamera, worldToCamera};
+        return std::make_unique<EnvironmentCamera>(params, film);
+    }
+    Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
 
   private:
     EnvironmentCameraParams params_;

@@ -46,6 +46,12 @@ class OrthographicCamera final : public Camera {
     std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const override {
         return std::make_unique<OrthographicCamera>(params_, film);
     }
+    std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const override {
+        ProjectiveCameraParams params = params_;
+        params.worldToCamera = {worldToCamera, worldToCamera};
+        return std::make_unique<OrthographicCamera>(params, film);
+    }
+    Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
 
   private:
     // Film area in pixels per unit area facing the ray, for rays at this cosine to the axis.

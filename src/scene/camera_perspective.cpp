@@ -54,6 +54,12 @@ class PerspectiveCamera final : public Camera {
     std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const override {
         return std::make_unique<PerspectiveCamera>(params_, film);
     }
+    std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const override {
+        ProjectiveCameraParams params = params_;
+        params.worldToCamera = {worldToCamera, worldToCamera};
+        return std::make_unique<PerspectiveCamera>(params, film);
+    }
+    Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
 
   private:
     // Film area in pixels per unit solid angle, in a direction at this cosine to the axis.

@@ -86,6 +86,12 @@ class RealisticCamera final : public Camera {
     std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const override {
         return std::make_unique<RealisticCamera>(params_, film);
     }
+    std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const override {
+        RealisticCameraParams params = params_;
+        params.worldToCamera = {worldToCamera, worldToCamera};
+        return std::make_unique<RealisticCamera>(params, film);
+    }
+    Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
 
   private:
     PupilBox findPupil(int ring) const {

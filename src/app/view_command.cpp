@@ -1,0 +1,158 @@
+// `drc view`: renders a scene and shows it in a browser while it refines.
+#include <fmt/core.h>
+#include <spawn.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "app/command.h"
+#include "app/picture_filters.h"
+#include "app/picture_writer.h"
+#include "base/error.h"
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "pbrt/scene_file.h"
+#include "render/oidn_picture_filter.h"
+#include "view/http_server.h"
+#include "view/live_render.h"
+#include "view/view_service.h"
+
+extern char** environ;
+
+namespace drc {
+namespace {
+
+// A view goes on until somebody ends it.
+constexpr int kSamples = 1 << 16;
+
+struct ViewOptions {
+    std::string scene, resolution, address = "127.0.0.1", oidnLibrary;
+    std::vector<std::string> overrides;
+    RenderParams params;
+    int port = 0, threads = 0;
+    bool open = false, verbose = false;
+};
+
+// The filters of frames: while the camera moves, the one that takes the least time.
+class FrameFilters {
+  public:
+    FrameFilters(const RenderParams& params, const ChosenDenoiser& denoiser) {
+        if (usesMaps(params.integrator)) {
+            still_ = filtersFor(params, denoiser).front().filters;
+        } else if (denoiser.oidn) {
+            const auto filter = [&](OidnQuality quality) {
+                return std::make_shared<OidnPictureFilter>(*denoiser.oidn, OidnSettings{quality, OidnAuxiliaries::Raw},
+                                                           true, false);
+            };
+            moving_ = {filter(OidnQuality::Fast)};
+            still_ = {filter(OidnQuality::Balanced)};
+        }
+    }
+    void apply(LayeredPicture& picture, bool moving) const {
+        for (const auto& filter : moving ? moving_ : still_) filter->apply(picture);
+    }
+
+  private:
+    std::vector<std::shared_ptr<const PictureFilter>> moving_, still_;
+};
+
+std::string encodeFrame(RenderSettings settings, const LiveFrame& frame, const RenderParams& params) {
+    const PixelRegion& region = frame.picture.film->region();
+    settings.film.width = std::max(region.x1, settings.film.width);
+    settings.film.height = std::max(region.y1, settings.film.height);
+    const PictureWriter writer(settings, {"drc.exr"}, true);
+    return writer.encode(frame.picture, {{"drc:version", DRC_VERSION},
+                                         {"drc:command", processInfo().commandLine},
+                                         {"drc:seed", std::to_string(params.seed)},
+                                         {"drc:integrator", params.integrator},
+                                         {"drc:spp", std::to_string(frame.samples)}})[0];
+}
+
+// Lets the desktop open the address; says so if it cannot.
+void openBrowser(const std::string& address) {
+    std::string program = "xdg-open", argument = address;
+    char* arguments[] = {program.data(), argument.data(), nullptr};
+    pid_t child = 0;
+    if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments, environ) != 0)
+        logWarning("--open: there is no xdg-open; open the address by hand");
+}
+
+void view(ViewOptions o) {
+    setLogLevel(o.verbose ? LogLevel::Verbose : LogLevel::Normal);
+    setThreadCount(o.threads);
+    installInterruptHandler();
+    // There is nothing to save: the first signal ends the program.
+    setSomethingToSave(false);
+    pbrt::LoadOptions load;
+    if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
+    load.overrides = o.overrides;
+    const auto scene = pbrt::loadPbrtFile(o.scene, load);
+    o.params.gBuffer = o.params.variance = true;
+    if (!o.params.spp) o.params.spp = kSamples;
+    RenderParams params = resolved(o.params, *scene);
+    if (usesMaps(params.integrator)) throw Error("drc view: --integrator drc-maps cannot be watched yet");
+    const ChosenDenoiser denoiser =
+        chooseDenoiser(Denoise::Automatic, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
+    params.denoise = denoiser.denoise;
+
+    Stats stats;
+    const FrameFilters filters(params, denoiser);
+    const RenderSettings settings = scene->settings;
+    Session session(*scene, params, nullptr, &stats);
+    // Frames are announced once there is a server to do so.
+    std::atomic<HttpServer*> listener = nullptr;
+    std::atomic<ViewService*> source = nullptr;
+    const auto announce = [&] {
+        HttpServer* to = listener;
+        if (to != nullptr) to->send("frame", source.load()->frameEvent());
+    };
+    LiveRender render(session, {.finish = [&](LayeredPicture& picture, bool moving) { filters.apply(picture, moving); },
+                                .onFrame = announce});
+    ViewService service(*scene, render,
+                        {.title = std::filesystem::path(o.scene).filename().string(),
+                         .token = randomToken(),
+                         .encodeExr = [&](const LiveFrame& frame) { return encodeFrame(settings, frame, params); }});
+    HttpSettings http;
+    http.address = o.address;
+    http.port = uint16_t(o.port);
+    if (o.address != "127.0.0.1") http.hosts.push_back(o.address);
+    HttpServer server(http, [&](const HttpRequest& request) { return service.answer(request); });
+    source = &service;
+    listener = &server;
+    const std::string address = fmt::format("http://{}:{}/{}/", o.address, server.port(), service.token());
+    if (o.address != "127.0.0.1")
+        logWarning("--listen " + o.address +
+                   ": everybody who can reach this address and knows the whole line below can watch and steer");
+    fmt::print("{}\n", address);
+    std::fflush(stdout);
+    if (o.open) openBrowser(address);
+    while (!interruptToken().cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    listener = nullptr;
+}
+
+}  // namespace
+
+void addViewCommand(CLI::App& app) {
+    auto* command = app.add_subcommand("view", "Render a scene and watch it in a browser");
+    auto o = std::make_shared<ViewOptions>();
+    command->add_option("SCENE", o->scene, "pbrt-v3 or pbrt-v4 scene file")->required();
+    command->add_option("--resolution", o->resolution, "Size of the picture, as 1280x720");
+    command->add_option("--integrator", o->params.integrator, "drc, path, bdpt or direct")->capture_default_str();
+    command->add_option("--spp", o->params.spp, "Camera samples a pixel at which the render rests")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--set", o->overrides,
+                        "NAME=VALUE: replaces a parameter of the scene's film, sampler or integrator");
+    command->add_option("--port", o->port, "Port; by default any that is free")->check(CLI::Range(0, 65535));
+    command
+        ->add_option("--listen", o->address,
+                     "Address to listen on; others than 127.0.0.1 let other machines watch and steer")
+        ->capture_default_str();
+    command->add_flag("--open", o->open, "Open the page in the browser");
+    command->add_option("--threads", o->threads, "Number of threads; by default one for each core");
+    command->add_option("--oidn-library", o->oidnLibrary, "Open Image Denoise's library");
+    command->add_flag("-v,--verbose", o->verbose, "Say more");
+    command->callback([o] { view(*o); });
+}
+
+}  // namespace drc

@@ -1,0 +1,385 @@
+#include "view/http_server.h"
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <list>
+#include <mutex>
+#include <thread>
+
+#include "base/error.h"
+#include "base/log.h"
+
+namespace drc {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using asio::ip::tcp;
+
+constexpr size_t kMostHeader = 16 << 10;
+// A target longer than this is no request of the page's.
+constexpr size_t kMostTarget = 2048;
+// Threads that answer requests. A picture takes a few milliseconds to encode.
+constexpr int kHandlers = 2;
+// How long a client may take to accept a response.
+constexpr std::chrono::seconds kMostWriting{30};
+// So often a line is sent to streams of events that have nothing else, which finds out that a client has gone.
+constexpr std::chrono::seconds kHeartbeat{5};
+
+bool decodeTarget(std::string_view target, HttpRequest& request) {
+    if (target.empty() || target.front() != '/' || target.size() > kMostTarget) return false;
+    const size_t mark = target.find('?');
+    if (!percentDecode(target.substr(0, mark), false, request.path)) return false;
+    if (mark == std::string_view::npos) return true;
+    std::string_view query = target.substr(mark + 1);
+    while (!query.empty()) {
+        const std::string_view pair = query.substr(0, query.find('&'));
+        query.remove_prefix(std::min(query.size(), pair.size() + 1));
+        if (pair.empty()) continue;
+        const size_t equals = pair.find('=');
+        std::string name, value;
+        if (!percentDecode(pair.substr(0, equals), true, name)) return false;
+        if (equals != std::string_view::npos && !percentDecode(pair.substr(equals + 1), true, value)) return false;
+        request.query.emplace_back(std::move(name), std::move(value));
+    }
+    return true;
+}
+
+}  // namespace
+
+bool percentDecode(std::string_view text, bool plus, std::string& decoded) {
+    const auto digit = [](char c) {
+        if (c >= '0' && c <= '9') return c - '0';
+        if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+        if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+        return -1;
+    };
+    decoded.clear();
+    for (size_t i = 0; i < text.size(); ++i) {
+        char c = text[i];
+        if (c == '%') {
+            if (i + 2 >= text.size()) return false;
+            const int high = digit(text[i + 1]), low = digit(text[i + 2]);
+            if (high < 0 || low < 0) return false;
+            c = char(high * 16 + low);
+            i += 2;
+        } else if (c == '+' && plus) {
+            c = ' ';
+        }
+        if (c == '\0') return false;
+        decoded += c;
+    }
+    return true;
+}
+
+std::string_view HttpRequest::parameter(std::string_view name) const {
+    for (const auto& [key, value] : query)
+        if (key == name) return value;
+    return {};
+}
+
+// All connections are worked on by one thread; only handlers run on others.
+struct HttpServer::Impl : std::enable_shared_from_this<HttpServer::Impl> {
+    class Connection;
+
+    Impl(const HttpSettings& s, Handler h) : settings(s), handler(std::move(h)), acceptor(context) {}
+
+    void listen();
+    void accept();
+    void remove(const std::list<std::shared_ptr<Connection>>::iterator& at) { connections.erase(at); }
+    // Makes room for one more connection.
+    void closeIdlest();
+
+    HttpSettings settings;
+    Handler handler;
+    asio::io_context context{1};
+    tcp::acceptor acceptor;
+    asio::thread_pool handlers{kHandlers};
+    std::list<std::shared_ptr<Connection>> connections;  // the one that has been idle longest comes first
+    std::atomic<size_t> count{0};
+    size_t streams = 0;
+    uint16_t port = 0;
+    std::thread thread;
+};
+
+class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connection> {
+  public:
+    Connection(tcp::socket&& socket, Impl& server) : stream_(std::move(socket)), server_(server) {}
+
+    void start(std::list<std::shared_ptr<Connection>>::iterator at) {
+        at_ = at;
+        read();
+    }
+    // Whether it waits for a request, or for an event.
+    bool isIdle() const { return idle_; }
+    bool isStream() const { return isStream_; }
+    void close() {
+        if (closed_) return;
+        closed_ = true;
+        beast::error_code ignored;
+        stream_.socket().shutdown(tcp::socket::shutdown_both, ignored);
+        stream_.close();
+        const auto self = shared_from_this();
+        if (isStream_) --server_.streams;
+        heartbeat_.cancel();
+        --server_.count;
+        server_.remove(at_);
+    }
+
+    void send(const std::string& text) {
+        if (!isStream_ || closed_) return;
+        next_ = text;
+        writeEvent();
+    }
+
+  private:
+    void read() {
+        idle_ = true;
+        parser_.emplace();
+        parser_->header_limit(uint32_t(kMostHeader));
+        parser_->body_limit(server_.settings.mostBody);
+        stream_.expires_after(server_.settings.idle);
+        http::async_read_header(
+            stream_, buffer_, *parser_,
+            [self = shared_from_this()](beast::error_code error, size_t) { self->headerRead(error); });
+    }
+
+    void headerRead(beast::error_code error) {
+        if (error == http::error::end_of_stream || closed_) return close();
+        if (error == beast::error::timeout || error == asio::error::operation_aborted) return close();
+        if (error) return refuse(400, "this is no HTTP request");
+        idle_ = false;
+        // Before the body is read: whoever may not ask need not be listened to.
+        const auto& message = parser_->get();
+        if (!hostAllowed(message[http::field::host])) return refuse(403, "this server does not answer to that name");
+        if (const auto origin = message[http::field::origin]; !origin.empty() && !originAllowed(origin))
+            return refuse(403, "this server does not answer to pages of other sites");
+        if (message.method() != http::verb::get && message.method() != http::verb::post &&
+            message.method() != http::verb::head)
+            return refuse(405, "GET and POST are answered alone");
+        stream_.expires_after(server_.settings.idle);
+        http::async_read(stream_, buffer_, *parser_,
+                         [self = shared_from_this()](beast::error_code e, size_t) { self->requestRead(e); });
+    }
+
+    void requestRead(beast::error_code error) {
+        if (closed_) return;
+        if (error == http::error::body_limit) return refuse(413, "the request is too large");
+        if (error == beast::error::timeout) return close();
+        if (error) return refuse(400, "the request is malformed or cut short");
+        const auto& message = parser_->get();
+        HttpRequest request;
+        request.method = message.method() == http::verb::post ? "POST" : "GET";
+        isHead_ = message.method() == http::verb::head;
+        keepAlive_ = message.keep_alive();
+        if (!decodeTarget(message.target(), request)) return refuse(400, "the request's target is malformed");
+        request.body = std::move(parser_->get().body());
+        stream_.expires_never();
+        asio::post(server_.handlers, [self = shared_from_this(), request = std::move(request)] {
+            HttpResponse response;
+            try {
+                response = self->server_.handler(request);
+            } catch (const std::exception& e) {
+                response = {500, "text/plain; charset=utf-8", e.what(), {}};
+            }
+            asio::post(self->server_.context,
+                       [self, response = std::move(response)]() mutable { self->respond(std::move(response)); });
+        });
+    }
+
+    bool hostAllowed(std::string_view host) const {
+        for (const std::string& name : server_.settings.hosts)
+            if (host == name + ":" + std::to_string(server_.port)) return true;
+        return false;
+    }
+    bool originAllowed(std::string_view origin) const {
+        constexpr std::string_view kScheme = "http://";
+        return origin.starts_with(kScheme) && hostAllowed(origin.substr(kScheme.size()));
+    }
+
+    void refuse(int status, const std::string& why) {
+        keepAlive_ = false;
+        respond({status, "text/plain; charset=utf-8", why + "\n", {}});
+    }
+
+    void respond(HttpResponse&& response) {
+        if (closed_) return;
+        if (response.events) {
+            if (server_.streams >= server_.settings.mostEventStreams)
+                return refuse(503, "too many pages listen already");
+            isStream_ = true;
+            ++server_.streams;
+        }
+        auto& message = response_.emplace();
+        message.version(11);
+        message.result(unsigned(response.status));
+        message.set(http::field::content_type, response.events ? "text/event-stream" : response.type);
+        message.set(http::field::cache_control, "no-store");
+        message.set("X-Content-Type-Options", "nosniff");
+        message.set("Referrer-Policy", "no-referrer");
+        message.set("Cross-Origin-Resource-Policy", "same-origin");
+        for (const auto& [name, value] : response.headers) message.set(name, value);
+        message.keep_alive(keepAlive_ && !isStream_);
+        if (isStream_) {
+            // The body has no end; the header ends with the connection.
+            message.set(http::field::connection, "close");
+            eventHeader_.emplace(message.base());
+            eventSerializer_.emplace(*eventHeader_);
+            stream_.expires_after(kMostWriting);
+            http::async_write_header(stream_, *eventSerializer_,
+                                     [self = shared_from_this()](beast::error_code e, size_t) {
+                                         if (e || self->closed_) return self->close();
+                                         self->listening_ = true;
+                                         self->idle_ = true;
+                                         self->listenForEnd();
+                                         self->beat();
+                                         self->writeEvent();
+                                     });
+            return;
+        }
+        message.body() = isHead_ ? std::string() : std::move(response.body);
+        message.prepare_payload();
+        stream_.expires_after(kMostWriting);
+        http::async_write(stream_, message, [self = shared_from_this()](beast::error_code e, size_t) {
+            if (e || !self->response_->keep_alive()) return self->close();
+            self->response_.reset();
+            // It is the one that has been idle for the shortest time.
+            self->server_.connections.splice(self->server_.connections.end(), self->server_.connections, self->at_);
+            self->read();
+        });
+    }
+
+    // A client of a stream sends nothing; this finds out that it has gone.
+    void listenForEnd() {
+        stream_.expires_never();
+        stream_.socket().async_read_some(asio::buffer(ignored_),
+                                         [self = shared_from_this()](beast::error_code e, size_t) {
+                                             if (e || self->closed_) return self->close();
+                                             self->listenForEnd();
+                                         });
+    }
+    void beat() {
+        heartbeat_.expires_after(kHeartbeat);
+        heartbeat_.async_wait([self = weak_from_this()](beast::error_code e) {
+            const auto still = self.lock();
+            if (e || !still || still->closed_) return;
+            if (still->next_.empty()) still->next_ = ":\n\n";
+            still->writeEvent();
+            still->beat();
+        });
+    }
+    void writeEvent() {
+        if (!listening_ || writing_ || next_.empty() || closed_) return;
+        writing_ = true;
+        written_ = std::move(next_);
+        next_.clear();
+        asio::async_write(stream_.socket(), asio::buffer(written_),
+                          [self = shared_from_this()](beast::error_code e, size_t) {
+                              self->writing_ = false;
+                              if (e) return self->close();
+                              self->writeEvent();
+                          });
+    }
+
+    beast::tcp_stream stream_;
+    Impl& server_;
+    std::list<std::shared_ptr<Connection>>::iterator at_;
+    beast::flat_buffer buffer_{kMostHeader};
+    std::optional<http::request_parser<http::string_body>> parser_;
+    std::optional<http::response<http::string_body>> response_;
+    std::optional<http::response<http::empty_body>> eventHeader_;
+    std::optional<http::response_serializer<http::empty_body>> eventSerializer_;
+    asio::steady_timer heartbeat_{stream_.get_executor()};
+    std::array<char, 512> ignored_{};
+    std::string next_, written_;
+    bool idle_ = true, closed_ = false, keepAlive_ = false, isHead_ = false;
+    bool isStream_ = false, listening_ = false, writing_ = false;
+};
+
+void HttpServer::Impl::listen() {
+    try {
+        const tcp::endpoint endpoint(asio::ip::make_address(settings.address), settings.port);
+        acceptor.open(endpoint.protocol());
+        acceptor.set_option(asio::socket_base::reuse_address(true));
+        acceptor.bind(endpoint);
+        acceptor.listen(asio::socket_base::max_listen_connections);
+        port = acceptor.local_endpoint().port();
+    } catch (const boost::system::system_error& error) {
+        throw Error(fmt::format("cannot listen on {}:{}: {}", settings.address, settings.port, error.code().message()));
+    }
+    accept();
+}
+
+void HttpServer::Impl::accept() {
+    acceptor.async_accept([self = shared_from_this()](beast::error_code error, tcp::socket socket) {
+        if (error == asio::error::operation_aborted) return;
+        if (!error) {
+            if (self->connections.size() >= self->settings.mostConnections) self->closeIdlest();
+            if (self->connections.size() < self->settings.mostConnections) {
+                beast::error_code ignored;
+                socket.set_option(tcp::no_delay(true), ignored);
+                const auto connection = std::make_shared<Connection>(std::move(socket), *self);
+                self->connections.push_back(connection);
+                ++self->count;
+                connection->start(std::prev(self->connections.end()));
+            }
+        }
+        self->accept();
+    });
+}
+
+void HttpServer::Impl::closeIdlest() {
+    for (const auto& connection : connections)
+        if (connection->isIdle() && !connection->isStream()) return connection->close();
+}
+
+HttpServer::HttpServer(const HttpSettings& settings, Handler handler)
+    : impl_(std::make_shared<Impl>(settings, std::move(handler))) {
+    impl_->listen();
+    impl_->thread = std::thread([impl = impl_] {
+        for (;;) {
+            try {
+                impl->context.run();
+                return;
+            } catch (const std::exception& error) {
+                logDebug(std::string("the web server goes on after: ") + error.what());
+            }
+        }
+    });
+}
+
+HttpServer::~HttpServer() {
+    asio::post(impl_->context, [impl = impl_] {
+        beast::error_code ignored;
+        impl->acceptor.close(ignored);
+        while (!impl->connections.empty()) impl->connections.front()->close();
+        impl->context.stop();
+    });
+    impl_->thread.join();
+    impl_->handlers.stop();
+    impl_->handlers.join();
+    // What handlers have posted meanwhile holds connections, and they the server.
+    impl_->context.restart();
+    impl_->context.poll();
+}
+
+uint16_t HttpServer::port() const { return impl_->port; }
+size_t HttpServer::connections() const { return impl_->count; }
+
+void HttpServer::send(const std::string& event, const std::string& data) {
+    asio::post(impl_->context, [impl = impl_, text = "event: " + event + "\ndata: " + data + "\n\n"] {
+        const auto connections = impl->connections;
+        for (const auto& connection : connections) connection->send(text);
+    });
+}
+
+}  // namespace drc

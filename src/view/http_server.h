@@ -1,0 +1,68 @@
+// A small HTTP server for one program's own pages: every request is answered by a handler, and clients may listen to
+// events. Not for the open internet: no TLS, no compression, no files.
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drc {
+
+struct HttpRequest {
+    std::string method;  // "GET" or "POST"; others are refused before
+    std::string path;    // of the target, without the query, percent-decoded
+    std::vector<std::pair<std::string, std::string>> query;
+    std::string body;
+
+    // The value of a query parameter; empty if there is none.
+    std::string_view parameter(std::string_view name) const;
+};
+
+struct HttpResponse {
+    int status = 200;
+    std::string type = "text/plain; charset=utf-8";
+    std::string body;
+    std::vector<std::pair<std::string, std::string>> headers;  // further ones
+    bool events = false;  // the connection becomes a stream of server-sent events: see HttpServer::send
+};
+
+struct HttpSettings {
+    std::string address = "127.0.0.1";
+    uint16_t port = 0;  // 0: any that is free
+    // Requests are answered only if their Host header is one of these names with the port, or the address: a page of
+    // another site that has made its name point here (DNS rebinding) is refused.
+    std::vector<std::string> hosts{"127.0.0.1", "localhost"};
+    size_t mostBody = 64 << 20;              // bytes
+    size_t mostConnections = 128;            // more make the server close the one that has been idle longest
+    size_t mostEventStreams = 32;            // more are refused
+    std::chrono::milliseconds idle{10'000};  // until a connection without a complete request is closed
+};
+
+class HttpServer {
+  public:
+    // Called on threads of the server's own, several at a time. What it throws becomes a response of status 500.
+    using Handler = std::function<HttpResponse(const HttpRequest&)>;
+
+    // Listens, and serves until it is destroyed. Throws Error if the address cannot be listened to.
+    HttpServer(const HttpSettings& settings, Handler handler);
+    ~HttpServer();
+    HttpServer(const HttpServer&) = delete;
+    HttpServer& operator=(const HttpServer&) = delete;
+
+    uint16_t port() const;
+    // Sends an event to all streams. A client that has not taken the previous ones gets only the latest.
+    void send(const std::string& event, const std::string& data);
+    size_t connections() const;
+
+  private:
+    struct Impl;
+    std::shared_ptr<Impl> impl_;
+};
+
+// "a%20b" as "a b"; `plus`: also "+" as a space. False if it is malformed or has a zero byte.
+bool percentDecode(std::string_view text, bool plus, std::string& decoded);
+
+}  // namespace drc

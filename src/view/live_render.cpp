@@ -1,0 +1,173 @@
+#include "view/live_render.h"
+
+#include <algorithm>
+
+#include "base/log.h"
+#include "render/sample_pass.h"
+
+namespace drc {
+namespace {
+
+// Frames take at most this share of the time, after the first sample of the pixels.
+constexpr double kShareOfFrames = 0.2;
+// There is no use in more frames a second than this.
+constexpr std::chrono::milliseconds kLeastInterval{150};
+
+}  // namespace
+
+LiveRender::LiveRender(Session& session, Callbacks callbacks)
+    : session_(session), callbacks_(std::move(callbacks)), thread_([this] { run(); }) {}
+
+LiveRender::~LiveRender() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+        cancel_.cancel();
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+std::shared_ptr<const LiveFrame> LiveRender::frame() const {
+    const std::lock_guard lock(mutex_);
+    return frame_;
+}
+
+std::shared_ptr<const LiveFrame> LiveRender::waitForFrame(uint64_t after, std::chrono::milliseconds most) const {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, most,
+                      [&] { return stopping_ || !state_.error.empty() || (frame_ && frame_->number > after); });
+    return frame_;
+}
+
+LiveState LiveRender::state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+}
+
+void LiveRender::pause(bool paused) {
+    {
+        const std::lock_guard lock(mutex_);
+        state_.paused = paused;
+        if (paused) cancel_.cancel();
+    }
+    changed_.notify_all();
+}
+
+void LiveRender::setCamera(std::function<std::unique_ptr<Camera>()> make, const FilmGeometry& film, bool moving) {
+    {
+        const std::lock_guard lock(mutex_);
+        move_ = Move{std::move(make), film, moving};
+        // Else a camera that moves all the time would never be seen.
+        if (!owesFrame_) cancel_.cancel();
+    }
+    changed_.notify_all();
+}
+
+void LiveRender::between(const std::function<void(const Session&)>& f) {
+    std::unique_lock lock(mutex_);
+    if (!state_.error.empty() || stopping_) return f(session_);
+    calls_.push_back(&f);
+    cancel_.cancel();
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return std::ranges::find(calls_, &f) == calls_.end(); });
+}
+
+void LiveRender::run() {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        logError(error.what());
+        const std::lock_guard lock(mutex_);
+        state_.error = error.what();
+    }
+    const std::lock_guard lock(mutex_);
+    for (const auto* call : calls_) (*call)(session_);
+    calls_.clear();
+    changed_.notify_all();
+}
+
+void LiveRender::work() {
+    for (;;) {
+        {
+            std::unique_lock lock(mutex_);
+            for (;;) {
+                // A pass that was cancelled counts as far as it got, and goes on from there.
+                cancel_.reset();
+                if (stopping_) return;
+                if (!calls_.empty()) {
+                    for (const auto* call : calls_) (*call)(session_);
+                    calls_.clear();
+                    changed_.notify_all();
+                }
+                if (move_) {
+                    Move move = std::move(*move_);
+                    move_.reset();
+                    session_.moveCamera(move.make(), move.film);
+                    moving_ = move.moving;
+                    owesFrame_ = true;
+                    state_.done = false;
+                    isCurrent_ = false;
+                    ++view_;
+                    began_ = Clock::now();
+                }
+                // What has been sampled is shown before the render rests.
+                if ((!state_.paused && !state_.done) || (!isCurrent_ && session_.hasPicture())) break;
+                changed_.wait(
+                    lock, [&] { return stopping_ || move_ || !calls_.empty() || (!state_.paused && !state_.done); });
+            }
+        }
+        bool rests = false;
+        {
+            const std::lock_guard lock(mutex_);
+            rests = state_.paused || state_.done;
+        }
+        if (!rests) {
+            const bool whole = session_.step(&cancel_);
+            isCurrent_ = false;
+            if (!whole && !cancel_.cancelled()) {
+                const std::lock_guard lock(mutex_);
+                state_.done = true;
+                rests = true;
+            }
+            if (cancel_.cancelled()) continue;
+        }
+        if (session_.hasPicture() && (rests || isFrameDue())) makeFrame();
+    }
+}
+
+bool LiveRender::isFrameDue() const {
+    const int passes = session_.film().passes();
+    const auto since = Clock::now() - lastFrame_;
+    // The first sample of the pixels comes in passes over lattices: each is shown.
+    if (passes <= SamplePass::kLattices) return true;
+    return since >= kLeastInterval &&
+           std::chrono::duration<double>(since) >= std::chrono::duration<double>(frameTook_) / kShareOfFrames;
+}
+
+void LiveRender::makeFrame() {
+    const auto start = Clock::now();
+    auto next = std::make_shared<LiveFrame>();
+    next->picture = session_.snapshot();
+    next->unfiltered = next->picture.beauty;
+    callbacks_.finish(next->picture, moving_);
+    next->samples = session_.samplesDone();
+    const int passes = session_.film().passes();
+    next->share = passes >= SamplePass::kLattices ? 1 : passes == 2 ? 0.25 : 0.0625;
+    next->seconds = std::chrono::duration<double>(start - began_).count();
+    next->view = view_;
+    next->status = session_.status();
+    frameTook_ = Clock::now() - start;
+    lastFrame_ = Clock::now();
+    isCurrent_ = true;
+    {
+        const std::lock_guard lock(mutex_);
+        next->number = frame_ ? frame_->number + 1 : 1;
+        owesFrame_ = false;
+        frame_ = std::move(next);
+    }
+    changed_.notify_all();
+    if (callbacks_.onFrame) callbacks_.onFrame();
+}
+
+}  // namespace drc

@@ -1,0 +1,95 @@
+// A render that is watched: it goes on in a thread of its own, makes a picture of what it has now and then, and follows
+// a camera that is moved.
+#pragma once
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "render/session.h"
+
+namespace drc {
+
+// What is seen at a time.
+struct LiveFrame {
+    uint64_t number = 0;     // from 1
+    LayeredPicture picture;  // finished; picture.film is a copy of its own
+    Image unfiltered;        // beauty before filters
+    int samples = 0;         // complete ones in each pixel
+    double share = 0;        // of the pixels of the first sample, until that is complete; then 1
+    double seconds = 0;      // of rendering since the camera was moved last
+    uint64_t view = 0;       // counts the movements of the camera
+    std::string status;      // as Session::status()
+};
+
+struct LiveState {
+    bool paused = false, done = false;
+    std::string error;  // of the render, which has ended by it
+};
+
+class LiveRender {
+  public:
+    // finish: applies the filters to a picture. moving: while the camera moves, when time counts most. onFrame: called
+    // after each new frame, on the render's thread.
+    struct Callbacks {
+        std::function<void(LayeredPicture&, bool moving)> finish;
+        std::function<void()> onFrame;
+    };
+
+    // Begins at once. The session must outlive this object, and is used by nothing else meanwhile.
+    LiveRender(Session& session, Callbacks callbacks);
+    // Ends it as soon as the present row of pixels is done.
+    ~LiveRender();
+    LiveRender(const LiveRender&) = delete;
+    LiveRender& operator=(const LiveRender&) = delete;
+
+    // The latest frame; null before the first one.
+    std::shared_ptr<const LiveFrame> frame() const;
+    // Waits until there is a frame later than this one, or the time is over; the latest in any case.
+    std::shared_ptr<const LiveFrame> waitForFrame(uint64_t after, std::chrono::milliseconds most) const;
+    LiveState state() const;
+
+    void pause(bool paused);
+    // Renders from another camera, for a film of any size. make: called on the render's thread, and must not throw.
+    // moving: another camera will soon follow. The latest of several counts.
+    void setCamera(std::function<std::unique_ptr<Camera>()> make, const FilmGeometry& film, bool moving);
+    // Calls f(session) while no step runs, and waits for it.
+    void between(const std::function<void(const Session&)>& f);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    struct Move {
+        std::function<std::unique_ptr<Camera>()> make;
+        FilmGeometry film;
+        bool moving = false;
+    };
+    void run();
+    void work();
+    void makeFrame();
+    // Whether a frame should be made now, after a step.
+    bool isFrameDue() const;
+
+    Session& session_;
+    Callbacks callbacks_;
+    CancelToken cancel_;
+
+    mutable std::mutex mutex_;
+    mutable std::condition_variable changed_;
+    std::shared_ptr<const LiveFrame> frame_;
+    LiveState state_;
+    bool stopping_ = false;
+    bool owesFrame_ = false;  // of the present view none has been made yet
+    std::optional<Move> move_;
+    std::vector<const std::function<void(const Session&)>*> calls_;
+
+    // Of the render's thread.
+    uint64_t view_ = 0;
+    bool moving_ = false, isCurrent_ = false;
+    Clock::time_point began_ = Clock::now(), lastFrame_{};
+    Clock::duration frameTook_{};
+    std::thread thread_;
+};
+
+}  // namespace drc

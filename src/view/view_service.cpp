@@ -1,0 +1,277 @@
+#include "view/view_service.h"
+
+#include <Imath/half.h>
+#include <fmt/core.h>
+
+#include <bit>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "base/error.h"
+#include "image/auto_exposure.h"
+#include "image/image_io.h"
+
+namespace drc {
+namespace {
+
+using Json = nlohmann::json;
+
+// Sizes of film that a page may ask for.
+constexpr int kLeastSide = 16, kMostSide = 4096;
+
+HttpResponse json(const Json& value) { return {200, "application/json", value.dump(), {}}; }
+HttpResponse wrong(const std::string& what) { return {400, "text/plain; charset=utf-8", what + "\n", {}}; }
+HttpResponse missing(const std::string& what) { return {404, "text/plain; charset=utf-8", what + "\n", {}}; }
+
+Json asJson(const Vec3& v) { return {v.x, v.y, v.z}; }
+Json asJson(const ViewCamera& c) {
+    return {{"eye", asJson(c.eye)},
+            {"look", asJson(c.look)},
+            {"up", asJson(c.up)},
+            {"mirrored", c.mirrored},
+            {"pbrt", c.asPbrt()}};
+}
+
+// Three numbers of an object; false if it does not have them.
+bool read(const Json& object, const char* name, Vec3& v) {
+    const auto found = object.find(name);
+    if (found == object.end() || !found->is_array() || found->size() != 3) return false;
+    for (int i = 0; i < 3; ++i) {
+        if (!(*found)[size_t(i)].is_number()) return false;
+        v[i] = (*found)[size_t(i)].get<float>();
+    }
+    return true;
+}
+
+// A whole number of a query; none if it is anything else.
+std::optional<int> numberOf(std::string_view text) {
+    if (text.empty() || text.size() > 6) return {};
+    int value = 0;
+    for (const char c : text) {
+        if (c < '0' || c > '9') return {};
+        value = value * 10 + (c - '0');
+    }
+    return value;
+}
+
+// Width, height, channels and the frame's number, as 32-bit integers, then all values as halves, in the machine's order
+// of bytes, which is little-endian wherever this program runs.
+std::string encodeHalves(const Image& image, uint64_t number) {
+    static_assert(std::endian::native == std::endian::little);
+    const uint32_t header[] = {uint32_t(image.width()), uint32_t(image.height()), uint32_t(image.channels()),
+                               uint32_t(number)};
+    std::string bytes(sizeof header + image.data().size() * sizeof(Imath::half), '\0');
+    std::memcpy(bytes.data(), header, sizeof header);
+    std::vector<Imath::half> halves(image.data().size());
+    for (size_t i = 0; i < halves.size(); ++i) halves[i] = Imath::half(std::clamp(image.data()[i], -65504.f, 65504.f));
+    std::memcpy(bytes.data() + sizeof header, halves.data(), halves.size() * sizeof(Imath::half));
+    return bytes;
+}
+
+}  // namespace
+
+std::string randomToken() {
+    std::random_device device;
+    std::string token;
+    for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", device());
+    return token;
+}
+
+std::vector<std::string> layersOf(const LiveFrame& frame) {
+    const LayeredPicture& picture = frame.picture;
+    std::vector<std::string> names{"beauty", "unfiltered"};
+    if (!picture.layers.empty() && !picture.layers[0].part.empty()) names.insert(names.end(), {"direct", "indirect"});
+    if (picture.gBuffer) names.insert(names.end(), {"albedo", "normal", "depth"});
+    if (picture.samples) names.insert(names.end(), {"variance", "samples"});
+    return names;
+}
+
+Image layerOf(const LiveFrame& frame, const std::string& name) {
+    const std::vector<std::string> names = layersOf(frame);
+    if (std::find(names.begin(), names.end(), name) == names.end()) return {};
+    const LayeredPicture& picture = frame.picture;
+    if (name == "beauty") return picture.beauty;
+    if (name == "unfiltered") return frame.unfiltered;
+    if (name == "albedo") return picture.gBuffer->albedo;
+    if (name == "normal") return picture.gBuffer->normal;
+    if (name == "depth") return picture.gBuffer->depth;
+    if (name == "variance") return picture.variance();
+    if (name == "samples") return *picture.samples;
+    return picture.part(name);
+}
+
+ViewService::ViewService(const Scene& scene, LiveRender& render, Settings settings)
+    : scene_(scene),
+      render_(render),
+      settings_(std::move(settings)),
+      home_([&] {
+          float distance = 0;
+          render.between([&](const Session& session) { distance = session.distance(); });
+          return ViewCamera::of(scene, distance);
+      }()),
+      film_(scene.settings.film),
+      camera_(home_) {}
+
+HttpResponse ViewService::answer(const HttpRequest& request) {
+    // Compared in constant time: how long it takes tells nothing of the token.
+    const std::string prefix = "/" + settings_.token + "/";
+    unsigned difference = request.path.size() < prefix.size();
+    for (size_t i = 0; i < std::min(prefix.size(), request.path.size()); ++i)
+        difference |= unsigned(prefix[i] ^ request.path[i]);
+    if (difference != 0) return {403, "text/plain; charset=utf-8", "open the address that drc view printed\n", {}};
+    const std::string what = request.path.substr(prefix.size());
+    const bool isPost = request.method == "POST";
+    if (what == "camera" || what == "pause" || what == "compare") {
+        if (!isPost) return {405, "text/plain; charset=utf-8", "this is for POST\n", {{"Allow", "POST"}}};
+    } else if (isPost) {
+        return missing("there is nothing of this name to post to");
+    }
+    if (what.empty()) return page();
+    if (what == "state") return state();
+    if (what == "events") {
+        HttpResponse response;
+        response.events = true;
+        return response;
+    }
+    if (what == "frame") return picture(request);
+    if (what == "pixel") return pixel(request);
+    if (what == "exposure") {
+        const auto frame = render_.frame();
+        return frame ? json({{"stops", autoExposure(frame->picture.beauty)}})
+                     : HttpResponse{503, "text/plain; charset=utf-8", "there is no picture yet\n", {}};
+    }
+    if (what == "save.exr") {
+        const auto frame = render_.frame();
+        if (!frame) return {503, "text/plain; charset=utf-8", "there is no picture yet\n", {}};
+        return {200,
+                "image/x-exr",
+                settings_.encodeExr(*frame),
+                {{"Content-Disposition", "attachment; filename=\"drc.exr\""}}};
+    }
+    if (what == "camera") return setCamera(request);
+    if (what == "compare") return compare(request);
+    if (what == "pause") {
+        if (request.body != "true" && request.body != "false") return wrong("the body must be true or false");
+        render_.pause(request.body == "true");
+        return json({{"paused", request.body == "true"}});
+    }
+    return missing("there is nothing of this name");
+}
+
+HttpResponse ViewService::page() const {
+    // The page may load nothing from elsewhere, and no other page may show it.
+    return {200,
+            "text/html; charset=utf-8",
+            std::string(viewerPage()),
+            {{"Content-Security-Policy",
+              "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; "
+              "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"}}};
+}
+
+std::string ViewService::frameEvent() const {
+    const auto frame = render_.frame();
+    const LiveState state = render_.state();
+    Json event{{"paused", state.paused}, {"done", state.done}};
+    if (!state.error.empty()) event["error"] = state.error;
+    if (frame)
+        event.update({{"number", frame->number},
+                      {"samples", frame->samples},
+                      {"share", frame->share},
+                      {"seconds", frame->seconds},
+                      {"view", frame->view},
+                      {"status", frame->status}});
+    return event.dump();
+}
+
+HttpResponse ViewService::state() const {
+    const auto frame = render_.frame();
+    Json value = Json::parse(frameEvent());
+    value["title"] = settings_.title;
+    value["film"] = {film_.width, film_.height};
+    value["home"] = asJson(home_);
+    value["layers"] = frame ? layersOf(*frame) : std::vector<std::string>{"beauty"};
+    const std::lock_guard lock(mutex_);
+    value["camera"] = asJson(camera_);
+    value["reference"] = reference_ != nullptr;
+    return json(value);
+}
+
+HttpResponse ViewService::picture(const HttpRequest& request) const {
+    const std::string name(request.parameter("layer"));
+    if (name == "reference") {
+        std::shared_ptr<const Image> reference;
+        {
+            const std::lock_guard lock(mutex_);
+            reference = reference_;
+        }
+        if (!reference) return missing("no picture to compare with has been given");
+        return {200, "application/octet-stream", encodeHalves(*reference, 0), {}};
+    }
+    const auto frame = render_.frame();
+    if (!frame) return {503, "text/plain; charset=utf-8", "there is no picture yet\n", {}};
+    const Image image = layerOf(*frame, name.empty() ? "beauty" : name);
+    if (image.empty()) return missing("the picture has no layer of this name");
+    return {200, "application/octet-stream", encodeHalves(image, frame->number), {}};
+}
+
+HttpResponse ViewService::pixel(const HttpRequest& request) const {
+    const std::optional<int> x = numberOf(request.parameter("x")), y = numberOf(request.parameter("y"));
+    const auto frame = render_.frame();
+    if (!frame) return {503, "text/plain; charset=utf-8", "there is no picture yet\n", {}};
+    const Image& beauty = frame->picture.beauty;
+    if (!x || !y || *x >= beauty.width() || *y >= beauty.height()) return wrong("x and y must be in the picture");
+    Json value{{"x", *x}, {"y", *y}};
+    for (const std::string& name : layersOf(*frame)) {
+        const Image image = layerOf(*frame, name);
+        Json& values = value["layers"][name] = Json::array();
+        for (int c = 0; c < image.channels(); ++c) {
+            const float v = image.at(*x, *y, c);
+            values.push_back(std::isfinite(v) ? Json(v) : Json());
+        }
+    }
+    return json(value);
+}
+
+HttpResponse ViewService::setCamera(const HttpRequest& request) {
+    const Json object = Json::parse(request.body, nullptr, false);
+    ViewCamera camera = home_;
+    if (!object.is_object() || !read(object, "eye", camera.eye) || !read(object, "look", camera.look) ||
+        !read(object, "up", camera.up))
+        return wrong("the body must have eye, look and up, of three numbers each");
+    if (!camera.isUsable()) return wrong("this camera looks nowhere");
+    FilmGeometry film = film_;
+    const auto side = [&](const char* name, int& value) {
+        const auto found = object.find(name);
+        if (found == object.end()) return true;
+        if (!found->is_number_integer() || found->get<double>() < kLeastSide || found->get<double>() > kMostSide)
+            return false;
+        value = found->get<int>();
+        return true;
+    };
+    if (!side("width", film.width) || !side("height", film.height))
+        return wrong(fmt::format("width and height must be whole numbers from {} to {}", kLeastSide, kMostSide));
+    const auto moving = object.find("moving");
+    const bool isMoving = moving != object.end() && moving->is_boolean() && moving->get<bool>();
+    {
+        const std::lock_guard lock(mutex_);
+        camera_ = camera;
+    }
+    render_.setCamera([this, camera, film] { return camera.place(scene_, film); }, film, isMoving);
+    return json(asJson(camera));
+}
+
+HttpResponse ViewService::compare(const HttpRequest& request) {
+    try {
+        auto image =
+            std::make_shared<const Image>(linearRgbOf(decodeImage({request.body, "the picture to compare with"})));
+        const Json size{{"width", image->width()}, {"height", image->height()}};
+        const std::lock_guard lock(mutex_);
+        reference_ = std::move(image);
+        return json(size);
+    } catch (const Error& error) {
+        return wrong(error.what());
+    }
+}
+
+}  // namespace drc

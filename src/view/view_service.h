@@ -1,0 +1,63 @@
+// What the pages of a live view may ask for: the page itself, pictures by layer, events, the camera.
+//
+// Every path begins with a token that only who started the view knows, so that other users of the machine, and pages of
+// other sites, can neither see nor change anything. No part of a request is taken for the name of a file.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <string>
+
+#include "view/http_server.h"
+#include "view/live_render.h"
+#include "view/view_camera.h"
+
+namespace drc {
+
+class ViewService {
+  public:
+    struct Settings {
+        std::string title;  // of the page: the scene's name
+        std::string token;  // see randomToken()
+        // Encodes a frame as an EXR with all that it has.
+        std::function<std::string(const LiveFrame&)> encodeExr;
+    };
+
+    // All must outlive the service.
+    ViewService(const Scene& scene, LiveRender& render, Settings settings);
+
+    // Safe from any thread.
+    HttpResponse answer(const HttpRequest& request);
+    // The data of an event "frame": what has changed.
+    std::string frameEvent() const;
+    const std::string& token() const { return settings_.token; }
+
+  private:
+    HttpResponse page() const;
+    HttpResponse state() const;
+    HttpResponse picture(const HttpRequest& request) const;
+    HttpResponse pixel(const HttpRequest& request) const;
+    HttpResponse setCamera(const HttpRequest& request);
+    HttpResponse compare(const HttpRequest& request);
+
+    const Scene& scene_;
+    LiveRender& render_;
+    const Settings settings_;
+    const ViewCamera home_;
+    const FilmGeometry film_;
+
+    mutable std::mutex mutex_;
+    ViewCamera camera_;
+    std::shared_ptr<const Image> reference_;
+};
+
+// 128 bits from the system's generator, as hexadecimal digits.
+std::string randomToken();
+
+// The names of what can be seen of a frame, and the image of one; an empty image if there is none of this name.
+std::vector<std::string> layersOf(const LiveFrame& frame);
+Image layerOf(const LiveFrame& frame, const std::string& name);
+
+// The page, one HTML file.
+std::string_view viewerPage();
+
+}  // namespace drc

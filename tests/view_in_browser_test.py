@@ -1,0 +1,473 @@
+#!/usr/bin/env python3
+"""`drc view` in a browser and under fire: it loads, refines, follows its camera, and survives bad requests.
+
+    tests/view_in_browser_test.py DRC [--screenshots FOLDER]
+
+Without Chromium the tests of the page are skipped; those of the server alone are not.
+"""
+import argparse
+import http.client
+import json
+import pathlib
+import random
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import threading
+import time
+import unittest
+import urllib.error
+import urllib.parse
+import urllib.request
+
+from browser import PATIENCE, Browser, find_browser
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SCENE = ROOT / "scenes" / "quickstart" / "scene.pbrt"
+SIZE = (320, 180)
+
+
+class View:
+    """A running `drc view`."""
+
+    def __init__(self, drc, *options, size=SIZE):
+        self.process = subprocess.Popen([drc, "view", SCENE, "--resolution", f"{size[0]}x{size[1]}", *options],
+                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.url = self.process.stdout.readline().strip()
+        parts = urllib.parse.urlsplit(self.url)
+        self.port, self.path = parts.port, parts.path
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+        self.process.wait(PATIENCE)
+        self.process.stdout.close()
+
+    def get(self, what, **options):
+        with urllib.request.urlopen(self.url + what, timeout=PATIENCE, **options) as response:
+            return response.read()
+
+    def post(self, what, body):
+        return self.get(what, data=body if isinstance(body, bytes) else json.dumps(body).encode())
+
+    def state(self):
+        return json.loads(self.get("state"))
+
+    def wait_for(self, condition):
+        limit = time.monotonic() + PATIENCE
+        while not condition(state := self.state()):
+            if time.monotonic() > limit:
+                raise TimeoutError(state)
+            time.sleep(0.02)
+        return state
+
+    def frame(self, layer="beauty"):
+        data = self.get("frame?layer=" + layer)
+        width, height, channels, number = struct.unpack("<4I", data[:16])
+        values = struct.unpack(f"<{width * height * channels}e", data[16:])
+        return width, height, channels, number, values
+
+    def raw(self, data, timeout=20):
+        """What the server answers to these bytes."""
+        with socket.create_connection(("127.0.0.1", self.port), timeout) as s:
+            s.sendall(data)
+            answer = b""
+            try:
+                while chunk := s.recv(65536):
+                    answer += chunk
+            except (ConnectionError, TimeoutError):
+                pass
+            return answer
+
+
+def status_of(call):
+    try:
+        call()
+        return 200
+    except urllib.error.HTTPError as error:
+        return error.code
+
+
+class ViewServer(unittest.TestCase):
+    drc = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.view = View(cls.drc)
+        cls.view.wait_for(lambda s: s.get("samples", 0) > 0)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.view.close()
+
+    def test_layers(self):
+        layers = self.view.state()["layers"]
+        for name in ("beauty", "unfiltered", "albedo", "normal", "depth", "variance", "samples"):
+            self.assertIn(name, layers)
+            width, height, channels, number, values = self.view.frame(name)
+            self.assertEqual((width, height), SIZE)
+            self.assertEqual(channels, 1 if name in ("depth", "samples") else 3)
+            self.assertTrue(all(v == v for v in values), name)
+            self.assertGreater(sum(abs(v) for v in values), 0, name)
+
+    def test_pixels(self):
+        self.view.post("pause", True)
+        try:
+            self.view.wait_for(lambda s: s["paused"])
+            time.sleep(0.5)
+            width, _, _, _, values = self.view.frame()
+            pixel = json.loads(self.view.get("pixel?x=37&y=21"))["layers"]["beauty"]
+            for c in range(3):
+                self.assertAlmostEqual(pixel[c], values[3 * (21 * width + 37) + c], delta=1e-3 * (abs(pixel[c]) + 1))
+            self.assertEqual(status_of(lambda: self.view.get("pixel?x=320&y=0")), 400)
+            self.assertEqual(status_of(lambda: self.view.get("pixel?x=-1&y=0")), 400)
+            self.assertEqual(status_of(lambda: self.view.get("pixel?x=1e2&y=0")), 400)
+        finally:
+            self.view.post("pause", False)
+
+    def test_pause(self):
+        self.view.post("pause", True)
+        self.view.wait_for(lambda s: s["paused"])
+        time.sleep(0.5)
+        number = self.view.state()["number"]
+        time.sleep(0.7)
+        self.assertEqual(self.view.state()["number"], number)
+        self.view.post("pause", False)
+        self.view.wait_for(lambda s: s["number"] > number and not s["paused"])
+
+    def test_camera(self):
+        home = self.view.state()["home"]
+        before = self.view.state()["view"]
+        before_picture = self.view.frame()[4]
+        eye = [e + 0.3 * (l - e) for e, l in zip(home["eye"], home["look"])]
+        answer = json.loads(self.view.post("camera", {**home, "eye": eye}))
+        for a, b in zip(answer["eye"], eye):
+            self.assertAlmostEqual(a, b, places=4)
+        self.assertIn("LookAt", answer["pbrt"])
+        self.view.wait_for(lambda s: s["view"] > before and s["samples"] > 0)
+        moved = self.view.frame()[4]
+        difference = sum(abs(a - b) for a, b in zip(moved, before_picture)) / len(moved)
+        self.assertGreater(difference, 0.01)
+        # And back: the same picture, but for noise.
+        view = self.view.state()["view"]
+        self.view.post("camera", home)
+        self.view.wait_for(lambda s: s["view"] > view and s["samples"] > 2)
+        again = self.view.frame()[4]
+        self.assertLess(sum(abs(a - b) for a, b in zip(again, before_picture)) / len(again), difference / 4)
+
+    def test_camera_of_another_size(self):
+        home, before = self.view.state()["home"], self.view.state()["view"]
+        self.view.post("camera", {**home, "width": 160, "height": 90, "moving": True})
+        self.view.wait_for(lambda s: s["view"] > before)
+        self.assertEqual(self.view.frame()[:2], (160, 90))
+        before = self.view.state()["view"]
+        self.view.post("camera", home)
+        self.view.wait_for(lambda s: s["view"] > before)
+        self.assertEqual(self.view.frame()[:2], SIZE)
+
+    def test_cameras_that_look_nowhere(self):
+        home = self.view.state()["home"]
+        for wrong in ({}, [], "x", {**home, "eye": home["look"]}, {**home, "up": [0, 0, 0]}, {**home, "eye": [1, 2]},
+                      {**home, "eye": [1e30, 0, 0]}, {**home, "eye": ["a", 0, 0]}, {**home, "width": 1},
+                      {**home, "width": 100000}, {**home, "height": 1.5},
+                      {**home, "up": [l - e for e, l in zip(home["eye"], home["look"])]}):
+            self.assertEqual(status_of(lambda: self.view.post("camera", wrong)), 400, wrong)
+        self.assertEqual(status_of(lambda: self.view.post("camera", b"{\"eye\": [NaN, 0, 0]")), 400)
+
+    def test_what_is_not_allowed(self):
+        port = self.view.port
+        def status(method, path, headers=None, body=None):
+            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=PATIENCE)
+            connection.request(method, path, body, headers or {})
+            code = connection.getresponse().status
+            connection.close()
+            return code
+        good = self.view.path + "state"
+        self.assertEqual(status("GET", good), 200)
+        self.assertEqual(status("GET", good, {"Host": "evil.example"}), 403)
+        self.assertEqual(status("GET", good, {"Host": f"evil.example:{port}"}), 403)
+        self.assertEqual(status("GET", good, {"Host": f"localhost:{port}"}), 200)
+        self.assertEqual(status("POST", self.view.path + "pause", {"Origin": "http://evil.example"}, "true"), 403)
+        self.assertEqual(status("POST", self.view.path + "pause", {"Origin": f"http://127.0.0.1:{port}"}, "false"), 200)
+        self.assertEqual(status("GET", "/state"), 403)
+        self.assertEqual(status("GET", "/" + "0" * 32 + "/state"), 403)
+        self.assertEqual(status("GET", self.view.path[:-1]), 403)
+        self.assertEqual(status("DELETE", good), 405)
+        self.assertEqual(status("GET", self.view.path + "pause"), 405)
+        self.assertEqual(status("POST", good, None, "x"), 404)
+        self.assertEqual(status("GET", self.view.path + "nothing"), 404)
+        for path in ("../../etc/passwd", "%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", "frame?layer=/etc/passwd"):
+            self.assertIn(status("GET", self.view.path + path), (403, 404), path)
+        self.assertEqual(status("GET", self.view.path + "frame?layer=%zz"), 400)
+        self.assertEqual(status("GET", self.view.path + "frame?layer=%00"), 400)
+        self.assertEqual(status("GET", self.view.path + "a" * 5000), 400)
+        self.assertEqual(status("POST", self.view.path + "compare", None, b"not a picture"), 400)
+
+    def test_the_page_may_not_load_anything(self):
+        with urllib.request.urlopen(self.view.url) as response:
+            self.assertIn("default-src 'none'", response.headers["Content-Security-Policy"])
+            self.assertEqual(response.headers["X-Content-Type-Options"], "nosniff")
+            text = response.read().decode()
+        self.assertNotIn("http://", text.replace("http://www.w3.org", ""))
+        self.assertNotIn("https://", text)
+
+    def test_saves_what_it_shows(self):
+        data = self.view.get("save.exr")
+        self.assertEqual(data[:4], b"\x76\x2f\x31\x01")
+        self.assertIn(b"Denoising Albedo", data)
+        size = json.loads(self.view.post("compare", data))
+        self.assertEqual((size["width"], size["height"]), SIZE)
+        self.assertEqual(self.view.frame("reference")[:3], (*SIZE, 3))
+
+    def test_malformed_requests(self):
+        generator = random.Random(1)
+        good = f"GET {self.view.path}state HTTP/1.1\r\nHost: 127.0.0.1:{self.view.port}\r\n\r\n".encode()
+        refused = 0
+        for i in range(1000):
+            data = bytearray(good)
+            for _ in range(generator.randrange(1, 6)):
+                kind = generator.randrange(4)
+                at = generator.randrange(len(data))
+                if kind == 0:
+                    data[at] = generator.randrange(256)
+                elif kind == 1:
+                    del data[at:at + generator.randrange(1, 20)]
+                elif kind == 2:
+                    data[at:at] = bytes(generator.randrange(256) for _ in range(generator.randrange(1, 40)))
+                else:
+                    data[at:at] = generator.choice([b"Content-Length: 99999999999\r\n", b"\r\n\r\n", b"%", b"\0",
+                                                    b"Transfer-Encoding: chunked\r\n", b"A" * 3000, b"HTTP/9.9"])
+                if not data:
+                    data = bytearray(b"x")
+            with socket.create_connection(("127.0.0.1", self.view.port), PATIENCE) as s:
+                s.sendall(bytes(data))
+                s.shutdown(socket.SHUT_WR)
+                s.settimeout(PATIENCE)
+                try:
+                    answer = s.recv(64)
+                except ConnectionError:
+                    answer = b""
+            refused += answer[:12] != b"HTTP/1.1 200"
+        self.assertGreater(refused, 500)
+        self.assertIn("number", self.view.state())
+
+    def test_too_large(self):
+        head = f"POST {self.view.path}compare HTTP/1.1\r\nHost: 127.0.0.1:{self.view.port}\r\n".encode()
+        answer = self.view.raw(head + b"Content-Length: 10000000000\r\n\r\n")
+        self.assertTrue(answer.startswith(b"HTTP/1.1 413"), answer[:40])
+        answer = self.view.raw(b"GET / HTTP/1.1\r\nX: " + b"a" * 100000 + b"\r\n\r\n")
+        self.assertTrue(answer == b"" or answer.startswith(b"HTTP/1.1 4"), answer[:40])
+
+    def test_many_fast_requests(self):
+        def ask():
+            connection = http.client.HTTPConnection("127.0.0.1", self.view.port, timeout=PATIENCE)
+            for _ in range(2500):
+                connection.request("GET", self.view.path + "state")
+                response = connection.getresponse()
+                response.read()
+                if response.status != 200:
+                    wrong.append(response.status)
+            connection.close()
+        wrong = []
+        threads = [threading.Thread(target=ask) for _ in range(4)]
+        for t in threads:
+            t.start()
+        for t in threads:
+            t.join()
+        self.assertEqual(wrong, [])
+
+    def test_idle_connections(self):
+        idle = [socket.create_connection(("127.0.0.1", self.view.port), PATIENCE) for _ in range(100)]
+        try:
+            self.assertIn("number", self.view.state())
+            more = [socket.create_connection(("127.0.0.1", self.view.port), PATIENCE) for _ in range(60)]
+            self.assertIn("number", self.view.state())
+            for s in more:
+                s.close()
+        finally:
+            for s in idle:
+                s.close()
+        self.assertIn("number", self.view.state())
+
+    def test_events_by_many(self):
+        # Clients that never read, beside one that does.
+        deaf = []
+        for _ in range(5):
+            s = socket.create_connection(("127.0.0.1", self.view.port), PATIENCE)
+            s.sendall(f"GET {self.view.path}events HTTP/1.1\r\nHost: 127.0.0.1:{self.view.port}\r\n\r\n".encode())
+            deaf.append(s)
+        with urllib.request.urlopen(self.view.url + "events", timeout=PATIENCE) as stream:
+            self.view.post("camera", self.view.state()["home"])
+            numbers = []
+            while len(numbers) < 3:
+                line = stream.readline()
+                if line.startswith(b"data: "):
+                    event = json.loads(line[6:])
+                    if "number" in event:
+                        numbers.append(event["number"])
+        self.assertEqual(numbers, sorted(numbers))
+        for s in deaf:
+            s.close()
+
+
+class ViewInBrowser(unittest.TestCase):
+    drc = screenshots = program = None
+
+    @classmethod
+    def setUpClass(cls):
+        if cls.program is None:
+            raise unittest.SkipTest("there is no Chromium here")
+        cls.view = View(cls.drc)
+        cls.browser = Browser(cls.program)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.view.close()
+
+    def setUp(self):
+        self.browser.resize(1280, 800)
+        self.browser.events.clear()
+        self.browser.open(self.view.url)
+        self.browser.wait_for("document.body.dataset.drawn > 0")
+
+    def tearDown(self):
+        failures = [e for e in self.browser.events
+                    if e.get("method") == "Runtime.exceptionThrown"
+                    or e.get("method") == "Runtime.consoleAPICalled" and e["params"]["type"] == "error"
+                    or e.get("method") == "Log.entryAdded" and e["params"]["entry"]["level"] == "error"]
+        self.assertEqual(failures, [])
+
+    def mean(self):
+        """The mean of what is on the screen."""
+        return self.browser.run("""(() => { const c = document.getElementById("screen");
+            const d = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+            let s = 0; for (let i = 0; i < d.length; i += 4) s += d[i] + d[i + 1] + d[i + 2];
+            return s / (d.length / 4) / 3; })()""")
+
+    def change(self, element, value):
+        self.browser.run(f"""(() => {{ const e = document.getElementById({element!r}); e.value = {value!r};
+            for (const type of ["input", "change"]) e.dispatchEvent(new Event(type, {{ bubbles: true }})); }})()""")
+
+    def settle(self):
+        self.browser.run("new Promise(r => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(r, 50))))")
+
+    def test_refines(self):
+        first = self.browser.run("Number(document.body.dataset.drawn)")
+        self.browser.wait_for(f"document.body.dataset.drawn > {first + 2}")
+        self.assertIn("spp", self.browser.run("document.getElementById('status').textContent"))
+        self.assertGreater(self.mean(), 10)
+        if self.screenshots:
+            time.sleep(3)
+            self.browser.screenshot(self.screenshots / "view.png", whole=False)
+
+    def test_exposure_and_views(self):
+        dark = self.mean()
+        self.change("exposure", "2")
+        self.settle()
+        self.assertGreater(self.mean(), 1.2 * dark)
+        self.change("view", "agx")
+        self.settle()
+        self.assertNotEqual(self.mean(), dark)
+        self.browser.run("document.getElementById('auto').click()")
+        self.browser.wait_for("document.getElementById('stops').textContent !== '2.0 stops'")
+
+    def test_layers(self):
+        for name in ("normal", "albedo", "depth", "variance", "samples", "unfiltered"):
+            self.change("layer", name)
+            self.browser.wait_for(f"layer === {name!r} && current.channels === {1 if name in ('depth', 'samples') else 3}")
+            self.settle()
+            self.assertGreater(self.mean(), 1, name)
+
+    def test_orbit_and_reset(self):
+        view = self.view.state()["view"]
+        eye = self.view.state()["camera"]["eye"]
+        self.browser.mouse("mousePressed", 400, 400, 1)
+        for i in range(8):
+            self.browser.mouse("mouseMoved", 400 + 10 * i, 400, 1)
+        self.browser.mouse("mouseReleased", 480, 400)
+        self.view.wait_for(lambda s: s["view"] > view and s["samples"] > 0)
+        moved = self.view.state()["camera"]
+        self.assertGreater(sum(abs(a - b) for a, b in zip(moved["eye"], eye)), 0.05)
+        home = self.view.state()["home"]
+        for c in range(3):
+            self.assertAlmostEqual(moved["look"][c], home["look"][c], places=3)
+        self.browser.run("document.getElementById('home').click()")
+        self.view.wait_for(lambda s: s["camera"]["eye"] == home["eye"] and s["samples"] > 0)
+        self.assertEqual(tuple(self.view.state()["film"]), SIZE)
+
+    def test_flies(self):
+        eye = self.view.state()["camera"]["eye"]
+        self.browser.run("document.getElementById('screen').focus()")
+        self.browser.call("Input.dispatchKeyEvent", type="keyDown", key="w", code="KeyW")
+        time.sleep(0.4)
+        self.browser.call("Input.dispatchKeyEvent", type="keyUp", key="w", code="KeyW")
+        self.view.wait_for(lambda s: sum(abs(a - b) for a, b in zip(s["camera"]["eye"], eye)) > 0.01)
+        self.browser.run("document.getElementById('home').click()")
+
+    def test_pause(self):
+        self.browser.run("document.getElementById('pause').click()")
+        self.view.wait_for(lambda s: s["paused"])
+        self.browser.wait_for("document.getElementById('pause').textContent === 'Continue'")
+        self.browser.run("document.getElementById('pause').click()")
+        self.view.wait_for(lambda s: not s["paused"])
+
+    def test_inspect(self):
+        self.browser.run("document.getElementById('mode').click()")
+        self.browser.call("Input.dispatchMouseEvent", type="mouseWheel", x=400, y=400, deltaX=0, deltaY=-2000)
+        self.browser.wait_for("zoom > 4")
+        self.browser.mouse("mouseMoved", 410, 400)
+        self.assertRegex(self.browser.run("document.getElementById('pixel').textContent"), r"\d+, \d+ +beauty +[\d.e-]+")
+        self.assertEqual(self.view.state()["camera"]["eye"], self.view.state()["home"]["eye"])
+
+    def test_compares(self):
+        self.browser.run("""(async () => {
+            const data = await (await fetch("save.exr")).blob(), transfer = new DataTransfer();
+            transfer.items.add(new File([data], "before.exr"));
+            const input = document.getElementById("file");
+            input.files = transfer.files;
+            input.dispatchEvent(new Event("change")); })()""")
+        self.browser.wait_for("reference !== null && !document.getElementById('split').disabled")
+        self.change("split", "0.25")
+        self.settle()
+        self.assertGreater(self.mean(), 10)
+
+    def test_two_viewers_and_reload(self):
+        with urllib.request.urlopen(self.view.url + "events", timeout=PATIENCE) as stream:
+            self.browser.open(self.view.url)
+            self.browser.wait_for("document.body.dataset.drawn > 0")
+            self.view.post("camera", self.view.state()["home"])
+            self.assertTrue(stream.readline())
+
+    def test_narrow(self):
+        self.browser.resize(360, 640)
+        self.browser.open(self.view.url)
+        self.browser.wait_for("document.body.dataset.drawn > 0")
+        self.assertLessEqual(self.browser.run("document.documentElement.scrollWidth"), 360)
+        self.browser.run("document.getElementById('panel').click()")
+        self.assertTrue(self.browser.run("document.getElementById('controls').getBoundingClientRect().width <= 360"))
+        if self.screenshots:
+            self.browser.screenshot(self.screenshots / "view-narrow.png", whole=False)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("drc", type=pathlib.Path)
+    parser.add_argument("--screenshots", type=pathlib.Path, help="folder for screenshots of the page")
+    parser.add_argument("tests", nargs="*", help="names of single tests, as ViewServer.test_pause")
+    args = parser.parse_args()
+    if args.screenshots:
+        args.screenshots.mkdir(parents=True, exist_ok=True)
+    ViewServer.drc = ViewInBrowser.drc = args.drc.resolve(strict=True)
+    ViewInBrowser.program = find_browser()
+    ViewInBrowser.screenshots = args.screenshots
+    loader = unittest.defaultTestLoader
+    tests = loader.loadTestsFromNames(args.tests, sys.modules[__name__]) if args.tests else unittest.TestSuite(
+        map(loader.loadTestsFromTestCase, (ViewServer, ViewInBrowser)))
+    return 0 if unittest.TextTestRunner(verbosity=2).run(tests).wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
