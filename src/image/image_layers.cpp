@@ -32,7 +32,8 @@ std::string suffixOfChannel(const std::string& channel) { return channel.substr(
 std::vector<std::string> layerNames(const Image& image) {
     std::vector<std::string> names;
     for (const std::string& channel : image.channelNames())
-        if (const std::string layer = layerOfChannel(channel); std::find(names.begin(), names.end(), layer) == names.end())
+        if (const std::string layer = layerOfChannel(channel);
+            std::find(names.begin(), names.end(), layer) == names.end())
             names.push_back(layer);
     return names;
 }
