@@ -31,4 +31,14 @@ inline CLI::Validator numberAbove(double bound, bool inclusive = false) {
 }
 inline CLI::Validator numberFrom(double least) { return numberAbove(least, true); }
 
+// A number in [low, high].
+inline CLI::Validator numberIn(double low, double high) {
+    return {[=](std::string& text) -> std::string {
+                double value = 0;
+                if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return "";
+                return fmt::format("{} is not a number from {:g} to {:g}", text, low, high);
+            },
+            fmt::format("NUMBER in [{:g}, {:g}]", low, high)};
+}
+
 }  // namespace drc

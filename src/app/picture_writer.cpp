@@ -37,13 +37,23 @@ void checkOutput(const std::string& option, const std::string& path) {
         throw Error(option + " " + path + ": there is no folder " + folder.string());
 }
 
-std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, const ExrMetadata& metadata) const {
+PngTexts pngTexts(const ExrMetadata& metadata) {
+    PngTexts texts;
+    for (const auto& [key, text] : metadata)
+        if (key != "drc:command" && !text.empty()) texts[key] = text;
+    return texts;
+}
+
+std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, const ExrMetadata& given) const {
+    const float stops = exposureOf(display_, picture.beauty);
+    ExrMetadata metadata = given;
+    metadata.merge(displayMetadata(display_.view, stops));
     const PixelRegion& region = picture.film->region();
     const ExrWindow window{region.x0, region.y0, settings_.film.width, settings_.film.height};
     std::vector<std::string> files;
     for (const std::string& path : outputs_) {
         if (outputKind(path) == OutputKind::Png) {
-            files.push_back(encodePng(picture.beauty));
+            files.push_back(encodePng(viewed(picture.beauty, display_.view, stops), path, pngTexts(metadata)));
             continue;
         }
         std::vector<ExrLayer> layers{{"", &picture.beauty}};

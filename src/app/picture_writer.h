@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "image/display.h"
 #include "image/image_io.h"
 #include "render/layered_picture.h"
 
@@ -16,10 +17,13 @@ void checkOutput(const std::string& option, const std::string& path);
 
 class PictureWriter {
   public:
-    PictureWriter(const RenderSettings& settings, std::vector<std::string> outputs, bool aovs)
-        : settings_(settings), outputs_(std::move(outputs)), aovs_(aovs) {}
+    PictureWriter(const RenderSettings& settings, std::vector<std::string> outputs, bool aovs,
+                  const DisplaySettings& display = {})
+        : settings_(settings), outputs_(std::move(outputs)), aovs_(aovs), display_(display) {}
 
-    // Encodes the picture for every output and returns the bytes of each file.
+    // Encodes the picture for every output and returns the bytes of each file: EXR files with the radiance as it is,
+    // PNG files as the display settings say. All files have the metadata, and what displayMetadata() tells of the
+    // picture.
     std::vector<std::string> encode(const LayeredPicture& picture, const ExrMetadata& metadata) const;
     // Writes the files that encode() returned, each whole or not at all.
     void write(const std::vector<std::string>& files) const;
@@ -33,6 +37,11 @@ class PictureWriter {
     RenderSettings const& settings_;
     std::vector<std::string> outputs_;
     bool aovs_;
+    DisplaySettings display_;
 };
+
+// What PNG files keep of a picture's metadata: all but the command line, because PNG files are shown around, and what
+// is empty.
+PngTexts pngTexts(const ExrMetadata& metadata);
 
 }  // namespace drc

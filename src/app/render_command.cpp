@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/command.h"
+#include "app/display_options.h"
 #include "app/memory_table.h"
 #include "app/models.h"
 #include "app/picture_finisher.h"
@@ -98,6 +99,7 @@ void render(RenderOptions o, const CLI::App& command) {
         outputKind(path);
         checkOutput("-o", path);
     }
+    if (!o.outputs.empty()) refuseDisplayOptionsWithoutPng(command, o.outputs);
     if (!o.timing.empty()) checkOutput("--timing", o.timing);
 
     Stats stats;
@@ -118,7 +120,7 @@ void render(RenderOptions o, const CLI::App& command) {
 
     const auto build = Clock::now();
     Session session(*scene, params, chosen.mapDenoiser, &stats, start);
-    PictureWriter writer(scene->settings, o.outputs, o.aovs);
+    PictureWriter writer(scene->settings, o.outputs, o.aovs, o.display);
     PictureFinisher finisher(filtersFor(params, denoiser), writer, stats);
     memory.afterBuilding(*scene);
     const auto rendering = Clock::now();

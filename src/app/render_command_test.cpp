@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "app/command.h"
+#include "base/atomic_file.h"
 #include "base/folder_testing.h"
+#include "image/auto_exposure.h"
+#include "image/color.h"
 #include "image/image_io.h"
+#include "image/view_transform.h"
 #include "render/integrator.h"
 #include "render/open_image_denoise.h"
 
@@ -156,6 +160,42 @@ TEST_F(RenderCommandTest, ShowsWhatDenoisersWantAndChangesNothingElse) {
         EXPECT_EQ(channel("Debug Sample Count.X", 12, 8), 8);
         EXPECT_GT(channel("Denoising Variance.G", 12, 8), 0);
     }
+}
+
+TEST_F(RenderCommandTest, ExposureAndViewAreThePngsAlone) {
+    const auto png = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"--integrator", "path", "--denoise", "off", "-o", path("out.png")});
+        run(arguments);
+        return readLinearRgb(path("out.png"));
+    };
+    const auto texts = [&] { return decodePngTexts({readFile(path("out.png")), ""}); };
+    const Image plain = png({});
+    const Image radiance = readLinearRgb(path("out.exr"));
+    EXPECT_EQ(texts().at("drc:display_view"), "srgb");
+    EXPECT_EQ(texts().at("drc:display_exposure"), "0");
+    EXPECT_EQ(texts().at("drc:seed"), "3");
+    EXPECT_EQ(texts().count("drc:command"), 0u);
+    const Image darker = png({"--exposure", "-2", "--view", "agx"});
+    EXPECT_EQ(readLinearRgb(path("out.exr")).data(), radiance.data());
+    EXPECT_EQ(texts().at("drc:display_view"), "agx");
+    EXPECT_EQ(readExrMetadata(path("out.exr")).at("drc:display_exposure"), "-2");
+    const Image automatic = png({"--auto-exposure", "--exposure", "0.5"});
+    const float stops = autoExposure(radiance) + 0.5f;
+    EXPECT_NEAR(std::stof(texts().at("drc:display_exposure")), stops, 1e-3 * std::abs(stops) + 1e-6);
+    for (int x = 0; x < 24; ++x) {
+        const Rgb c = radiance.rgb(x, 9);
+        EXPECT_NEAR(srgbEncode(plain.at(x, 9, 1)), srgbEncode(clamp01(c.y)), 0.51 / 255);
+        EXPECT_NEAR(srgbEncode(darker.at(x, 9, 1)), srgbEncode(viewed(c * 0.25f, View::Agx).y), 0.51 / 255);
+        EXPECT_NEAR(srgbEncode(automatic.at(x, 9, 1)), srgbEncode(clamp01(c.y * std::exp2(stops))), 0.51 / 255);
+    }
+}
+
+TEST_F(RenderCommandTest, DisplayOptionsWantAPng) {
+    EXPECT_EQ(errorOf([&] {
+                  run({"--view", "agx", "--auto-exposure"});
+              }),
+              "--auto-exposure, --view: EXR files stay linear and unexposed; give a .png as output, too");
+    EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
 }
 
 TEST_F(RenderCommandTest, SaysWhatItLacksOfOpenImageDenoise) {

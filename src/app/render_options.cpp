@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "app/display_options.h"
 #include "app/option_checks.h"
 #include "base/error.h"
 #include "render/integrator.h"
@@ -70,6 +71,7 @@ void addFilm(CLI::App& command, RenderOptions& o) {
     command.add_flag("--aovs", o.aovs,
                      "Also write the inputs of denoisers to EXR files: the G-buffer (albedo, normal, depth), the "
                      "variance and the number of samples of each pixel");
+    addDisplayOptions(command, o.display);
 }
 
 void addMaps(CLI::App& command, RenderOptions& o) {

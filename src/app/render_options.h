@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "image/display.h"
 #include "render/render_params.h"
 
 namespace drc {
@@ -11,6 +12,7 @@ namespace drc {
 struct RenderOptions {
     std::string scene;
     std::vector<std::string> outputs;
+    DisplaySettings display;
     RenderParams params;  // options that determine the picture write to these
     std::string mapDenoiser = "network";
     std::string weights;

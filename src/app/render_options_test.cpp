@@ -56,6 +56,15 @@ TEST(RenderOptions, LeaveTheDenoiserOpen) {
     }
 }
 
+TEST(RenderOptions, DisplayIsSrgbWithoutExposureUnlessTheySayOtherwise) {
+    EXPECT_EQ(parsed({}).display, DisplaySettings{});
+    EXPECT_EQ(parsed({"--exposure", "-1.5", "--auto-exposure", "--view", "agx"}).display,
+              (DisplaySettings{-1.5f, true, View::Agx}));
+    EXPECT_EQ(parsed({"--view", "filmic"}).display.view, View::Filmic);
+    EXPECT_THAT(complaint({"--view", "raw"}), AllOf(HasSubstr("raw"), HasSubstr("srgb,filmic,agx")));
+    for (const char* bad : {"nan", "101", "x"}) EXPECT_THAT(complaint({"--exposure", bad}), HasSubstr("--exposure"));
+}
+
 // As pbrt spells them.
 TEST(RenderOptions, TakePbrtsSpellings) {
     const RenderOptions o = parsed({"--outfile", "a.exr", "--cropwindow", "0", ".5", ".25", "1", "--quick", "-D",

@@ -146,6 +146,20 @@ ImageFile decodeExr(const EncodedImage& encoded) {
     return file;
 }
 
+ExrWindow decodeExrWindow(const EncodedImage& encoded) {
+    requireSoundExrHeaders(encoded);
+    MemoryStream stream(encoded);
+    const Imf::MultiPartInputFile parts(stream);
+    const Imath::Box2i data = parts.header(0).dataWindow(), display = parts.header(0).displayWindow();
+    // As of windows that are close to the ends of what an int holds, which no renderer writes.
+    const auto offset = [&](int a, int b, int limit) {
+        return int(std::clamp<int64_t>(int64_t(a) - b, -limit, limit));
+    };
+    constexpr int kMost = limits::kFilmSide;
+    return {offset(data.min.x, display.min.x, kMost), offset(data.min.y, display.min.y, kMost),
+            offset(display.max.x, display.min.x, kMost - 1) + 1, offset(display.max.y, display.min.y, kMost - 1) + 1};
+}
+
 ExrMetadata decodeExrMetadata(const EncodedImage& encoded) {
     requireSoundExrHeaders(encoded);
     MemoryStream stream(encoded);

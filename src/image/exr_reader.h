@@ -12,6 +12,9 @@ namespace drc {
 // pictures and channels with fewer pixels than others are refused. Throws Error or an exception of OpenEXR.
 ImageFile decodeExr(const EncodedImage& encoded);
 
+// The place of the first part's data window within its display window, whose corner is taken for (0, 0).
+ExrWindow decodeExrWindow(const EncodedImage& encoded);
+
 // The string attributes of the first part.
 ExrMetadata decodeExrMetadata(const EncodedImage& encoded);
 

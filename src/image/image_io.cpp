@@ -134,6 +134,28 @@ ExrMetadata readExrMetadata(const std::string& path) {
     return decoded(path, [&] { return decodeExrMetadata(encoded); });
 }
 
+ExrMetadata readMetadata(const std::string& path) {
+    requireFile(path);
+    const MappedFile file(path);
+    const EncodedImage encoded{file.bytes(), path};
+    switch (imageFormatOf(encoded.bytes, path)) {
+        case ImageFormat::Exr:
+            return decoded(path, [&] { return decodeExrMetadata(encoded); });
+        case ImageFormat::Png:
+            return decodePngTexts(encoded);
+        default:
+            return {};
+    }
+}
+
+ExrWindow readExrWindow(const std::string& path) {
+    requireFile(path);
+    const MappedFile file(path);
+    const EncodedImage encoded{file.bytes(), path};
+    if (imageFormatOf(encoded.bytes, path) != ImageFormat::Exr) return {};
+    return decoded(path, [&] { return decodeExrWindow(encoded); });
+}
+
 void writePng(const std::string& path, const Image& linear) { writeFileAtomically(path, encodePng(linear, path)); }
 
 }  // namespace drc

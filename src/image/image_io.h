@@ -24,6 +24,11 @@ Image linearRgbOf(const ImageFile& file);
 // The string attributes of the first part. Throws Error if the file is not an EXR.
 ExrMetadata readExrMetadata(const std::string& path);
 
+// The string attributes of an EXR, the notes of a PNG, nothing of other formats. Throws Error if the file is damaged.
+ExrMetadata readMetadata(const std::string& path);
+// The window of an EXR; an empty one of other formats.
+ExrWindow readExrWindow(const std::string& path);
+
 // Writes linear RGB (the first three channels, or grey) as an 8-bit sRGB PNG, clipped at 1; whole or not at all.
 void writePng(const std::string& path, const Image& linear);
 

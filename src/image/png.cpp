@@ -4,6 +4,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <csetjmp>
 #include <cstring>
@@ -111,7 +112,20 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    void writeHeader(int width, int height) {
+    void writeHeader(int width, int height, const PngTexts& texts) {
+        for (const auto& [keyword, text] : texts) {
+            if (!isKeyword(keyword)) {
+                std::strncpy(message_.text, "a keyword of its notes is not one", sizeof(message_.text) - 1);
+                fail();
+            }
+            png_text note{};
+            note.compression = isAscii(text) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+            note.key = const_cast<char*>(keyword.c_str());  // libpng copies both
+            note.text = const_cast<char*>(text.c_str());
+            note.text_length = isAscii(text) ? text.size() : 0;
+            note.itxt_length = isAscii(text) ? 0 : text.size();
+            notes_.push_back(note);
+        }
         if (!writeHeaderOrJump(png_uint_32(width), png_uint_32(height))) fail();
     }
     void writeRow(png_const_bytep row) {
@@ -133,6 +147,7 @@ class PngWriter {
         // Of what libpng would choose, sizes differ by a few percent, and reports compare the sizes of pictures.
         png_set_compression_strategy(png_, Z_DEFAULT_STRATEGY);
         png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
+        if (!notes_.empty()) png_set_text(png_, info_, notes_.data(), int(notes_.size()));
         png_write_info(png_, info_);
         return true;
     }
@@ -158,8 +173,17 @@ class PngWriter {
     }
     [[noreturn]] void fail() const { throw Error(fmt::format("cannot write {}: {}", path_, message_.text)); }
 
+    static bool isAscii(std::string_view text) {
+        return std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
+    }
+    static bool isKeyword(std::string_view text) {
+        return !text.empty() && text.size() < 80 && text.front() != ' ' && text.back() != ' ' &&
+               std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+    }
+
     const std::string& path_;
     std::string bytes_;
+    std::vector<png_text> notes_;
     Message message_;
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
@@ -210,10 +234,43 @@ ImageFile decodePng(const EncodedImage& encoded) {
     return file;
 }
 
-std::string encodePng(const Image& linear, const std::string& path) {
+PngTexts decodePngTexts(const EncodedImage& encoded) {
+    // The layout of a file and of its chunks: sections 5.2, 5.3 and 11.3.3 of the PNG specification, third edition.
+    constexpr size_t kSignature = 8, kAround = 12;  // length, name and check sum
+    PngTexts texts;
+    std::string_view rest = encoded.bytes.substr(std::min(kSignature, encoded.bytes.size()));
+    const auto big32 = [](std::string_view bytes) {
+        uint32_t value = 0;
+        for (size_t i = 0; i < 4; ++i) value = value << 8 | uint8_t(bytes[i]);
+        return value;
+    };
+    while (rest.size() >= kAround && big32(rest) <= rest.size() - kAround) {
+        const std::string_view name = rest.substr(4, 4), data = rest.substr(8, big32(rest));
+        rest.remove_prefix(kAround + data.size());
+        const size_t end = data.find('\0');
+        if (end == std::string_view::npos || end == 0) continue;
+        std::string text;
+        if (name == "tEXt") {
+            text = data.substr(end + 1);
+            for (char& c : text) c = uint8_t(c) < 128 ? c : '?';
+        } else if (name == "iTXt" && data.size() > end + 3 && data[end + 1] == 0) {
+            // After two flags stand the language and the translated keyword.
+            const size_t language = data.find('\0', end + 3);
+            const size_t keyword = language == std::string_view::npos ? language : data.find('\0', language + 1);
+            if (keyword == std::string_view::npos) continue;
+            text = data.substr(keyword + 1);
+        } else {
+            continue;
+        }
+        texts[std::string(data.substr(0, end))] = std::move(text);
+    }
+    return texts;
+}
+
+std::string encodePng(const Image& linear, const std::string& path, const PngTexts& texts) {
     if (linear.empty()) throw Error(fmt::format("cannot write {}: the image is empty", path));
     PngWriter writer(path);
-    writer.writeHeader(linear.width(), linear.height());
+    writer.writeHeader(linear.width(), linear.height(), texts);
     std::vector<uint8_t> row;
     row.reserve(size_t(linear.width()) * 3);
     for (int y = 0; y < linear.height(); ++y) {

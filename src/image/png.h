@@ -1,5 +1,6 @@
 // PNG, by libpng.
 #pragma once
+#include <map>
 #include <string>
 
 #include "image/encoded_image.h"
@@ -11,8 +12,15 @@ namespace drc {
 // colours; 1, 2 and 4 bits become 8. Gamma and colour profiles are ignored. Throws Error.
 ImageFile decodePng(const EncodedImage& encoded);
 
+// Notes in a PNG: keywords of 1 to 79 characters, ASCII, and texts.
+using PngTexts = std::map<std::string, std::string>;
+
+// The notes of a file that are not compressed (tEXt and iTXt), in UTF-8; Latin-1 beyond ASCII becomes "?". Damaged ones
+// are left out, and so is what comes after the file's end, if it is cut short: notes do not change the pixels.
+PngTexts decodePngTexts(const EncodedImage& encoded);
+
 // Encodes linear RGB (the first three channels, or grey) as 8-bit sRGB, clipped at 1. `path` is for messages. Throws
-// Error if the image is empty.
-std::string encodePng(const Image& linear, const std::string& path = "a PNG");
+// Error if the image is empty or a keyword is not one.
+std::string encodePng(const Image& linear, const std::string& path = "a PNG", const PngTexts& texts = {});
 
 }  // namespace drc

@@ -100,6 +100,34 @@ TEST(Png, WhatIsWrittenIsSrgbAndSaysSo) {
     EXPECT_THAT(errorOf([] { encodePng(Image()); }), HasSubstr("the image is empty"));
 }
 
+TEST(Png, KeepsNotes) {
+    const PngTexts texts{{"drc:view", "agx"}, {"Author", "J\u00f6rg"}, {"empty", ""}};
+    const std::string file = encodePng(Image(2, 1), "a.png", texts);
+    EXPECT_EQ(decodePngTexts({file, "a.png"}), texts);
+    EXPECT_THAT(bytesOf(file), ElementsAre(0, 0, 0, 0, 0, 0));
+    EXPECT_EQ(encodePng(Image(2, 1), "a.png", {}), encodePng(Image(2, 1)));
+    for (const std::string& keyword : {""s, std::string(80, 'a'), " a"s, "a\n"s})
+        EXPECT_EQ(errorOf([&] {
+                      encodePng(Image(1, 1), "a.png", {{keyword, "x"}});
+                  }),
+                  "cannot write a.png: a keyword of its notes is not one");
+}
+
+TEST(Png, DamagedNotesAreLeftOut) {
+    const std::string file = encodePng(Image(2, 1), "a.png", {{"a", "text"}, {"b", "\u00f6"}});
+    for (size_t n = 0; n < file.size(); ++n) {
+        const PngTexts texts = decodePngTexts({std::string_view(file).substr(0, n), "a.png"});
+        EXPECT_TRUE(texts.empty() || texts.at("a") == "text") << n;
+    }
+    for (const std::string& data : {"no end"s, "\0x"s, "k\0\1\0\0\0packed"s, "k\0"s, "k\0\0\0en"s})
+        EXPECT_TRUE(decodePngTexts({rowPng(1, 8, PNG_COLOR_TYPE_GRAY, "a", chunk("iTXt", data)), ""}).empty()) << data;
+    std::string hostile = rowPng(1, 8, PNG_COLOR_TYPE_GRAY, "a", chunk("tEXt", "k\0v"s));
+    EXPECT_EQ(decodePngTexts({hostile, ""}), (PngTexts{{"k", "v"}}));
+    hostile[8 + 25] = '\x7f';  // a chunk of two gigabytes
+    EXPECT_TRUE(decodePngTexts({hostile, ""}).empty());
+    EXPECT_EQ(decodePngTexts({rowPng(1, 8, PNG_COLOR_TYPE_GRAY, "a", chunk("tEXt", "k\0\xf6"s)), ""}).at("k"), "?");
+}
+
 TEST(Png, SaysWhatIsWrong) {
     const std::string whole = rowPng(3, 8, PNG_COLOR_TYPE_GRAY, "abc");
     for (size_t n = 8; n < whole.size(); ++n)

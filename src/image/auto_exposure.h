@@ -1,0 +1,17 @@
+// Finds the exposure of a picture from the picture alone, as a camera's meter does.
+#pragma once
+#include "image/image.h"
+
+namespace drc {
+
+// Stops by which the picture (linear RGB or grey) is to be brightened so that the picture is neither dark nor burnt
+// out: the trimmed mean of log luminance becomes middle grey (view_transform.h), but no more is clipped at 1 than one
+// pixel in ten; the lesser of the two holds.
+//
+// Lamps, windows and fireflies hardly move it, as long as they fill less than a tenth of the picture; black borders do
+// not, however large: pixels that are 10 stops darker than the brightest tenth are left out. NaN and infinity are left
+// out too. 0 if nothing is left. The same picture gives the same bits, whatever the number of threads, and a picture
+// that is k times as bright gives log2(k) less, to within a 32nd of a stop.
+float autoExposure(const Image& linear);
+
+}  // namespace drc

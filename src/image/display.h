@@ -1,0 +1,25 @@
+// How a picture is shown: its exposure and its view. Shared by PNG files, `drc image` and live views.
+#pragma once
+#include <map>
+#include <string>
+
+#include "image/view_transform.h"
+
+namespace drc {
+
+struct DisplaySettings {
+    float exposure = 0;         // stops; with autoExposure, in addition to it
+    bool autoExposure = false;  // auto_exposure.h
+    View view = View::Srgb;
+
+    bool operator==(const DisplaySettings&) const = default;
+};
+
+// The stops by which the picture is brightened: those of the settings, and those of the automatic exposure. A picture
+// that belongs beside others may be shown with the stops of another one.
+float exposureOf(const DisplaySettings& settings, const Image& linear);
+
+// What a file's metadata says about how its picture is, or with an EXR should be, displayed.
+std::map<std::string, std::string> displayMetadata(View view, float stops);
+
+}  // namespace drc

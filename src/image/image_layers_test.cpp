@@ -1,0 +1,56 @@
+#include "image/image_layers.h"
+
+#include <gmock/gmock.h>
+
+#include "base/folder_testing.h"
+
+namespace drc {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// Channel c of the only pixel is c.
+Image picture(const std::vector<std::string>& channels) {
+    Image image(1, 1, channels);
+    for (size_t c = 0; c < channels.size(); ++c) image.data()[c] = float(c);
+    return image;
+}
+
+const Image kRender = picture({"R", "G", "B", "Denoising Depth.Z", "direct.R", "direct.G", "direct.B", "v.1.x"});
+
+TEST(ImageLayers, AreNamedByWhatStandsBeforeTheLastDot) {
+    EXPECT_THAT(layerNames(kRender), ElementsAre("", "Denoising Depth", "direct", "v.1"));
+    EXPECT_EQ(layerList(kRender), "the beauty, Denoising Depth, direct, v.1");
+    EXPECT_THAT(layerOf(kRender, "direct")->channelNames(), ElementsAre("R", "G", "B"));
+    EXPECT_THAT(layerOf(kRender, "direct")->data(), ElementsAre(4, 5, 6));
+    EXPECT_THAT(layerOf(kRender, "v.1")->channelNames(), ElementsAre("x"));
+    EXPECT_FALSE(layerOf(kRender, "v"));
+}
+
+TEST(ImageLayers, GiveColours) {
+    EXPECT_EQ(rgbOfLayer(kRender, "").rgb(0, 0), Rgb(0, 1, 2));
+    EXPECT_EQ(rgbOfLayer(kRender, "direct").rgb(0, 0), Rgb(4, 5, 6));
+    EXPECT_EQ(rgbOfLayer(kRender, "Denoising Depth").rgb(0, 0), Rgb(3.f));
+    EXPECT_EQ(rgbOfLayer(picture({"B", "G", "R"}), "").rgb(0, 0), Rgb(2, 1, 0));
+    EXPECT_EQ(rgbOfLayer(picture({"A", "Y"}), "").rgb(0, 0), Rgb(1.f));
+    EXPECT_EQ(rgbOfLayer(picture({"n.X", "n.Y", "n.Z"}), "n").rgb(0, 0), Rgb(0, 1, 2));
+    EXPECT_EQ(errorOf([] { rgbOfLayer(kRender, "Direct"); }),
+              "it has no layer \"Direct\"; its layers are: the beauty, Denoising Depth, direct, v.1");
+    EXPECT_THAT(errorOf([] { rgbOfLayer(picture({"R", "G", "a.B"}), ""); }), HasSubstr("no channels R, G and B"));
+}
+
+TEST(ImageLayers, AreReplacedAndRemoved) {
+    Image image = kRender;
+    setBeauty(image, picture({"x", "y", "z"}));
+    image.data()[0] = 9;
+    Image rgb(1, 1);
+    rgb.setRgb(0, 0, Rgb(7, 8, 9));
+    setBeauty(image, rgb);
+    EXPECT_THAT(image.data(), ElementsAre(7, 8, 9, 3, 4, 5, 6, 7));
+    EXPECT_THAT(withoutLayers(image, {"direct", "none", "v.1"}).data(), ElementsAre(7, 8, 9, 3));
+    EXPECT_NE(errorOf([] { withoutLayers(picture({"R"}), {""}); }), "");
+}
+
+}  // namespace
+}  // namespace drc

@@ -1,0 +1,60 @@
+// Merges renders of one scene that were made with different seeds, as if all samples had been taken in one render.
+#pragma once
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "image/picture_file.h"
+
+namespace drc {
+
+// The layers of `drc render --aovs` that are not means of samples.
+inline constexpr const char* kVarianceLayer = "Denoising Variance";
+inline constexpr const char* kSampleCountLayer = "Debug Sample Count";
+
+// Each pixel is the mean of the renders' pixels, weighted by their sample counts n: those of the layer "Debug Sample
+// Count" or, in files without it, the metadata drc:spp. The counts are added. The variance of a mean of independent
+// means m_i is sum n_i^2 var(m_i) / (sum n_i)^2; a render of less than two samples in a pixel does not know its
+// variance there, and is taken to have that of the others for each sample. Where none of the renders knows, their
+// differences tell: sum n_i (m_i - m)^2 / (k - 1) estimates the variance of a sample. Renders whose pixel is NaN or
+// infinite are left out of it.
+class RenderMerger {
+  public:
+    // Reads nothing of the file after the call. Throws Error, naming the file, if it does not fit the others in size,
+    // place or channels, if it shares a seed with one of them, or if it does not tell its sample counts.
+    void add(const PictureFile& render);
+
+    // The merged picture, with the first file's path, window and metadata; drc:seed lists all seeds, drc:spp is the
+    // sum.
+    PictureFile merged() const;
+    size_t count() const { return paths_.size(); }
+
+  private:
+    void requireFit(const PictureFile& render) const;
+    void requireNewSamples(const PictureFile& render);
+    Image sampleCounts(const PictureFile& render) const;
+    void addPixel(size_t pixel, const float* values, double samples);
+
+    std::vector<std::string> paths_;
+    PictureFile first_;  // without its pixels
+    std::vector<std::string> seeds_;
+    std::set<std::pair<std::string, std::string>> seedsOf_;  // seed, path
+    std::set<uint64_t> contents_;
+    int64_t spp_ = 0;
+    bool allTellSpp_ = true;
+
+    int count_ = -1;             // the channel of sample counts; -1: none
+    std::vector<int> beauty_;    // R, G, B
+    std::vector<int> variance_;  // R, G, B of that layer; empty: none
+    // For each pixel.
+    std::vector<double> samples_;       // sum n
+    std::vector<double> sums_;          // of each channel, sum n x
+    std::vector<double> plainSums_;     // of each channel, sum x: for pixels without samples
+    std::vector<double> knownSamples_;  // sum n of the renders that know their variance
+    std::vector<double> varianceSums_;  // of R, G, B, sum n^2 var
+    std::vector<double> squares_;       // of R, G, B, sum n x^2
+    std::vector<int> renders_;          // k
+};
+
+}  // namespace drc
