@@ -35,7 +35,9 @@ constexpr std::chrono::seconds kMostWriting{30};
 // So often a line is sent to streams of events that have nothing else, which finds out that a client has gone.
 constexpr std::chrono::seconds kHeartbeat{5};
 
-bool decodeTarget(std::string_view target, HttpRequest& request) {
+}  // namespace
+
+bool parseTarget(std::string_view target, HttpRequest& request) {
     if (target.empty() || target.front() != '/' || target.size() > kMostTarget) return false;
     const size_t mark = target.find('?');
     if (!percentDecode(target.substr(0, mark), false, request.path)) return false;
@@ -53,8 +55,6 @@ bool decodeTarget(std::string_view target, HttpRequest& request) {
     }
     return true;
 }
-
-}  // namespace
 
 bool percentDecode(std::string_view text, bool plus, std::string& decoded) {
     const auto digit = [](char c) {
@@ -156,6 +156,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     void headerRead(beast::error_code error) {
         if (error == http::error::end_of_stream || closed_) return close();
         if (error == beast::error::timeout || error == asio::error::operation_aborted) return close();
+        if (error == http::error::body_limit) return refuse(413, "the request is too large");
         if (error) return refuse(400, "this is no HTTP request");
         idle_ = false;
         // Before the body is read: whoever may not ask need not be listened to.
@@ -181,7 +182,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         request.method = message.method() == http::verb::post ? "POST" : "GET";
         isHead_ = message.method() == http::verb::head;
         keepAlive_ = message.keep_alive();
-        if (!decodeTarget(message.target(), request)) return refuse(400, "the request's target is malformed");
+        if (!parseTarget(message.target(), request)) return refuse(400, "the request's target is malformed");
         request.body = std::move(parser_->get().body());
         stream_.expires_never();
         asio::post(server_.handlers, [self = shared_from_this(), request = std::move(request)] {

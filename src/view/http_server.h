@@ -62,6 +62,9 @@ class HttpServer {
     std::shared_ptr<Impl> impl_;
 };
 
+// Splits the target of a request into path and query. False if it is malformed, or longer than any of the page's.
+bool parseTarget(std::string_view target, HttpRequest& request);
+
 // "a%20b" as "a b"; `plus`: also "+" as a space. False if it is malformed or has a zero byte.
 bool percentDecode(std::string_view text, bool plus, std::string& decoded);
 

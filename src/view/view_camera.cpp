@@ -17,13 +17,11 @@ ViewCamera ViewCamera::of(const Scene& scene, float distance) {
     camera.up = normalize(toWorld.vector(Vec3(0, 1, 0)));
     camera.mirrored =
         toCamera.swapsHandedness() != Transform::lookAt(camera.eye, camera.look, camera.up).swapsHandedness();
-    camera.eye += scene.origin;
-    camera.look += scene.origin;
     return camera;
 }
 
 std::unique_ptr<Camera> ViewCamera::place(const Scene& scene, const FilmGeometry& film) const {
-    const Transform toCamera = Transform::lookAt(eye - scene.origin, look - scene.origin, up);
+    const Transform toCamera = Transform::lookAt(eye, look, up);
     return scene.camera->placed(mirrored ? mirror() * toCamera : toCamera, film);
 }
 
@@ -36,10 +34,16 @@ bool ViewCamera::isUsable() const {
     return lengthSquared(forward) > 0 && length(cross(forward, normalize(up))) > 1e-3f;
 }
 
-std::string ViewCamera::asPbrt() const {
-    const auto point = [](const Vec3& v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); };
+std::string ViewCamera::asPbrt(const Vec3& origin) const {
+    // Enough digits for a place far from zero, and no more than floats have near it.
+    const auto point = [&](const Vec3& v) {
+        std::string text;
+        for (int c = 0; c < 3; ++c) text += fmt::format("{}{:.9g}", c ? " " : "", double(v[c]) + double(origin[c]));
+        return text;
+    };
+    const auto direction = [](const Vec3& v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); };
     return (mirrored ? std::string("Scale -1 1 1\n") : std::string()) + "LookAt " + point(eye) + "  " + point(look) +
-           "  " + point(up) + "\n";
+           "  " + direction(up) + "\n";
 }
 
 }  // namespace drc

@@ -1,5 +1,5 @@
 // The camera of a live view, in the terms in which a person moves it: from where it looks to where. World space of the
-// scene's file, which Scene::origin has been subtracted from.
+// scene, which is fine near zero; that of its file is Scene::origin away.
 #pragma once
 #include <memory>
 #include <string>
@@ -19,8 +19,8 @@ struct ViewCamera {
     std::unique_ptr<Camera> place(const Scene& scene, const FilmGeometry& film) const;
     // Whether it looks anywhere.
     bool isUsable() const;
-    // As lines of a pbrt scene.
-    std::string asPbrt() const;
+    // As lines of a pbrt scene. origin: the scene's.
+    std::string asPbrt(const Vec3& origin) const;
 };
 
 }  // namespace drc

@@ -19,18 +19,20 @@ using Json = nlohmann::json;
 
 // Sizes of film that a page may ask for.
 constexpr int kLeastSide = 16, kMostSide = 4096;
+// Pixels of a picture to compare with.
+constexpr int64_t kMostCompared = int64_t(kMostSide) * kMostSide;
 
 HttpResponse json(const Json& value) { return {200, "application/json", value.dump(), {}}; }
 HttpResponse wrong(const std::string& what) { return {400, "text/plain; charset=utf-8", what + "\n", {}}; }
 HttpResponse missing(const std::string& what) { return {404, "text/plain; charset=utf-8", what + "\n", {}}; }
 
 Json asJson(const Vec3& v) { return {v.x, v.y, v.z}; }
-Json asJson(const ViewCamera& c) {
+Json asJson(const ViewCamera& c, const Scene& scene) {
     return {{"eye", asJson(c.eye)},
             {"look", asJson(c.look)},
             {"up", asJson(c.up)},
             {"mirrored", c.mirrored},
-            {"pbrt", c.asPbrt()}};
+            {"pbrt", c.asPbrt(scene.origin)}};
 }
 
 // Three numbers of an object; false if it does not have them.
@@ -189,10 +191,10 @@ HttpResponse ViewService::state() const {
     Json value = Json::parse(frameEvent());
     value["title"] = settings_.title;
     value["film"] = {film_.width, film_.height};
-    value["home"] = asJson(home_);
+    value["home"] = asJson(home_, scene_);
     value["layers"] = frame ? layersOf(*frame) : std::vector<std::string>{"beauty"};
     const std::lock_guard lock(mutex_);
-    value["camera"] = asJson(camera_);
+    value["camera"] = asJson(camera_, scene_);
     value["reference"] = reference_ != nullptr;
     return json(value);
 }
@@ -258,13 +260,13 @@ HttpResponse ViewService::setCamera(const HttpRequest& request) {
         camera_ = camera;
     }
     render_.setCamera([this, camera, film] { return camera.place(scene_, film); }, film, isMoving);
-    return json(asJson(camera));
+    return json(asJson(camera, scene_));
 }
 
 HttpResponse ViewService::compare(const HttpRequest& request) {
     try {
-        auto image =
-            std::make_shared<const Image>(linearRgbOf(decodeImage({request.body, "the picture to compare with"})));
+        auto image = std::make_shared<const Image>(
+            linearRgbOf(decodeImage({request.body, "the picture to compare with", kMostCompared})));
         const Json size{{"width", image->width()}, {"height", image->height()}};
         const std::lock_guard lock(mutex_);
         reference_ = std::move(image);

@@ -31,7 +31,8 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus,
                                          std::pair("ply", &ply), std::pair("fourier", &fourier),
                                          std::pair("measured", &measured), std::pair("safetensors", &safetensors),
                                          std::pair("examples", &examples), std::pair("tga", &tga),
-                                         std::pair("hdr", &hdr), std::pair("picture", &picture)),
+                                         std::pair("hdr", &hdr), std::pair("picture", &picture),
+                                         std::pair("view", &view)),
                          [](const auto& tested) { return std::string(tested.param.first); });
 
 TEST(Fuzz, ScenesOpenNoFiles) {

@@ -21,6 +21,7 @@
 #include "pbrt/ply_reader.h"
 #include "pbrt/scene_file.h"
 #include "pbrt/tokenizer.h"
+#include "view/view_service.h"
 
 namespace drc::fuzz {
 namespace {
@@ -150,6 +151,39 @@ void picture(std::string_view bytes) {
         (void)decodeImage(smallPicture(bytes));
     } catch (const Error&) {
     }
+}
+
+namespace {
+
+// A live view that rests.
+struct RestingView {
+    std::unique_ptr<Scene> scene = pbrt::loadPbrtString(
+        "Camera \"perspective\"\nFilm \"image\" \"integer xresolution\" 16 \"integer yresolution\" 16\nWorldBegin\n"
+        "LightSource \"infinite\"\nTranslate 0 0 3\nShape \"sphere\"\nWorldEnd\n");
+    RenderParams params = [] {
+        RenderParams p;
+        p.integrator = "path";
+        p.spp = 2;
+        p.gBuffer = p.variance = true;
+        return p;
+    }();
+    Session session{*scene, params, nullptr, nullptr};
+    LiveRender render{session, {[](LayeredPicture&, bool) {}, {}}};
+    ViewService service{*scene, render, {"scene", "t", [](const LiveFrame&) { return std::string("exr"); }}};
+};
+
+}  // namespace
+
+void view(std::string_view bytes) {
+    static RestingView resting;
+    const size_t end = std::min(bytes.find('\n'), bytes.size());
+    HttpRequest request;
+    request.method = bytes.starts_with('P') ? "POST" : "GET";
+    if (bytes.empty() || !parseTarget(bytes.substr(1, std::max<size_t>(end, 1) - 1), request)) return;
+    request.body = bytes.substr(std::min(bytes.size(), end + 1));
+    if (request.path == "/t/compare") return picture(request.body);
+    const HttpResponse response = resting.service.answer(request);
+    if (response.status < 200 || response.status > 599) throw std::logic_error("no status of HTTP's");
 }
 
 }  // namespace drc::fuzz

@@ -15,6 +15,7 @@ void safetensors(std::string_view bytes);
 void examples(std::string_view bytes);  // a shard of training examples
 void tga(std::string_view bytes);
 void hdr(std::string_view bytes);      // a Radiance picture
+void view(std::string_view bytes);     // what a page of the live view asks for: a line with the target, then a body
 void picture(std::string_view bytes);  // of any format that its first bytes name, but for the two above
 
 // Removes all slashes from the scene, so that files it names are only searched for in a folder that does not exist.
