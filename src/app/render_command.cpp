@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/checkpoint.h"
 #include "app/command.h"
 #include "app/display_options.h"
 #include "app/memory_table.h"
@@ -15,6 +16,7 @@
 #include "base/progress.h"
 #include "cache/network_map_denoiser.h"
 #include "pbrt/scene_file.h"
+#include "render/deadline.h"
 #include "scene/crop_window.h"
 #include "scene/film_output.h"
 
@@ -74,11 +76,52 @@ void writeTiming(const std::string& path, Stats& stats) {
                           seconds("load") + seconds("build"), seconds("render"), seconds("denoise"), seconds("write")));
 }
 
+// Saves the state of a render in a file, so often. What cannot be saved is no reason to stop: there is the last one.
+class CheckpointWriter {
+  public:
+    CheckpointWriter(const Checkpoint& checkpoint, std::string path, Clock::duration every)
+        : checkpoint_(checkpoint), path_(std::move(path)), every_(every) {}
+    Clock::time_point due() const { return last_ + every_; }
+    void save(const Session& session) {
+        const auto start = Clock::now();
+        try {
+            checkpoint_.save(session, path_);
+            logDebug(fmt::format("--checkpoint: saved {} in {:.2f} s", path_,
+                                 std::chrono::duration<double>(Clock::now() - start).count()));
+        } catch (const Error& error) {
+            logWarning(std::string("--checkpoint: ") + error.what() + "; the render goes on");
+        }
+        last_ = Clock::now();
+    }
+
+  private:
+    const Checkpoint& checkpoint_;
+    std::string path_;
+    Clock::duration every_;
+    Clock::time_point last_ = Clock::now();
+};
+
+// Runs a pass, or as much of it as can be done until a checkpoint is due, which is then saved. False: the render is
+// done, or interrupted.
+bool step(Session& session, CheckpointWriter* checkpoint) {
+    if (checkpoint == nullptr) return session.step(&interruptToken());
+    bool goesOn = false;
+    if (usesMaps(session.params().integrator)) {
+        // A map pass counts as a whole alone.
+        goesOn = session.step(&interruptToken());
+    } else {
+        const DeadlineToken due(checkpoint->due(), &interruptToken());
+        goesOn = session.step(&due.token()) || (due.token().cancelled() && !interruptToken().cancelled());
+    }
+    if (Clock::now() >= checkpoint->due() || interruptToken().cancelled()) checkpoint->save(session);
+    return goesOn;
+}
+
 // Runs passes until the render is done or interrupted.
-void run(Session& session, PictureFinisher& finisher, const RenderOptions& o) {
+void run(Session& session, PictureFinisher& finisher, const RenderOptions& o, CheckpointWriter* checkpoint) {
     Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
                       o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
-    while (session.step(&interruptToken())) {
+    while (step(session, checkpoint)) {
         if (session.hasPicture()) setSomethingToSave(true);
         progress.set(int64_t(session.progress() * 1000));
         progress.setNote(session.status());
@@ -86,6 +129,24 @@ void run(Session& session, PictureFinisher& finisher, const RenderOptions& o) {
             finisher.measure(session);
     }
     if (!interruptToken().cancelled()) progress.set(1000);
+}
+
+// What else than the parameters of a render its bits depend on.
+Checkpoint::Identity othersOf(const RenderOptions& o, const std::string& weightsHash) {
+    Checkpoint::Identity others;
+    for (const std::string& replaced : o.overrides)
+        others.emplace_back("-D " + replaced.substr(0, replaced.find('=')), replaced);
+    if (!usesMaps(o.params.integrator)) return others;
+    const RenderParams& p = o.params;
+    others.insert(others.end(), {{"--map-denoiser", o.mapDenoiser},
+                                 {"--weights", weightsHash},
+                                 {"--precision", o.precision},
+                                 {"--projection", o.projection},
+                                 {"--oracle-spp", std::to_string(o.oracleSamples)},
+                                 {"--spacing", fmt::format("{}", p.firstSpacing)},
+                                 {"--gather-samples", std::to_string(p.gatherSamples.value_or(0))},
+                                 {"--time", fmt::format("{}", p.seconds)}});
+    return others;
 }
 
 void render(RenderOptions o, const CLI::App& command) {
@@ -101,6 +162,8 @@ void render(RenderOptions o, const CLI::App& command) {
     }
     if (!o.outputs.empty()) refuseDisplayOptionsWithoutPng(command, o.outputs);
     if (!o.timing.empty()) checkOutput("--timing", o.timing);
+    if (!o.checkpoint.empty()) checkOutput("--checkpoint", o.checkpoint);
+    const std::chrono::duration<double> every = durationOf("--every", o.every);
 
     Stats stats;
     const auto scene = loadScene(o);
@@ -125,7 +188,17 @@ void render(RenderOptions o, const CLI::App& command) {
     memory.afterBuilding(*scene);
     const auto rendering = Clock::now();
     stats.timer("build").add(rendering - build);
-    run(session, finisher, o);
+    std::optional<Checkpoint> checkpoint;
+    if (!o.checkpoint.empty() || !o.resume.empty())
+        checkpoint.emplace(identityOf(*scene, params, othersOf(o, chosen.weightsHash)));
+    if (!o.resume.empty()) {
+        checkpoint->resume(session, o.resume);
+        logInfo(fmt::format("goes on from {}: {}", o.resume, session.status()));
+    }
+    std::optional<CheckpointWriter> saving;
+    if (!o.checkpoint.empty())
+        saving.emplace(*checkpoint, o.checkpoint, std::chrono::duration_cast<Clock::duration>(every));
+    run(session, finisher, o, saving ? &*saving : nullptr);
     stats.timer("render").add(Clock::now() - rendering);
 
     const bool interrupted = interruptToken().cancelled();

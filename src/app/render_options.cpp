@@ -181,6 +181,13 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
         ->check(wholeNumberFrom(0));
     command.add_option("--timing", o.timing,
                        "JSON file to write, with the seconds of reading, rendering, denoising and writing");
+    command.add_option("--checkpoint", o.checkpoint,
+                       "File to save the render's state in now and then, and when it is interrupted, so that it can go "
+                       "on later by --resume");
+    command.add_option("--every", o.every, "How often: 60s, 5m, 1h")->capture_default_str();
+    command.add_option("--resume", o.resume,
+                       "Goes on from a checkpoint of the same scene and settings, to the same bits as if it had not "
+                       "stopped; --spp, --time and --nthreads may differ");
     command.add_flag("--stats", o.stats, "Print counts and times at the end");
     command.add_flag("--quiet", o.quiet, "Print only warnings and errors");
     command.add_flag("-v,--verbose", o.verbose, "Print more messages");

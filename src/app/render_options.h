@@ -26,6 +26,7 @@ struct RenderOptions {
     int threads = 0;
     std::string oidnLibrary;
     std::string timing;
+    std::string checkpoint, every = "60s", resume;
     bool aovs = false, stats = false, quiet = false, verbose = false;
 };
 

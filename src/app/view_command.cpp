@@ -148,7 +148,7 @@ void addViewCommand(CLI::App& app) {
     command->add_option("--integrator", o->params.integrator, "drc, path, bdpt or direct")->capture_default_str();
     command->add_option("--spp", o->params.spp, "Camera samples a pixel at which the render rests")
         ->check(CLI::PositiveNumber);
-    command->add_option("--set", o->overrides,
+    command->add_option("-D", o->overrides,
                         "NAME=VALUE: replaces a parameter of the scene's film, sampler or integrator");
     command->add_option("--port", o->port, "Port; by default any that is free")->check(CLI::Range(0, 65535));
     command
@@ -156,7 +156,7 @@ void addViewCommand(CLI::App& app) {
                      "Address to listen on; others than 127.0.0.1 let other machines watch and steer")
         ->capture_default_str();
     command->add_flag("--open", o->open, "Open the page in the browser");
-    command->add_option("--threads", o->threads, "Number of threads; by default one for each core");
+    command->add_option("--nthreads", o->threads, "Number of threads; by default one for each core");
     command->add_option("--oidn-library", o->oidnLibrary, "Open Image Denoise's library");
     command->add_flag("-v,--verbose", o->verbose, "Say more");
     command->callback([o] { view(*o); });

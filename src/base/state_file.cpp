@@ -85,4 +85,10 @@ void StateReader::fail(const std::string& why) const {
     throw Error(fmt::format("{}: the file is damaged: {}", path_, why));
 }
 
+std::string stateHeader(const std::string& path, const std::string& kind) {
+    const MappedFile file(path);
+    if (!file.bytes().starts_with(kind)) throw Error(fmt::format("{}: not a {}", path, kind));
+    return std::string(file.bytes().substr(0, file.bytes().find('\n')));
+}
+
 }  // namespace drc

@@ -75,4 +75,7 @@ class StateReader {
     std::string_view rest_;
 };
 
+// The header of a file that a StateWriter has written, of this kind. Throws Error as StateReader does.
+std::string stateHeader(const std::string& path, const std::string& kind);
+
 }  // namespace drc

@@ -152,4 +152,36 @@ void EnvironmentGuide::rebuild(Table& table, const std::atomic<uint64_t>* counts
     accumulate(rows, table.rows);
 }
 
+void EnvironmentGuide::save(StateWriter& to) const {
+    static_assert(sizeof(Table) == (kRows + kBlocks) * sizeof(uint16_t));
+    to.value(int32_t(passes_));
+    to.bytes(std::as_bytes(std::span(tables_)));
+    // Later nothing is learned any more.
+    if (!learning_) return;
+    for (size_t i = 0; i < size_t(kGroups) * kBlocks; ++i) to.value(counts_[i].load(std::memory_order_relaxed));
+}
+
+std::function<void()> EnvironmentGuide::load(StateReader& from) {
+    struct State {
+        int passes = 0;
+        std::vector<Table> tables;
+        std::vector<uint64_t> counts;
+    };
+    const auto state = std::make_shared<State>();
+    state->passes = from.value<int32_t>();
+    state->tables.resize(tables_.size());
+    from.bytes(std::as_writable_bytes(std::span(state->tables)));
+    const bool learning = state->passes < kPassesToLearn;
+    if (learning) {
+        state->counts.resize(size_t(kGroups) * kBlocks);
+        from.values(std::span(state->counts));
+    }
+    return [this, state, learning] {
+        passes_ = state->passes;
+        learning_ = learning;
+        tables_ = std::move(state->tables);
+        for (size_t i = 0; i < state->counts.size(); ++i) counts_[i].store(state->counts[i], std::memory_order_relaxed);
+    };
+}
+
 }  // namespace drc

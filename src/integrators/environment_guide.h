@@ -13,9 +13,11 @@
 #pragma once
 #include <array>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
+#include "base/state_file.h"
 #include "integrators/environment_windows.h"
 
 namespace drc {
@@ -56,6 +58,12 @@ class EnvironmentGuide {
     }
     // Takes the counts into use. To be called at the end of each sample pass, while no other thread uses the guide.
     void update();
+
+    // What has been learned, for a render that goes on later. load reads what save wrote for a guide of the same light
+    // and size, and throws Error if there is less; the function that it returns puts that in its place, without
+    // failing. While no other thread uses the guide.
+    void save(StateWriter& to) const;
+    std::function<void()> load(StateReader& from);
 
   private:
     static constexpr int kGroups = 1 << 14;

@@ -33,12 +33,23 @@ std::string FileSearch::find(const std::string& name, const SourcePos& pos, cons
         return pos.source != nullptr && fs::is_symlink(pos.source->name(), ignored) &&
                isFile(fs::weakly_canonical(pos.source->name(), ignored).parent_path() / spelt);
     };
-    if (isFound(name)) return seen.back().string();
+    if (isFound(name)) return note(seen.back().string());
     // Exporters on Windows write folders with backslashes. Here a backslash may be part of a name, which comes first.
     std::string withSlashes = name;
     std::ranges::replace(withSlashes, '\\', '/');
-    if (withSlashes != name && isFound(withSlashes)) return seen.back().string();
+    if (withSlashes != name && isFound(withSlashes)) return note(seen.back().string());
     fail(pos, "cannot find the " + what + " '" + name + "'; tried " + tried);
+}
+
+std::string FileSearch::note(const std::string& path) const {
+    const std::lock_guard lock(found_->mutex);
+    if (found_->known.insert(path).second) found_->paths.push_back(path);
+    return path;
+}
+
+std::vector<std::string> FileSearch::found() const {
+    const std::lock_guard lock(found_->mutex);
+    return found_->paths;
 }
 
 }  // namespace drc::pbrt

@@ -1,6 +1,10 @@
 // Finds the files that a scene names.
 #pragma once
+#include <memory>
+#include <mutex>
 #include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "pbrt/source.h"
 
@@ -15,8 +19,19 @@ class FileSearch {
     // `what` is used in messages: "texture", "ply file", ...
     std::string find(const std::string& name, const SourcePos& pos, const std::string& what) const;
 
+    // The paths that have been found so far, each once, in the order in which they were first named.
+    std::vector<std::string> found() const;
+
   private:
+    std::string note(const std::string& path) const;
+
+    struct Found {
+        std::mutex mutex;
+        std::vector<std::string> paths;
+        std::unordered_set<std::string> known;
+    };
     std::string mainDirectory_;
+    std::shared_ptr<Found> found_ = std::make_shared<Found>();  // of all copies
 };
 
 }  // namespace drc::pbrt

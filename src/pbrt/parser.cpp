@@ -9,7 +9,11 @@ Parser::Parser(std::shared_ptr<const Source> main, const Vec3& origin)
     : Parser(main, FileSearch(main->directory()), origin) {}
 
 Parser::Parser(std::shared_ptr<const Source> main, const FileSearch& files, const Vec3& origin)
-    : tokens_(main), files_(files), dialect_(findDialect(main, files)), builder_(files_, dialect_.dialect, origin) {
+    : main_(main),
+      tokens_(main),
+      files_(files),
+      dialect_(findDialect(main, files)),
+      builder_(files_, dialect_.dialect, origin) {
     logDebug("the scene is read as " + dialect_.describe());
 }
 
@@ -38,7 +42,10 @@ std::unique_ptr<Scene> Parser::parse(const LoadOptions& options) {
     builder_.limitCurves(options.curvePieces);
     try {
         readDirectives();
-        return builder_.finish(options);
+        std::unique_ptr<Scene> scene = builder_.finish(options);
+        scene->files = files_.found();
+        scene->files.insert(scene->files.begin(), main_->name());
+        return scene;
     } catch (const Error&) {
         // An image that cannot be read comes earlier in the file, though it may be found later.
         builder_.finishTextures();

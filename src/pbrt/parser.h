@@ -24,6 +24,7 @@ class Parser {
     // Ends the blocks of imported files that have ended.
     void endImports();
 
+    std::shared_ptr<const Source> main_;
     TokenStream tokens_;
     FileSearch files_;
     DialectFinding dialect_;

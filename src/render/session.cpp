@@ -207,12 +207,14 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
 }
 
 std::string Session::fileHeader(const std::string& identity) const {
-    return fmt::format("{} 2 {} {}", kFileKind, params_.integrator, film_->description(identity));
+    return fmt::format("{} 3 {} {} {}", kFileKind, params_.integrator, film_->description(""), identity);
 }
 
 void Session::save(const std::string& path, const std::string& identity) const {
     StateWriter file(path, fileHeader(identity));
     integrator_->saveState(file);
+    file.value(uint8_t(guide_.has_value()));
+    if (guide_) guide_->save(file);
     film_->save(file);
     file.commit();
 }
@@ -220,9 +222,12 @@ void Session::save(const std::string& path, const std::string& identity) const {
 void Session::load(const std::string& path, const std::string& identity) {
     StateReader file(path, kFileKind, fileHeader(identity));
     const std::function<void()> place = integrator_->loadState(file);
+    if (bool(file.value<uint8_t>()) != guide_.has_value()) file.fail("it does not say the same of the environment");
+    const std::function<void()> placeGuide = guide_ ? guide_->load(file) : [] {};
     // Throws before it changes anything.
     film_->load(file);
     place();
+    placeGuide();
 }
 
 LayeredPicture Session::picture() const {

@@ -36,14 +36,15 @@ class Session {
     // Changes the camera: the film is cleared and may have another size, the prepared scene stays. Not while other
     // calls run.
     void setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film);
-    // The same for a camera that looks around in the same room: what has been found out about the scene is kept, such as
-    // radiance cells, and helps the new picture, which therefore depends on where the camera has been.
+    // The same for a camera that looks around in the same room: what has been found out about the scene is kept, such
+    // as radiance cells, and helps the new picture, which therefore depends on where the camera has been.
     void moveCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film);
 
     // Writes all that the render has found out to a file, whole or not at all, and goes on from there: a session of the
     // same scene and parameters that has loaded the file ends with the same bits as one that was never stopped.
-    // identity: describes scene, camera and settings. load throws Error, and changes nothing, if the file is of another
-    // identity, integrator or film, or if it is damaged. Not while step runs.
+    // identity: describes scene, camera and settings, in one line, which the file's first line ends with. load throws
+    // Error, and changes nothing, if the file is of another identity, integrator or film, or if it is damaged. Not
+    // while step runs.
     void save(const std::string& path, const std::string& identity) const;
     void load(const std::string& path, const std::string& identity);
 

@@ -82,6 +82,8 @@ struct Scene {
     RenderSettings settings;
     // What has been subtracted from the file's world coordinates, because floats are finest near zero.
     Vec3 origin{0.f};
+    // The files that it was read from: the one with the scene first, then those that it names, each once.
+    std::vector<std::string> files;
 
     // Bounds of all primitives over their whole motion.
     Bounds bounds() const;

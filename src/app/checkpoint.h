@@ -1,0 +1,39 @@
+// Checkpoints: a render's state in a file, from which it can go on later, to the same bits as one that was never
+// stopped.
+#pragma once
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/session.h"
+
+namespace drc {
+
+class Checkpoint {
+  public:
+    // What must be the same for a render to go on: a name for messages, and a value.
+    using Identity = std::vector<std::pair<std::string, std::string>>;
+
+    explicit Checkpoint(Identity identity) : identity_(std::move(identity)) {}
+
+    // Writes it beside the file and puts it in its place. Throws Error, with the old file as it was.
+    void save(const Session& session, const std::string& path) const;
+    // Continues from it. Throws Error, in one line, if it cannot: what differs, or what is wrong with the file.
+    void resume(Session& session, const std::string& path) const;
+
+  private:
+    std::string line() const;
+
+    Identity identity_;
+};
+
+// The identity of a render: the version of the program, the contents of all files of the scene, and all settings that
+// the bits of its samples depend on. others: settings that params do not have. Throws Error if a file cannot be read,
+// or if the scene came through a pipe.
+Checkpoint::Identity identityOf(const Scene& scene, const RenderParams& params, const Checkpoint::Identity& others);
+
+// "60", "60s", "5m" or "1h" as a time. Throws Error, naming the option, on anything else, and on less than a second.
+std::chrono::duration<double> durationOf(const std::string& option, const std::string& text);
+
+}  // namespace drc
