@@ -25,5 +25,6 @@ void addInfoCommand(CLI::App& app);
 void addReferenceCommand(CLI::App& app);
 void addEvaluateCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
+void addImageCommand(CLI::App& app);
 
 }  // namespace drc

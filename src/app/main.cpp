@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     app.footer("Example: drc render scene.pbrt -o picture.png");
     drc::addRenderCommand(app);
     drc::addCompareCommand(app);
+    drc::addImageCommand(app);
     drc::addInfoCommand(app);
     drc::addReferenceCommand(app);
     drc::addEvaluateCommand(app);

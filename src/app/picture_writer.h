@@ -40,8 +40,8 @@ class PictureWriter {
     DisplaySettings display_;
 };
 
-// What PNG files keep of a picture's metadata: all but the command line, because PNG files are shown around, and what
-// is empty.
+// What PNG files keep of a picture's metadata: all but command lines, because PNG files are shown around, and what is
+// empty.
 PngTexts pngTexts(const ExrMetadata& metadata);
 
 }  // namespace drc
