@@ -8,6 +8,7 @@
 
 #include "app/command.h"
 #include "base/folder_testing.h"
+#include "base/log.h"
 #include "image/image_io.h"
 #include "image/picture_file.h"
 
@@ -31,6 +32,8 @@ class ImageCommandFolder : public FolderTest {
         std::fflush(stdout);
         return testing::internal::GetCapturedStdout();
     }
+    // Renders are made with --quiet, which would hold for the tests that follow.
+    void TearDown() override { setLogLevel(LogLevel::Normal); }
     // The Error that it ends with, which must have left no file `out`.
     std::string complaint(const std::vector<std::string>& arguments, const std::string& out = "") const {
         const std::string text = errorOf([&] { run(arguments); });
