@@ -28,6 +28,7 @@ class PictureWriter {
     // Writes the files that encode() returned, each whole or not at all.
     void write(const std::vector<std::string>& files) const;
     const std::vector<std::string>& outputs() const { return outputs_; }
+    const RenderSettings& settings() const { return settings_; }
 
     // For a render that was interrupted after this many samples a pixel: keeps files that may be better pictures, and
     // writes NAME.interrupted.EXT beside them instead. A file may be better unless its metadata has fewer samples.
