@@ -26,5 +26,6 @@ void addReferenceCommand(CLI::App& app);
 void addEvaluateCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addViewCommand(CLI::App& app);
+void addImageCommand(CLI::App& app);
 
 }  // namespace drc

@@ -24,6 +24,7 @@ namespace {
 struct CompareOptions {
     std::vector<std::string> pictures;  // one reference or two, then the test image
     std::string diff;
+    std::string signedDiff;
     bool json = false;
     float exposure = 0;
 };
@@ -110,11 +111,27 @@ std::string toTable(const ReferencePair& pair, const PairMetrics& m) {
     return table;
 }
 
-// Called before the work, not after it.
-void checkDifferencePath(const std::string& path) {
+std::string extensionOf(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
     for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-    if (extension != ".png") throw Error(fmt::format("--diff {}: the differences are written as .png", path));
+    return extension;
+}
+
+// Called before the work, not after it.
+void checkDifferencePath(const std::string& path) {
+    if (extensionOf(path) != ".png") throw Error(fmt::format("--diff {}: the differences are written as .png", path));
+}
+
+// The test image less the reference, linear: negative where the test image is too dark.
+Image signedDifference(const Image& reference, const Image& test) {
+    Image difference = test;
+    for (size_t i = 0; i < difference.data().size(); ++i) difference.data()[i] -= reference.data()[i];
+    return difference;
+}
+
+void writeDifferences(const CompareOptions& options, const Image& reference, const Image& test) {
+    if (!options.diff.empty()) writePng(options.diff, differenceImage(reference, test, options.exposure));
+    if (!options.signedDiff.empty()) writeExr(options.signedDiff, signedDifference(reference, test));
 }
 
 void compareWithOne(const CompareOptions& options) {
@@ -126,7 +143,7 @@ void compareWithOne(const CompareOptions& options) {
     const Metrics m = compare(reference, test, options.exposure);
     warnOfNonFinite(m.nonFiniteReference, referencePath);
     warnOfNonFinite(m.nonFiniteTest, testPath);
-    if (!options.diff.empty()) writePng(options.diff, differenceImage(reference, test, options.exposure));
+    writeDifferences(options, reference, test);
     fmt::print("{}{}", options.json ? toJson(m) : toTable(m), options.json ? "\n" : "");
 }
 
@@ -136,21 +153,21 @@ void compareWithTwo(const CompareOptions& options) {
     const Image test = readLinearRgb(paths[2]);
     const PairMetrics m = pair.compare(test, paths[2]);
     for (size_t i = 0; i < paths.size(); ++i) warnOfNonFinite(m.errors.nonFinite[i], paths[i]);
-    if (!options.diff.empty()) writePng(options.diff, differenceImage(pair.mean(), test, options.exposure));
+    writeDifferences(options, pair.mean(), test);
     fmt::print("{}{}", options.json ? toJson(pair, m) : toTable(pair, m), options.json ? "\n" : "");
 }
 
 void run(const CompareOptions& options) {
     if (!options.diff.empty()) checkDifferencePath(options.diff);
+    if (!options.signedDiff.empty() && extensionOf(options.signedDiff) != ".exr")
+        throw Error(fmt::format("--signed-diff {}: signed differences are written as .exr", options.signedDiff));
     options.pictures.size() == 2 ? compareWithOne(options) : compareWithTwo(options);
 }
 
-}  // namespace
-
-void addCompareCommand(CLI::App& app) {
+void addComparison(CLI::App& app, const std::string& name) {
     const auto options = std::make_shared<CompareOptions>();
     CLI::App* command =
-        app.add_subcommand("compare", "Measure how far an image is from a reference, or from two of different seeds");
+        app.add_subcommand(name, "Measure how far an image is from a reference, or from two of different seeds");
     command
         ->add_option(
             "PICTURE", options->pictures,
@@ -166,6 +183,8 @@ void addCompareCommand(CLI::App& app) {
         "_is_noisy; mean_ratio, png_kb");
     command->add_option("--diff", options->diff,
                         "Write a PNG: reference | test | 4 |difference| | red where brighter, blue where darker");
+    command->add_option("--signed-diff", options->signedDiff,
+                        "Write an EXR: the test image less the reference, or less the mean of both, linear");
     command->add_option("--exposure", options->exposure, "Stops by which both are brightened for SSIM, FLIP and PNGs")
         ->capture_default_str()
         ->check(CLI::Range(-100.f, 100.f));
@@ -179,5 +198,11 @@ void addCompareCommand(CLI::App& app) {
         "  drc compare seed1.exr seed2.exr drc.exr");
     command->callback([options] { run(*options); });
 }
+
+}  // namespace
+
+void addCompareCommand(CLI::App& app) { addComparison(app, "compare"); }
+
+void addImageDiff(CLI::App& image) { addComparison(image, "diff"); }
 
 }  // namespace drc

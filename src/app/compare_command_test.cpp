@@ -85,6 +85,24 @@ TEST_F(CompareCommandTest, TableAndDifference) {
     EXPECT_EQ(byte(48, 2), 0);
 }
 
+TEST_F(CompareCommandTest, SignedDifference) {
+    run({"compare", path("a.exr"), path("b.exr"), "--signed-diff", path("d.exr")});
+    writeExr(path("half.exr"), [] {
+        Image image(16, 12);
+        for (float& v : image.data()) v = 0.5f;
+        return image;
+    }());
+    run({"compare", path("seed1.exr"), path("half.exr"), "--signed-diff", path("e.exr")});
+    const Image a = readImage(path("a.exr")), b = readImage(path("b.exr")), d = readImage(path("d.exr"));
+    EXPECT_FLOAT_EQ(d.at(5, 5, 1), b.at(5, 5, 1) - a.at(5, 5, 1));
+    EXPECT_FLOAT_EQ(readImage(path("e.exr")).at(1, 0, 0), -0.05f);
+    EXPECT_EQ(errorOf([&] {
+                  run({"compare", path("a.exr"), path("b.exr"), "--signed-diff", path("f.png")});
+              }),
+              "--signed-diff " + path("f.png") + ": signed differences are written as .exr");
+    EXPECT_FALSE(std::filesystem::exists(path("f.png")));
+}
+
 TEST_F(CompareCommandTest, BadInput) {
     const auto errorOf = [&](std::vector<std::string> arguments) -> std::string {
         try {

@@ -45,8 +45,7 @@ void refuseDisplayOptionsWithoutPng(const CLI::App& command, const std::vector<s
     for (const char* name : kOptions)
         if (command.count(name) > 0) given.push_back(name);
     if (given.empty()) return;
-    throw Error(
-        fmt::format("{}: EXR files stay linear and unexposed; give a .png as output, too", fmt::join(given, ", ")));
+    throw Error(fmt::format("{}: EXR files stay linear and unexposed; give a .png as output", fmt::join(given, ", ")));
 }
 
 }  // namespace drc

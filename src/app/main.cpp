@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     drc::addRenderCommand(app);
     drc::addViewCommand(app);
     drc::addCompareCommand(app);
+    drc::addImageCommand(app);
     drc::addInfoCommand(app);
     drc::addReferenceCommand(app);
     drc::addEvaluateCommand(app);

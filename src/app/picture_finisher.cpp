@@ -40,6 +40,7 @@ PixelRegion middle(const PixelRegion& region, double divisor) {
 
 void PictureFinisher::apply(LayeredPicture& picture) const {
     for (const auto& filter : filters().filters) filter->apply(picture);
+    if (const auto& balance = writer_.settings().whiteBalance) picture.balance(*balance);
 }
 
 double PictureFinisher::secondsFor(const Session& session, const PixelRegion& part) const {

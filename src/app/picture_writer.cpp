@@ -40,7 +40,7 @@ void checkOutput(const std::string& option, const std::string& path) {
 PngTexts pngTexts(const ExrMetadata& metadata) {
     PngTexts texts;
     for (const auto& [key, text] : metadata)
-        if (key != "drc:command" && !text.empty()) texts[key] = text;
+        if (key != "drc:command" && key != "drc:image_command" && !text.empty()) texts[key] = text;
     return texts;
 }
 

@@ -28,6 +28,7 @@ class PictureWriter {
     // Writes the files that encode() returned, each whole or not at all.
     void write(const std::vector<std::string>& files) const;
     const std::vector<std::string>& outputs() const { return outputs_; }
+    const RenderSettings& settings() const { return settings_; }
 
     // For a render that was interrupted after this many samples a pixel: keeps files that may be better pictures, and
     // writes NAME.interrupted.EXT beside them instead. A file may be better unless its metadata has fewer samples.
@@ -40,8 +41,8 @@ class PictureWriter {
     DisplaySettings display_;
 };
 
-// What PNG files keep of a picture's metadata: all but the command line, because PNG files are shown around, and what
-// is empty.
+// What PNG files keep of a picture's metadata: all but command lines, because PNG files are shown around, and what is
+// empty.
 PngTexts pngTexts(const ExrMetadata& metadata);
 
 }  // namespace drc

@@ -190,11 +190,38 @@ TEST_F(RenderCommandTest, ExposureAndViewAreThePngsAlone) {
     }
 }
 
+// A grey ball under daylight of 4500 K is grey, in all layers.
+TEST_F(RenderCommandTest, ThePictureIsBalancedForTheFilmsWhite) {
+    const auto scene = [&](const std::string& film) {
+        folder_.write("scene.pbrt", "Film \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 16 " + film + R"(
+            Camera "perspective" "float fov" 70
+            WorldBegin
+            LightSource "infinite" "rgb L" [1.26784 0.95958 0.61150]
+            Material "diffuse" "rgb reflectance" [.5 .5 .5]
+            Translate 0 0 3 Shape "sphere" "float radius" 1.5)");
+        run({"--integrator", "drc-maps", "--denoise", "off"});
+        return readImage(path("out.exr"));
+    };
+    const Image plain = scene(""), balanced = scene("\"float whitebalance\" 4500");
+    const auto pixel = [](const Image& image, const std::string& layer) {
+        Rgb c;
+        for (int i = 0; i < 3; ++i) c[i] = image.at(12, 8, image.channelIndex(layer + std::string(1, "RGB"[i])));
+        return c;
+    };
+    EXPECT_GT(pixel(plain, "").x, 1.5f * pixel(plain, "").z);
+    for (const std::string layer : {"", "direct."}) {
+        const Rgb c = pixel(balanced, layer);
+        EXPECT_NEAR(c.x / c.y, 1, 0.02) << layer;
+        EXPECT_NEAR(c.z / c.y, 1, 0.02) << layer;
+        EXPECT_NEAR(luminance(c) / luminance(pixel(plain, layer)), 1, 0.02) << layer;
+    }
+}
+
 TEST_F(RenderCommandTest, DisplayOptionsWantAPng) {
     EXPECT_EQ(errorOf([&] {
                   run({"--view", "agx", "--auto-exposure"});
               }),
-              "--auto-exposure, --view: EXR files stay linear and unexposed; give a .png as output, too");
+              "--auto-exposure, --view: EXR files stay linear and unexposed; give a .png as output");
     EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
 }
 

@@ -16,6 +16,8 @@ constexpr int kLowest = -126, kHighest = 128;
 
 // The brightest tenth may be clipped.
 constexpr double kMayClip = 0.1;
+// Where it should begin, and the stops that the picture may be brightened for it.
+constexpr double kBrightBegins = 0.7, kMostLift = 1;
 // Pixels darker by more stops than this are black in whatever view: borders, and what is seen through open doors.
 constexpr int kBlackStops = 10;
 // The shares of the rest that are trimmed at each end before the mean is taken.
@@ -73,7 +75,9 @@ float autoExposure(const Image& linear) {
     const int notBlack = std::max(0, brightest - kBlackStops * kBinsPerStop);
     const double forTheMean = std::log2(double(kMiddleGrey)) - histogram.trimmedMean(notBlack, kTrimmed);
     const double forTheBright = -LogHistogram::stops(histogram.quantileFromTop(notBlack, kMayClip));
-    return float(std::min(forTheMean, forTheBright));
+    const double stops = std::min(forTheMean, forTheBright);
+    const double lift = forTheBright + std::log2(kBrightBegins) - stops;
+    return float(stops + std::clamp(lift, 0.0, kMostLift));
 }
 
 }  // namespace drc

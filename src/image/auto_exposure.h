@@ -4,9 +4,12 @@
 
 namespace drc {
 
-// Stops by which the picture (linear RGB or grey) is to be brightened so that the picture is neither dark nor burnt
-// out: the trimmed mean of log luminance becomes middle grey (view_transform.h), but no more is clipped at 1 than one
-// pixel in ten; the lesser of the two holds.
+// Stops by which the picture (linear RGB or grey) is to be brightened so that it is neither dark nor burnt out:
+//
+// - The trimmed mean of log luminance becomes middle grey (view_transform.h).
+// - No more is clipped at 1 than the brightest tenth of the pixels: else the picture becomes darker until that holds.
+// - A bright room is not a grey one: if the brightest tenth begins below 0.7, the picture becomes brighter, by up to a
+//   stop, until it begins there.
 //
 // Lamps, windows and fireflies hardly move it, as long as they fill less than a tenth of the picture; black borders do
 // not, however large: pixels that are 10 stops darker than the brightest tenth are left out. NaN and infinity are left

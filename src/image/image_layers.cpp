@@ -20,6 +20,23 @@ Image select(const Image& image, const std::vector<int>& channels, std::vector<s
     return selected;
 }
 
+// Three channels, or one.
+std::vector<int> colourChannels(const Image& image, const std::string& layer) {
+    std::vector<int> all, rgb;
+    for (int c = 0; c < image.channels(); ++c)
+        if (layerOfChannel(image.channelNames()[size_t(c)]) == layer) all.push_back(c);
+    for (const char* colour : {"R", "G", "B"})
+        if (const int c = image.channelIndex(layer.empty() ? colour : layer + "." + colour); c >= 0) rgb.push_back(c);
+    if (rgb.size() == 3) return rgb;
+    if (const int y = image.channelIndex("Y"); layer.empty() && y >= 0) return {y};
+    if (layer.empty() || all.empty())
+        throw Error(fmt::format("it has {}; its layers are: {}",
+                                layer.empty() ? "no channels R, G and B" : fmt::format("no layer \"{}\"", layer),
+                                layerList(image)));
+    all.resize(all.size() < 3 ? 1 : 3);
+    return all;
+}
+
 }  // namespace
 
 std::string layerOfChannel(const std::string& channel) {
@@ -58,26 +75,17 @@ std::optional<Image> layerOf(const Image& image, const std::string& layer) {
 }
 
 Image rgbOfLayer(const Image& image, const std::string& layer) {
-    const std::string prefix = layer.empty() ? "" : layer + ".";
-    const std::vector<int> rgb{image.channelIndex(prefix + "R"), image.channelIndex(prefix + "G"),
-                               image.channelIndex(prefix + "B")};
-    if (std::all_of(rgb.begin(), rgb.end(), [](int c) { return c >= 0; })) return select(image, rgb, {"R", "G", "B"});
-    if (const int y = image.channelIndex(prefix + "Y"); layer.empty() && y >= 0)
-        return select(image, {y, y, y}, {"R", "G", "B"});
-    const std::optional<Image> other = layerOf(image, layer);
-    if (layer.empty() || !other)
-        throw Error(fmt::format("it has {}; its layers are: {}",
-                                layer.empty() ? "no channels R, G and B" : fmt::format("no layer \"{}\"", layer),
-                                layerList(image)));
-    return other->toRgb();
+    const std::vector<int> channels = colourChannels(image, layer);
+    return select(image, {channels.front(), channels[channels.size() / 2], channels.back()}, {"R", "G", "B"});
 }
 
-void setBeauty(Image& image, const Image& rgb) {
-    const int r = image.channelIndex("R"), g = image.channelIndex("G"), b = image.channelIndex("B");
+void setRgbOfLayer(Image& image, const std::string& layer, const Image& rgb) {
+    const std::vector<int> channels = colourChannels(image, layer);
+    if (channels.size() < 3) throw Error(fmt::format("{} has one channel, not three", title(layer)));
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
             const Rgb c = rgb.rgb(x, y);
-            image.at(x, y, r) = c.x, image.at(x, y, g) = c.y, image.at(x, y, b) = c.z;
+            for (int i = 0; i < 3; ++i) image.at(x, y, channels[size_t(i)]) = c[i];
         }
 }
 

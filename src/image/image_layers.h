@@ -23,8 +23,8 @@ std::optional<Image> layerOf(const Image& image, const std::string& layer);
 // Three channels, linear as the picture is: the channels R, G and B of a layer or, of another layer, its first three
 // or its only one. Throws Error if there is no such layer or, for the beauty, if it has neither R, G and B nor a Y.
 Image rgbOfLayer(const Image& image, const std::string& layer);
-// Sets the channels R, G and B of the beauty, which the picture has.
-void setBeauty(Image& image, const Image& rgb);
+// Sets the channels that rgbOfLayer() gives, which must be three. Throws Error if they are not.
+void setRgbOfLayer(Image& image, const std::string& layer, const Image& rgb);
 // The picture without some of its layers, all of which it need not have. Throws Error if nothing is left.
 Image withoutLayers(const Image& image, const std::vector<std::string>& layers);
 

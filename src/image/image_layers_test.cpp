@@ -42,12 +42,13 @@ TEST(ImageLayers, GiveColours) {
 
 TEST(ImageLayers, AreReplacedAndRemoved) {
     Image image = kRender;
-    setBeauty(image, picture({"x", "y", "z"}));
-    image.data()[0] = 9;
     Image rgb(1, 1);
     rgb.setRgb(0, 0, Rgb(7, 8, 9));
-    setBeauty(image, rgb);
+    setRgbOfLayer(image, "", rgb);
     EXPECT_THAT(image.data(), ElementsAre(7, 8, 9, 3, 4, 5, 6, 7));
+    setRgbOfLayer(image, "direct", rgb);
+    EXPECT_THAT(image.data(), ElementsAre(7, 8, 9, 3, 7, 8, 9, 7));
+    EXPECT_EQ(errorOf([&] { setRgbOfLayer(image, "v.1", rgb); }), "v.1 has one channel, not three");
     EXPECT_THAT(withoutLayers(image, {"direct", "none", "v.1"}).data(), ElementsAre(7, 8, 9, 3));
     EXPECT_NE(errorOf([] { withoutLayers(picture({"R"}), {""}); }), "");
 }

@@ -13,18 +13,6 @@
 namespace drc {
 namespace {
 
-constexpr float kFilterRadius = 2;
-
-float mitchell(float x) {
-    constexpr float kB = 1 / 3.f, kC = 1 / 3.f;
-    x = std::abs(x);
-    const float square = x * x, cube = square * x;
-    if (x < 1) return ((12 - 9 * kB - 6 * kC) * cube + (-18 + 12 * kB + 6 * kC) * square + 6 - 2 * kB) / 6;
-    if (x < 2)
-        return ((-kB - 6 * kC) * cube + (6 * kB + 30 * kC) * square + (-12 * kB - 48 * kC) * x + 8 * kB + 24 * kC) / 6;
-    return 0;
-}
-
 // The pixels from `first` on that a new pixel is made of, and their weights, which sum to 1.
 struct Footprint {
     int first = 0;
@@ -38,11 +26,11 @@ std::vector<Footprint> footprints(int from, int to) {
     const double scale = double(from) / to, width = std::max(1.0, scale);
     for (int i = 0; i < to; ++i) {
         const double centre = (i + 0.5) * scale - 0.5;
-        Footprint footprint{std::max(0, int(std::ceil(centre - kFilterRadius * width))), {}};
-        const int last = std::min(from - 1, int(std::floor(centre + kFilterRadius * width)));
+        Footprint footprint{std::max(0, int(std::ceil(centre - width))), {}};
+        const int last = std::min(from - 1, int(std::floor(centre + width)));
         double sum = 0;
         for (int k = footprint.first; k <= last; ++k) {
-            footprint.weights.push_back(mitchell(float((k - centre) / width)));
+            footprint.weights.push_back(float(std::max(0.0, 1 - std::abs(k - centre) / width)));
             sum += footprint.weights.back();
         }
         for (float& weight : footprint.weights) weight = float(weight / sum);
@@ -95,14 +83,7 @@ Image resized(const Image& image, int width, int height) {
     const double pixels = double(width) * (double(image.height()) + double(height));
     const MemoryClaim memory(pixels * image.channels() * sizeof(float),
                              fmt::format("a picture of {}x{} pixels", width, height));
-    Image result = resizedAlongY(resizedAlongX(image, width), height);
-    std::vector<float> lowest(size_t(image.channels()), 0.f);
-    const auto forEachValue = [](auto& values, size_t channels, const auto& f) {
-        for (size_t i = 0; i < values.size(); ++i) f(values[i], i % channels);
-    };
-    forEachValue(image.data(), lowest.size(), [&](float v, size_t c) { lowest[c] = std::min(lowest[c], v); });
-    forEachValue(result.data(), lowest.size(), [&](float& v, size_t c) { v = std::max(lowest[c], v); });
-    return result;
+    return resizedAlongY(resizedAlongX(image, width), height);
 }
 
 }  // namespace drc

@@ -4,9 +4,26 @@
 
 #include "base/limits.h"
 #include "base/log.h"
+#include "image/white_balance.h"
 #include "pbrt/render_settings_params.h"
+#include "pbrt/spectrum.h"
 
 namespace drc::pbrt {
+
+namespace {
+
+// From the light of this temperature: daylight or, where that has no locus, a black body.
+std::optional<RgbMatrix> whiteBalanceOf(const ParamSet& params) {
+    constexpr float kLowest = 1000, kCoolestDaylight = 4000, kHighest = 25000;
+    const float kelvin = params.getFloat("whitebalance", 0);
+    if (kelvin == 0) return std::nullopt;
+    if (!(kelvin >= kLowest && kelvin <= kHighest))
+        params.failAt(*params.find("whitebalance", {ParamType::Float}),
+                      fmt::format("must be a temperature from {:g} to {:g} kelvin, or 0 for none", kLowest, kHighest));
+    return whiteBalance(kelvin < kCoolestDaylight ? blackbodyToRgb(kelvin) : daylight(kelvin));
+}
+
+}  // namespace
 
 void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings& settings) {
     checkKnown({"gbuffer", "rgb", "spectral"}, "film", type, params.pos());
@@ -21,9 +38,7 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
     if (sensor != "cie1931")
         warn(params.find("sensor", {ParamType::String})->valuePos,
              "the sensor '" + sensor + "' is not supported yet; 'cie1931' is used");
-    if (params.getFloat("whitebalance", 0) != 0)
-        warn(params.find("whitebalance", {ParamType::Float})->pos,
-             "parameter 'whitebalance' of " + params.owner() + " is not supported yet; the picture is not balanced");
+    settings.whiteBalance = whiteBalanceOf(params);
     // Applied to luminance, so a sample that is bright in one channel only is clamped slightly later than in pbrt.
     settings.maxSampleLuminance = params.getPositiveFloat("maxcomponentvalue", kInfinity);
     params.ignore({"savefp16"});

@@ -5,6 +5,7 @@
 #include "image/image_io.h"
 #include "pbrt/material_comparison.h"
 #include "pbrt/scene_file.h"
+#include "pbrt/spectrum.h"
 #include "pbrt/test_scenes.h"
 #include "scene/material_matte.h"
 
@@ -81,10 +82,23 @@ TEST(SceneFileV4, Settings) {
     EXPECT_EQ(settingsOf("Sampler \"stratified\" \"integer xsamples\" 3").samplesPerPixel, 12);
 }
 
+TEST(SceneFileV4, WhiteBalanceIsForALightOfThatTemperature) {
+    std::optional<RgbMatrix> balance;
+    EXPECT_EQ(warningsOf([&] { balance = settingsOf("Film \"rgb\" \"float whitebalance\" 5000").whiteBalance; }), 0);
+    expectNear(balance.value() * daylight(5000), Rgb(1.f), 1e-3f);
+    const Rgb bulb = blackbodyToRgb(2800);
+    expectNear(settingsOf("Film \"rgb\" \"float whitebalance\" 2800").whiteBalance.value() * bulb, Rgb(luminance(bulb)),
+               1e-3f);
+    EXPECT_FALSE(settingsOf("Film \"rgb\" \"float whitebalance\" 0").whiteBalance);
+    EXPECT_FALSE(settingsOf("").whiteBalance);
+    for (const char* bad : {"-5000", "10", "1e6"})
+        EXPECT_THAT(errorOfOptions("Film \"rgb\" \"float whitebalance\" " + std::string(bad)),
+                    HasSubstr("must be a temperature from 1000 to 25000 kelvin, or 0 for none"));
+}
+
 TEST(SceneFileV4, WhatIsKnownButNotBuiltIsNamed) {
     EXPECT_EQ(warningsOf([] { settingsOf("Film \"rgb\" \"string sensor\" \"canon_eos_100d\""); }), 1);
     EXPECT_EQ(warningsOf([] { settingsOf("Film \"gbuffer\" \"string coordinatesystem\" \"world\""); }), 1);
-    EXPECT_EQ(warningsOf([] { settingsOf("Film \"rgb\" \"float whitebalance\" 5000"); }), 1);
     EXPECT_EQ(warningsOf([] { settingsOf("Integrator \"volpath\" \"bool regularize\" true"); }), 1);
     EXPECT_EQ(warningsOf([] { settingsOf("Camera \"spherical\""); }), 1);
     EXPECT_EQ(warningsOf([] { settingsOf("Camera \"spherical\" \"string mapping\" \"equirectangular\""); }), 0);

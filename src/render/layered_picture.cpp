@@ -53,6 +53,19 @@ void LayeredPicture::compose() {
     for (float& v : beauty.data()) v = std::max(v, 0.f);
 }
 
+void LayeredPicture::balance(const RgbMatrix& matrix) {
+    const auto forEachPixel = [](Image& image, const auto& f) {
+        forEachRow(image.height(), [&](int y) {
+            for (int x = 0; x < image.width(); ++x) image.setRgb(x, y, f(image.rgb(x, y)));
+        });
+    };
+    for (PictureLayer& layer : layers) {
+        forEachPixel(layer.mean, [&](const Rgb& c) { return matrix * c; });
+        if (layer.variance) forEachPixel(*layer.variance, [&](const Rgb& v) { return matrix.ofVariance(v); });
+    }
+    forEachPixel(beauty, [&](const Rgb& c) { return clampNonNegative(matrix * c); });
+}
+
 PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale) {
     const FilmLayer& samples = film.layer(name);
     const PixelRegion& region = film.region();

@@ -45,6 +45,9 @@ struct LayeredPicture {
     Image variance() const;
     // Sets beauty to the sum of the layers.
     void compose();
+    // Maps the colours of the layers and of the beauty, which is clamped at zero again. Variances become upper bounds.
+    // For the finished picture: filters compare it with the film, which stays as it is.
+    void balance(const RgbMatrix& matrix);
 };
 
 // Makes a picture's layer from a film's layer: means, and the variance of the mean if there are several groups.

@@ -50,5 +50,19 @@ TEST(GBuffer, KnowsHowNoisyItIs) {
     EXPECT_EQ(gBufferOf(sharp, "", 1).noise, 1);  // nothing is known
 }
 
+TEST(LayeredPicture, ColoursOfAllLayersAreBalanced) {
+    LayeredPicture picture;
+    picture.layers.push_back({"a", "direct", Image(1, 1), Image(1, 1)});
+    picture.layers[0].mean.setRgb(0, 0, Rgb(1, 2, -1));
+    picture.layers[0].variance->setRgb(0, 0, Rgb(1, 4, 0));
+    picture.layers.push_back({"b", "indirect", Image(1, 1), std::nullopt});
+    picture.beauty = Image(1, 1);
+    picture.beauty.setRgb(0, 0, Rgb(1, 3, 2));
+    picture.balance({{Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, -1, 1)}});
+    EXPECT_EQ(picture.layers[0].mean.rgb(0, 0), Rgb(2, 1, -3));
+    EXPECT_EQ(picture.layers[0].variance->rgb(0, 0), Rgb(4, 1, 4));
+    EXPECT_EQ(picture.beauty.rgb(0, 0), Rgb(3, 1, 0));
+}
+
 }  // namespace
 }  // namespace drc

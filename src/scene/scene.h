@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "image/white_balance.h"
 #include "scene/camera.h"
 #include "scene/filter.h"
 #include "scene/light.h"
@@ -67,6 +68,7 @@ struct RenderSettings {
     // one pixel.
     PixelRegion region() const;
     float filmScale = 1;
+    std::optional<RgbMatrix> whiteBalance;  // of the finished picture
     float maxSampleLuminance = kInfinity;
     FilterPtr filter;  // not null
 };

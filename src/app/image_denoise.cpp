@@ -1,0 +1,116 @@
+// `drc image denoise`.
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+#include "app/image_output.h"
+#include "app/image_subcommands.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "image/color.h"
+#include "image/image_layers.h"
+#include "render/open_image_denoise.h"
+
+namespace drc {
+namespace {
+
+struct DenoiseOptions {
+    std::string input;
+    std::string layer, albedo, normal;
+    std::string quality = "high";
+    std::string prefilter = "on";
+    std::string library;
+    int threads = 0;
+    ImageOutput output;
+};
+
+// Under the names that DRC and Blender's Cycles, pbrt-v4's gbuffer film and others use.
+const std::vector<std::string> kAlbedoNames{"Denoising Albedo", "albedo", "Albedo"},
+    kNormalNames{"Denoising Normal", "normal", "Normal", "Ns", "N"};
+
+// The name of the layer that is asked for or, if none is, of the first of the known ones, also below another name as
+// "ViewLayer.Denoising Albedo". Throws Error if there is none.
+std::string findLayer(const PictureFile& picture, const std::string& option, const std::string& wanted,
+                      const std::vector<std::string>& known) {
+    if (!wanted.empty()) return wanted;
+    for (const std::string& name : known)
+        for (const std::string& layer : layerNames(picture.image))
+            if (layer == name || layer.ends_with("." + name)) return layer;
+    throw Error(
+        fmt::format("{}: it has no layer {}, which drc render --aovs writes; its layers are: {}; {} names another",
+                    picture.path, fmt::join(known, " or "), layerList(picture.image), option));
+}
+
+OidnSettings settingsOf(const DenoiseOptions& options) {
+    return {options.quality == "high"       ? OidnQuality::High
+            : options.quality == "balanced" ? OidnQuality::Balanced
+                                            : OidnQuality::Fast,
+            options.prefilter == "on"      ? OidnAuxiliaries::Prefiltered
+            : options.prefilter == "clean" ? OidnAuxiliaries::Clean
+                                           : OidnAuxiliaries::Raw};
+}
+
+void denoise(const DenoiseOptions& options, const CLI::App& command) {
+    checkImageOutput(command, options.output);
+    setThreadCount(options.threads);
+    PictureFile picture = readPictureFile(options.input);
+    const auto layer = [&](const char* option, const std::string& wanted, const std::vector<std::string>& known) {
+        return coloursOf(picture, findLayer(picture, option, wanted, known));
+    };
+    Image albedo = layer("--albedo", options.albedo, kAlbedoNames),
+          normal = layer("--normal", options.normal, kNormalNames);
+    Image colours = coloursOf(picture, options.layer);
+    const auto clear = [&](Image& image, const char* name) {
+        if (const int64_t bad = clearNonFinite(image); bad > 0)
+            logWarning(fmt::format("{}: {} pixel(s) of {} are NaN or infinite; they are taken as black", picture.path,
+                                   bad, name));
+    };
+    clear(colours, "the picture"), clear(albedo, "albedo"), clear(normal, "normal");
+    for (float& v : albedo.data()) v = clamp01(v);
+    const OpenImageDenoise library(findOidn(OidnSearch::ofProcess(options.library)));
+    library.denoise(colours, albedo, normal, settingsOf(options));
+    try {
+        setRgbOfLayer(picture.image, options.layer, colours);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", picture.path, error.what()));
+    }
+    picture.metadata["drc:denoiser"] =
+        "oidn " + options.quality + (options.prefilter == "off" ? " without prefilter" : "");
+    writeImageOutput(options.output, std::move(picture), options.layer);
+}
+
+}  // namespace
+
+void addImageDenoise(CLI::App& image) {
+    const auto options = std::make_shared<DenoiseOptions>();
+    CLI::App* command = image.add_subcommand("denoise", "Remove the noise of a render by Open Image Denoise");
+    command->add_option("RENDER", options->input, "An EXR with albedo and normal, as drc render --aovs writes it")
+        ->required();
+    addImageOutput(*command, options->output);
+    command->add_option("--layer", options->layer, "The layer to denoise. Default: the beauty");
+    command->add_option("--albedo", options->albedo,
+                        fmt::format("The layer of the surfaces' albedo. Default: {}", fmt::join(kAlbedoNames, " or ")));
+    command->add_option(
+        "--normal", options->normal,
+        fmt::format("The layer of the surfaces' normals. Default: {}", fmt::join(kNormalNames, " or ")));
+    command->add_option("--quality", options->quality, "high, balanced or fast")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"high", "balanced", "fast"}));
+    command
+        ->add_option("--prefilter", options->prefilter,
+                     "on: denoise albedo and normal first; off: use them as they are; clean: they have no noise")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"on", "off", "clean"}));
+    command->add_option("--oidn-library", options->library, "As of drc render");
+    command->add_option("--nthreads", options->threads, "Number of threads; 0: one for each core")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 4096));
+    command->footer(
+        "An EXR keeps its other layers as they are.\n\n"
+        "Example: drc image denoise render.exr -o clean.exr");
+    command->callback([options, command] { denoise(*options, *command); });
+}
+
+}  // namespace drc

@@ -1,0 +1,107 @@
+// `drc image info`.
+#include <fmt/core.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/image_subcommands.h"
+#include "image/auto_exposure.h"
+#include "image/channel_statistics.h"
+#include "image/image_layers.h"
+#include "image/picture_file.h"
+
+namespace drc {
+namespace {
+
+struct InfoOptions {
+    std::vector<std::string> inputs;
+    bool json = false;
+};
+
+const char* encodingName(Encoding encoding) {
+    return encoding == Encoding::Float ? "floats" : encoding == Encoding::UInt16 ? "16 bits, sRGB" : "8 bits, sRGB";
+}
+
+bool hasColours(const Image& image) {
+    return image.channelIndex("Y") >= 0 ||
+           (image.channelIndex("R") >= 0 && image.channelIndex("G") >= 0 && image.channelIndex("B") >= 0);
+}
+
+// One line, whatever the file says.
+std::string printable(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';
+    return text;
+}
+
+void printText(const PictureFile& file) {
+    const Image& image = file.image;
+    fmt::print("{}\n  size      {} x {} pixels", file.path, image.width(), image.height());
+    const ExrWindow& w = file.window;
+    if (w.fullWidth > 0 && (w.x || w.y || w.fullWidth != image.width() || w.fullHeight != image.height()))
+        fmt::print(", at ({}, {}) of {} x {}", w.x, w.y, w.fullWidth, w.fullHeight);
+    fmt::print("\n  values    {}\n  layers    {}\n", encodingName(file.encoding), printable(layerList(image)));
+    if (hasColours(image))
+        fmt::print("  exposure  {:+.2f} stops by --auto-exposure\n", autoExposure(rgbOfLayer(image, "")));
+    for (const auto& [key, text] : file.metadata)
+        if (!text.empty()) fmt::print("  {} = {}\n", printable(key), printable(text));
+    const auto statistics = channelStatistics(image);
+    size_t width = 7;
+    for (const std::string& name : image.channelNames()) width = std::max(width, name.size());
+    fmt::print("  {:<{}} {:>12} {:>12} {:>12} {:>8} {:>8}\n", "channel", width, "min", "mean", "max", "NaN",
+               "infinite");
+    for (size_t c = 0; c < statistics.size(); ++c) {
+        const ChannelStatistics& s = statistics[c];
+        fmt::print("  {:<{}} {:>12.6g} {:>12.6g} {:>12.6g} {:>8} {:>8}\n", printable(image.channelNames()[c]), width,
+                   s.min, s.mean, s.max, s.nan, s.infinite);
+    }
+}
+
+nlohmann::ordered_json jsonOf(const PictureFile& file) {
+    nlohmann::ordered_json json;
+    json["path"] = file.path;
+    json["width"] = file.image.width();
+    json["height"] = file.image.height();
+    json["values"] = encodingName(file.encoding);
+    if (file.window.fullWidth > 0)
+        json["window"] = {file.window.x, file.window.y, file.window.fullWidth, file.window.fullHeight};
+    json["layers"] = layerNames(file.image);
+    if (hasColours(file.image)) json["auto_exposure"] = autoExposure(rgbOfLayer(file.image, ""));
+    json["metadata"] = file.metadata;
+    const auto statistics = channelStatistics(file.image);
+    for (size_t c = 0; c < statistics.size(); ++c) {
+        const ChannelStatistics& s = statistics[c];
+        json["channels"][file.image.channelNames()[c]] = {
+            {"min", s.min}, {"mean", s.mean}, {"max", s.max}, {"nan", s.nan}, {"infinite", s.infinite}};
+    }
+    return json;
+}
+
+void info(const InfoOptions& options) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const std::string& path : options.inputs) {
+        const PictureFile file = readPictureFile(path);
+        if (options.json)
+            all.push_back(jsonOf(file));
+        else
+            printText(file);
+    }
+    // Metadata need not be UTF-8.
+    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
+    if (options.json) fmt::print("{}\n", all.dump(-1, ' ', false, kReplace));
+}
+
+}  // namespace
+
+void addImageInfo(CLI::App& image) {
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = image.add_subcommand("info", "Print size, layers, metadata and statistics of pictures");
+    command->add_option("PICTURE", options->inputs, "Pictures to read")->required();
+    command->add_flag("--json", options->json, "Print a JSON array with an object for each picture");
+    command->footer(
+        "Values are linear: integers are decoded from sRGB. Minimum, mean and maximum are of the finite ones.\n\n"
+        "Example: drc image info render.exr");
+    command->callback([options] { info(*options); });
+}
+
+}  // namespace drc
