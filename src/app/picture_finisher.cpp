@@ -46,6 +46,8 @@ void PictureFinisher::apply(LayeredPicture& picture) const {
 double PictureFinisher::secondsFor(const Session& session, const PixelRegion& part) const {
     const auto start = Clock::now();
     LayeredPicture picture = session.snapshot(part);
+    // Where the first sample of the pixels is not complete, a denoiser has less to do than it will have at the end.
+    picture.takenAsComplete = true;
     apply(picture);
     writer_.encode(picture, {});
     return secondsSince(start);

@@ -32,7 +32,9 @@ struct GBuffer {
 
 struct LayeredPicture {
     std::shared_ptr<const Film> film;  // that the picture was made from
-    float scale = 1;                   // the film's, already applied to all images
+    // Whether filters take every pixel as sampled, whatever the film says: to measure how long they will take.
+    bool takenAsComplete = false;
+    float scale = 1;  // the film's, already applied to all images
     std::vector<PictureLayer> layers;
     Image beauty;  // the sum of the layers, clamped at zero; denoisers may replace it
     std::optional<GBuffer> gBuffer;

@@ -38,10 +38,13 @@ void OidnPictureFilter::apply(LayeredPicture& picture) const {
                          : settings.auxiliaries == OidnAuxiliaries::Clean ? "as clean"
                                                                           : "after denoising them"));
     const auto denoise = [&](Image& color) {
-        denoiseByLattices(color, g.albedo, g.normal, *picture.film,
-                          [&](Image& part, const Image& albedo, const Image& normal) {
-                              library_.denoise(part, albedo, normal, settings);
-                          });
+        const auto whole = [&](Image& part, const Image& albedo, const Image& normal) {
+            library_.denoise(part, albedo, normal, settings);
+        };
+        if (picture.takenAsComplete)
+            whole(color, g.albedo, g.normal);
+        else
+            denoiseByLattices(color, g.albedo, g.normal, *picture.film, whole);
     };
     if (!directAlone_) {
         denoise(picture.beauty);

@@ -154,7 +154,7 @@ void LiveRender::makeFrame() {
     next->samples = session_.samplesDone();
     const int passes = session_.film().passes();
     next->share = passes >= SamplePass::kLattices ? 1 : passes == 2 ? 0.25 : 0.0625;
-    next->seconds = std::chrono::duration<double>(start - began_).count();
+    next->seconds = std::chrono::duration<double>(Clock::now() - began_).count();
     next->view = view_;
     next->status = session_.status();
     frameTook_ = Clock::now() - start;

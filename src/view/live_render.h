@@ -19,7 +19,7 @@ struct LiveFrame {
     Image unfiltered;        // beauty before filters
     int samples = 0;         // complete ones in each pixel
     double share = 0;        // of the pixels of the first sample, until that is complete; then 1
-    double seconds = 0;      // of rendering since the camera was moved last
+    double seconds = 0;      // since the camera was moved last, until it was finished
     uint64_t view = 0;       // counts the movements of the camera
     std::string status;      // as Session::status()
 };
