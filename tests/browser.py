@@ -106,7 +106,8 @@ class Browser:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
     def mouse(self, kind, x, y, buttons=0):
-        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left" if buttons else "none",
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y,
+                  button="left" if buttons or kind == "mouseReleased" else "none",
                   buttons=buttons, clickCount=1)
 
     def press(self, key, code):

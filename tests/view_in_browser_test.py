@@ -6,6 +6,7 @@
 Without Chromium the tests of the page are skipped; those of the server alone are not.
 """
 import argparse
+import base64
 import http.client
 import json
 import pathlib
@@ -15,6 +16,7 @@ import socket
 import struct
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -374,6 +376,46 @@ class ViewInBrowser(unittest.TestCase):
         self.browser.run("document.getElementById('auto').click()")
         self.browser.wait_for("document.getElementById('stops').textContent !== '2.0 stops'")
 
+    def test_views_are_those_of_png_files(self):
+        """The page and `drc render --view` have the same formulas: the same bytes, up to rounding."""
+        self.view.post("pause", True)
+        self.view.wait_for(lambda s: s["paused"])
+        time.sleep(0.5)
+        self.browser.open(self.view.url)
+        self.browser.wait_for("document.body.dataset.drawn > 0")
+        with tempfile.TemporaryDirectory() as folder:
+            exr = pathlib.Path(folder, "frame.exr")
+            exr.write_bytes(self.view.get("save.exr"))
+            for view in ("srgb", "filmic", "agx"):
+                png = pathlib.Path(folder, view + ".png")
+                subprocess.run([self.drc, "image", "convert", exr, "-o", png, "--view", view, "--exposure", "-1"],
+                               check=True, stdout=subprocess.DEVNULL)
+                self.change("exposure", "-1")
+                self.change("view", view)
+                self.settle()
+                data = base64.b64encode(png.read_bytes()).decode()
+                worst, mean = self.browser.run(f"""(async () => {{
+                    const image = new Image();
+                    image.src = "data:image/png;base64,{data}";
+                    await image.decode();
+                    const canvas = document.createElement("canvas");
+                    canvas.width = image.width; canvas.height = image.height;
+                    const pen = canvas.getContext("2d");
+                    pen.drawImage(image, 0, 0);
+                    const theirs = pen.getImageData(0, 0, image.width, image.height).data;
+                    const ours = current.canvas.getContext("2d").getImageData(0, 0, image.width, image.height).data;
+                    let worst = 0, sum = 0;
+                    for (let i = 0; i < ours.length; ++i) {{
+                        worst = Math.max(worst, Math.abs(ours[i] - theirs[i])); sum += theirs[i];
+                    }}
+                    return [worst, sum / ours.length];
+                }})()""")
+                self.assertLessEqual(worst, 1, view)
+                self.assertGreater(mean, 64, view)
+        self.change("exposure", "0")
+        self.change("view", "srgb")
+        self.view.post("pause", False)
+
     def test_layers(self):
         for name in ("normal", "albedo", "depth", "variance", "samples", "unfiltered"):
             self.change("layer", name)
@@ -420,6 +462,9 @@ class ViewInBrowser(unittest.TestCase):
         self.browser.wait_for("zoom > 4")
         self.browser.mouse("mouseMoved", 410, 400)
         self.assertRegex(self.browser.run("document.getElementById('pixel').textContent"), r"\d+, \d+ +beauty +[\d.e-]+")
+        self.browser.mouse("mousePressed", 410, 400, 1)
+        self.browser.mouse("mouseReleased", 410, 400)
+        self.browser.wait_for("/ normal -?[0-9.e-]+ /.test(document.getElementById('pixel').textContent)")
         self.assertEqual(self.view.state()["camera"]["eye"], self.view.state()["home"]["eye"])
 
     def test_compares(self):

@@ -3,15 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/checksum.h"
 #include "base/error.h"
 #include "base/mapped_file.h"
 #include "base/parallel.h"
-#include "math/rng.h"
 
 namespace drc {
 namespace {
@@ -22,21 +21,6 @@ using Json = nlohmann::json;
 // What names of files begin with in an identity.
 constexpr std::string_view kFile = "file ";
 constexpr const char* kKind = "drc render";
-
-// A hash of a file's contents that finds changes, not attacks.
-uint64_t hashOf(const std::string& path) {
-    const MappedFile file(path);
-    const std::string_view bytes = file.bytes();
-    uint64_t sum = bytes.size();
-    size_t i = 0;
-    for (; i + 8 <= bytes.size(); i += 8) {
-        uint64_t word;
-        std::memcpy(&word, bytes.data() + i, 8);
-        sum = mixBits(sum ^ word) + 0x9e3779b97f4a7c15ull;
-    }
-    for (; i < bytes.size(); ++i) sum = mixBits(sum ^ uint8_t(bytes[i])) + 0x9e3779b97f4a7c15ull;
-    return sum;
-}
 
 std::string inQuotes(const std::string& value) { return value.empty() ? "nothing" : "'" + value + "'"; }
 
@@ -66,7 +50,7 @@ Checkpoint::Identity identityOf(const Scene& scene, const RenderParams& params, 
     if (scene.files.empty() || !fs::is_regular_file(scene.files[0], ignored))
         throw Error("--checkpoint, --resume: a scene that comes through a pipe cannot be read again; give its file");
     parallelFor(0, int(hashes.size()), 1, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) hashes[size_t(i)] = hashOf(scene.files[size_t(i)]);
+        for (int i = begin; i < end; ++i) hashes[size_t(i)] = checksum(MappedFile(scene.files[size_t(i)]).bytes());
     });
     // A scene that has been moved to another folder, or another machine, is the same.
     for (size_t i = 0; i < hashes.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/command_testing.h"
 #include "base/folder_testing.h"
 #include "image/image_io.h"
 
@@ -37,19 +38,8 @@ class CompareCommandTest : public FolderTest {
     }
 
     // What the command prints.
-    static std::string run(std::vector<std::string> arguments) {
-        CLI::App app;
-        addCompareCommand(app);
-        std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
-        testing::internal::CaptureStdout();
-        try {
-            app.parse(std::move(arguments));
-        } catch (...) {
-            testing::internal::GetCapturedStdout();
-            throw;
-        }
-        std::fflush(stdout);
-        return testing::internal::GetCapturedStdout();
+    static std::string run(const std::vector<std::string>& arguments) {
+        return test::outputOf(addCompareCommand, arguments);
     }
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/command.h"
+#include "app/command_testing.h"
 #include "base/folder_testing.h"
 #include "base/log.h"
 #include "image/image_io.h"
@@ -18,19 +19,8 @@ class ImageCommandFolder : public FolderTest {
   protected:
     // What `drc image ...` prints.
     static std::string run(std::vector<std::string> arguments) {
-        CLI::App app;
-        addImageCommand(app);
         arguments.insert(arguments.begin(), "image");
-        std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
-        testing::internal::CaptureStdout();
-        try {
-            app.parse(std::move(arguments));
-        } catch (...) {
-            testing::internal::GetCapturedStdout();
-            throw;
-        }
-        std::fflush(stdout);
-        return testing::internal::GetCapturedStdout();
+        return test::outputOf(addImageCommand, std::move(arguments));
     }
     // Renders are made with --quiet, which would hold for the tests that follow.
     void TearDown() override { setLogLevel(LogLevel::Normal); }

@@ -12,7 +12,6 @@
 #include "base/limits.h"
 #include "base/log.h"
 #include "image/image_layers.h"
-#include "image/render_merger.h"
 #include "image/resize.h"
 
 namespace drc {

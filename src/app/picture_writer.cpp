@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "image/image_layers.h"
 
 namespace drc {
 namespace {
@@ -67,8 +68,8 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
             layers.push_back({"Denoising Albedo", &picture.gBuffer->albedo});
             layers.push_back({"Denoising Normal", &picture.gBuffer->normal});
             layers.push_back({"Denoising Depth", &picture.gBuffer->depth});
-            layers.push_back({"Denoising Variance", &variance});
-            layers.push_back({"Debug Sample Count", &*picture.samples});
+            layers.push_back({kVarianceLayer, &variance});
+            layers.push_back({kSampleCountLayer, &*picture.samples});
         }
         files.push_back(encodeExr(layers, metadata, window));
     }

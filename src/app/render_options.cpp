@@ -181,10 +181,11 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
         ->check(wholeNumberFrom(0));
     command.add_option("--timing", o.timing,
                        "JSON file to write, with the seconds of reading, rendering, denoising and writing");
-    command.add_option("--checkpoint", o.checkpoint,
-                       "File to save the render's state in now and then, and when it is interrupted, so that it can go "
-                       "on later by --resume");
-    command.add_option("--every", o.every, "How often: 60s, 5m, 1h")->capture_default_str();
+    CLI::Option* checkpoint = command.add_option(
+        "--checkpoint", o.checkpoint,
+        "File to save the render's state in now and then, and when it is interrupted, so that it can go "
+        "on later by --resume");
+    command.add_option("--every", o.every, "How often: 60s, 5m, 1h")->capture_default_str()->needs(checkpoint);
     command.add_option("--resume", o.resume,
                        "Goes on from a checkpoint of the same scene and settings, to the same bits as if it had not "
                        "stopped; --spp, --time and --nthreads may differ");

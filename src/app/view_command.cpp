@@ -37,24 +37,21 @@ struct ViewOptions {
 // The filters of frames: while the camera moves, the one that takes the least time.
 class FrameFilters {
   public:
-    FrameFilters(const RenderParams& params, const ChosenDenoiser& denoiser) {
-        if (usesMaps(params.integrator)) {
-            still_ = filtersFor(params, denoiser).front().filters;
-        } else if (denoiser.oidn) {
-            const auto filter = [&](OidnQuality quality) {
-                return std::make_shared<OidnPictureFilter>(*denoiser.oidn, OidnSettings{quality, OidnAuxiliaries::Raw},
-                                                           true, false);
-            };
-            moving_ = {filter(OidnQuality::Fast)};
-            still_ = {filter(OidnQuality::Balanced)};
-        }
+    explicit FrameFilters(const ChosenDenoiser& denoiser) {
+        if (!denoiser.oidn) return;
+        const auto filter = [&](OidnQuality quality) {
+            return std::make_unique<OidnPictureFilter>(*denoiser.oidn, OidnSettings{quality, OidnAuxiliaries::Raw},
+                                                       true, false);
+        };
+        moving_ = filter(OidnQuality::Fast);
+        still_ = filter(OidnQuality::Balanced);
     }
     void apply(LayeredPicture& picture, bool moving) const {
-        for (const auto& filter : moving ? moving_ : still_) filter->apply(picture);
+        if (const auto& filter = moving ? moving_ : still_) filter->apply(picture);
     }
 
   private:
-    std::vector<std::shared_ptr<const PictureFilter>> moving_, still_;
+    std::unique_ptr<const PictureFilter> moving_, still_;  // null: frames stay as they are
 };
 
 std::string encodeFrame(RenderSettings settings, const LiveFrame& frame, const RenderParams& params) {
@@ -104,7 +101,7 @@ void view(ViewOptions o) {
     params.denoise = denoiser.denoise;
 
     Stats stats;
-    const FrameFilters filters(params, denoiser);
+    const FrameFilters filters(denoiser);
     const RenderSettings settings = scene->settings;
     Session session(*scene, params, nullptr, &stats);
     // Frames are announced once there is a server to do so.

@@ -9,6 +9,10 @@
 
 namespace drc {
 
+// The layers of `drc render --aovs` that are not means of samples.
+inline constexpr const char* kVarianceLayer = "Denoising Variance";
+inline constexpr const char* kSampleCountLayer = "Debug Sample Count";
+
 // The part of a channel's name before its last dot, and the part after it.
 std::string layerOfChannel(const std::string& channel);
 std::string suffixOfChannel(const std::string& channel);

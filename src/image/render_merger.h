@@ -9,10 +9,6 @@
 
 namespace drc {
 
-// The layers of `drc render --aovs` that are not means of samples.
-inline constexpr const char* kVarianceLayer = "Denoising Variance";
-inline constexpr const char* kSampleCountLayer = "Debug Sample Count";
-
 // Each pixel is the mean of the renders' pixels, weighted by their sample counts n: those of the layer "Debug Sample
 // Count" or, in files without it, the metadata drc:spp. The counts are added. The variance of a mean of independent
 // means m_i is sum n_i^2 var(m_i) / (sum n_i)^2; a render of less than two samples in a pixel does not know its
