@@ -69,7 +69,7 @@ void resize(PictureFile& picture, const std::string& text) {
     if (const int64_t bad = clearNonFinite(picture.image); bad > 0)
         logWarning(fmt::format("{}: {} pixel(s) are NaN or infinite; they are taken as black", picture.path, bad));
     // Neither is a density, nor is the noise of neighbours independent once they are filtered.
-    picture.image = withoutLayers(picture.image, {kVarianceLayer, kSampleCountLayer});
+    picture.image = withoutLayers(picture.image, {kVarianceLayer, kSampleCountLayer, kErrorLayer});
     picture.image = resized(picture.image, size.width, size.height);
     picture.window = {};
 }

@@ -38,8 +38,24 @@ PixelRegion middle(const PixelRegion& region, double divisor) {
 
 }  // namespace
 
-void PictureFinisher::apply(LayeredPicture& picture) const {
+DenoisedError PictureFinisher::errorOf(const LayeredPicture& picture) const {
+    const auto start = Clock::now();
+    DenoisedError error = estimateDenoisedError(picture, [this](LayeredPicture& half) { filter(half); });
+    stats_.timer("estimate of the error").add(Clock::now() - start);
+    return error;
+}
+
+void PictureFinisher::filter(LayeredPicture& picture) const {
     for (const auto& filter : filters().filters) filter->apply(picture);
+}
+
+void PictureFinisher::apply(LayeredPicture& picture, ExrMetadata& metadata) const {
+    if (estimateError_) {
+        DenoisedError error = errorOf(picture);
+        if (std::isfinite(error.whole)) metadata["drc:error"] = fmt::format("{:.4f}", error.whole);
+        picture.error = std::move(error.local);
+    }
+    filter(picture);
     if (const auto& balance = writer_.settings().whiteBalance) picture.balance(*balance);
 }
 
@@ -48,8 +64,9 @@ double PictureFinisher::secondsFor(const Session& session, const PixelRegion& pa
     LayeredPicture picture = session.snapshot(part);
     // Where the first sample of the pixels is not complete, a denoiser has less to do than it will have at the end.
     picture.takenAsComplete = true;
-    apply(picture);
-    writer_.encode(picture, {});
+    ExrMetadata metadata;
+    apply(picture, metadata);
+    writer_.encode(picture, metadata);
     return secondsSince(start);
 }
 
@@ -82,7 +99,7 @@ double PictureFinisher::estimate(const Session& session, double budget) {
 
 void PictureFinisher::finish(LayeredPicture picture, ExrMetadata metadata) {
     const auto start = Clock::now();
-    apply(picture);
+    apply(picture, metadata);
     metadata["drc:denoiser"] = filters().name();
     const auto filtered = Clock::now();
     stats_.timer("denoise").add(filtered - start);

@@ -5,6 +5,7 @@
 
 #include "app/picture_filters.h"
 #include "app/picture_writer.h"
+#include "render/denoised_error.h"
 #include "render/session.h"
 
 namespace drc {
@@ -12,14 +13,17 @@ namespace drc {
 class PictureFinisher {
   public:
     // candidates: the wanted filters, then cheaper ones for when there is no time for these; not empty.
-    PictureFinisher(std::vector<PictureFilters> candidates, PictureWriter& writer, Stats& stats)
-        : candidates_(std::move(candidates)), writer_(writer), stats_(stats) {}
+    // estimateError: whether finish() tells the error of the picture, which triples the time that its filters take.
+    PictureFinisher(std::vector<PictureFilters> candidates, PictureWriter& writer, Stats& stats, bool estimateError)
+        : candidates_(std::move(candidates)), writer_(writer), stats_(stats), estimateError_(estimateError) {}
 
     // Measures on parts of the unfinished picture how long finishing all of it will take, and reserves that time in the
     // session's schedule. Changes to cheaper filters if these would take too much of the budget, with a warning if they
     // were asked for.
     void measure(Session& session);
-    // Filters, encodes and writes the picture; adds to the metadata what filtered it.
+    // The error that the unfinished picture would have if it were finished now.
+    DenoisedError errorOf(const LayeredPicture& picture) const;
+    // Filters, encodes and writes the picture; adds to the metadata what filtered it, and its error.
     void finish(LayeredPicture picture, ExrMetadata metadata);
 
   private:
@@ -27,7 +31,9 @@ class PictureFinisher {
     double estimate(const Session& session, double budget);
     double secondsFor(const Session& session, const PixelRegion& part) const;
     const PictureFilters& filters() const { return candidates_.front(); }
-    void apply(LayeredPicture& picture) const;
+    void filter(LayeredPicture& picture) const;
+    // Estimates the error if it is wanted, then filters.
+    void apply(LayeredPicture& picture, ExrMetadata& metadata) const;
     // Goes on to the next candidate.
     void useCheaper();
 
@@ -40,6 +46,7 @@ class PictureFinisher {
     std::vector<PictureFilters> candidates_;
     PictureWriter& writer_;
     Stats& stats_;
+    const bool estimateError_;
 };
 
 }  // namespace drc

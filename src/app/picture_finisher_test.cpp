@@ -30,7 +30,7 @@ TEST(PictureFinisher, MeasuresAsForACompletePicture) {
     const auto filter = std::make_shared<NotingFilter>();
     PictureWriter writer(scene->settings, {"picture.exr"}, {});
     Stats stats;
-    PictureFinisher finisher({{{filter}, 0.5, true, 0}}, writer, stats);
+    PictureFinisher finisher({{{filter}, 0.5, true, 0}}, writer, stats, false);
     finisher.measure(session);
     ASSERT_FALSE(filter->asComplete.empty());
     EXPECT_EQ(std::count(filter->asComplete.begin(), filter->asComplete.end(), true), int(filter->asComplete.size()));

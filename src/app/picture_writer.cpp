@@ -70,6 +70,7 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
             layers.push_back({"Denoising Depth", &picture.gBuffer->depth});
             layers.push_back({kVarianceLayer, &variance});
             layers.push_back({kSampleCountLayer, &*picture.samples});
+            if (picture.error) layers.push_back({kErrorLayer, &*picture.error});
         }
         files.push_back(encodeExr(layers, metadata, window));
     }

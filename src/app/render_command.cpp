@@ -17,6 +17,7 @@
 #include "cache/network_map_denoiser.h"
 #include "pbrt/scene_file.h"
 #include "render/deadline.h"
+#include "render/noise_threshold.h"
 #include "scene/crop_window.h"
 #include "scene/film_output.h"
 
@@ -119,12 +120,21 @@ bool step(Session& session, CheckpointWriter* checkpoint) {
 
 // Runs passes until the render is done or interrupted.
 void run(Session& session, PictureFinisher& finisher, const RenderOptions& o, CheckpointWriter* checkpoint) {
+    NoiseThreshold threshold(o.noiseThreshold.value_or(0));
     Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
                       o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
     while (step(session, checkpoint)) {
         if (session.hasPicture()) setSomethingToSave(true);
         progress.set(int64_t(session.progress() * 1000));
-        progress.setNote(session.status());
+        if (threshold.isDue(session.samplesDone())) {
+            const double error = finisher.errorOf(session.picture()).whole;
+            threshold.estimated(session.samplesDone(), error);
+            logDebug(fmt::format("--noise-threshold {:g}: {:.4f} after {} spp; {:.0f} spp needed", *o.noiseThreshold,
+                                 error, session.samplesDone(), *threshold.samplesNeeded()));
+            if (threshold.reached()) break;
+        }
+        progress.setNote(session.status() +
+                         (threshold.error() ? fmt::format(", error {:.3f}", *threshold.error()) : ""));
         if (session.schedule().wantsReserve(session.film().passes(), session.mapPassesDone()))
             finisher.measure(session);
     }
@@ -149,6 +159,14 @@ Checkpoint::Identity othersOf(const RenderOptions& o, const std::string& weights
     return others;
 }
 
+// Sets what --noise-threshold needs.
+void estimateErrors(RenderParams& params) {
+    params.variance = params.independentHalves = true;
+    // Enough for any error that can be wanted.
+    constexpr int kMostSamples = 1 << 20;
+    if (!params.spp && params.seconds == 0) params.spp = kMostSamples;
+}
+
 void render(RenderOptions o, const CLI::App& command) {
     const auto start = processInfo().start;
     MemoryTable memory;
@@ -171,7 +189,11 @@ void render(RenderOptions o, const CLI::App& command) {
     for (const std::string& path : o.outputs) checkOutput("-o", path);
     if (o.spacing) o.params.firstSpacing = *o.spacing / float(scene->settings.film.height);
     if (o.aovs) o.params.gBuffer = o.params.variance = true;
+    if (o.noiseThreshold) estimateErrors(o.params);
     RenderParams params = resolved(o.params, *scene);
+    if (o.noiseThreshold && !hasHalves(params.integrator))
+        throw Error("--noise-threshold: with --integrator " + params.integrator +
+                    " the error cannot be estimated; it can with drc, path and direct");
     refuseIdleOptions(command, params.integrator);
     const ChosenDenoiser denoiser =
         chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
@@ -184,7 +206,7 @@ void render(RenderOptions o, const CLI::App& command) {
     const auto build = Clock::now();
     Session session(*scene, params, chosen.mapDenoiser, &stats, start);
     PictureWriter writer(scene->settings, o.outputs, o.aovs, o.display);
-    PictureFinisher finisher(filtersFor(params, denoiser), writer, stats);
+    PictureFinisher finisher(filtersFor(params, denoiser), writer, stats, o.noiseThreshold.has_value());
     memory.afterBuilding(*scene);
     const auto rendering = Clock::now();
     stats.timer("build").add(rendering - build);

@@ -44,6 +44,13 @@ void addAmounts(CLI::App& command, RenderOptions& o) {
             "Seconds for the whole run, including reading and writing; replaces --spp, --passes and --indirect-tasks")
         ->check(numberAbove(0));
     command.add_option("--spp", o.params.spp, "Camera samples a pixel; with drc on average")->check(wholeNumberFrom(1));
+    command
+        .add_option(
+            "--noise-threshold", o.noiseThreshold,
+            "Stop where the denoised picture's relative error is estimated to be this, as 0.03; --time or --spp "
+            "is then the most that is done, without them there is no bound. The estimate is the metadata "
+            "drc:error, and with --aovs a layer. 0: only estimate")
+        ->check(numberFrom(0));
     command.add_option("--max-depth", o.params.maxDepth, "Maximum length of paths, in non-specular bounces")
         ->check(wholeNumberFrom(1));
     command

@@ -49,6 +49,10 @@ class FrameFilters {
     void apply(LayeredPicture& picture, bool moving) const {
         if (const auto& filter = moving ? moving_ : still_) filter->apply(picture);
     }
+    // Of the picture at rest.
+    DenoisedError errorOf(const LayeredPicture& picture) const {
+        return estimateDenoisedError(picture, [&](LayeredPicture& half) { apply(half, false); });
+    }
 
   private:
     std::unique_ptr<const PictureFilter> moving_, still_;  // null: frames stay as they are
@@ -92,7 +96,7 @@ void view(ViewOptions o) {
     if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
     load.overrides = o.overrides;
     const auto scene = pbrt::loadPbrtFile(o.scene, load);
-    o.params.gBuffer = o.params.variance = true;
+    o.params.gBuffer = o.params.variance = o.params.independentHalves = true;
     if (!o.params.spp) o.params.spp = kSamples;
     RenderParams params = resolved(o.params, *scene);
     if (usesMaps(params.integrator)) throw Error("drc view: --integrator drc-maps cannot be watched yet");
@@ -111,8 +115,11 @@ void view(ViewOptions o) {
         HttpServer* to = listener;
         if (to != nullptr) to->send("frame", source.load()->frameEvent());
     };
-    LiveRender render(session, {.finish = [&](LayeredPicture& picture, bool moving) { filters.apply(picture, moving); },
-                                .onFrame = announce});
+    LiveRender render(
+        session, {.finish = [&](LayeredPicture& picture, bool moving) { filters.apply(picture, moving); },
+                  .onFrame = announce,
+                  .estimate = hasHalves(params.integrator) ? [&](const LayeredPicture& p) { return filters.errorOf(p); }
+                                                           : std::function<DenoisedError(const LayeredPicture&)>()});
     ViewService service(*scene, render,
                         {.title = titleOf(o.scene), .token = randomToken(), .encodeExr = [&](const LiveFrame& frame) {
                              return encodeFrame(settings, frame, params);

@@ -12,6 +12,8 @@ namespace drc {
 // The layers of `drc render --aovs` that are not means of samples.
 inline constexpr const char* kVarianceLayer = "Denoising Variance";
 inline constexpr const char* kSampleCountLayer = "Debug Sample Count";
+// Of `drc render --noise-threshold`.
+inline constexpr const char* kErrorLayer = "Estimated Error";
 
 // The part of a channel's name before its last dot, and the part after it.
 std::string layerOfChannel(const std::string& channel);

@@ -58,10 +58,12 @@ class FilmLayer {
     bool has(int x, int y, int group) const { return expected(x, y, group) > 0; }
     int groupsWithSamples(int x, int y) const;
     bool complete(int x, int y) const { return groupsWithSamples(x, y) == spec_.groups; }
-    // The sum of the importance of a pixel's samples, which is their number in exact layers.
+    // The sum of the importance of a pixel's samples, which is their number in exact layers; of all, or of a group.
     double expected(int x, int y) const;
-    // The sum of a channel over all groups.
+    double expected(int x, int y, int group) const;
+    // The sum of a channel over all groups, or of one of them.
     double sum(int x, int y, int channel) const;
+    double sum(int x, int y, int channel, int group) const { return value(x, y, group, size_t(channel)); }
     // The weighted mean of the first three channels of a group, and of all groups; black without samples.
     Rgb group(int x, int y, int group) const;
     Rgb mean(int x, int y) const;
@@ -93,7 +95,6 @@ class FilmLayer {
     bool exact() const { return spec_.storage == FilmLayerSpec::Storage::Exact; }
     // Value `i` of a group's record: the channels, then the sum of the weights, then that of the importance.
     double value(int x, int y, int group, size_t i) const;
-    double expected(int x, int y, int group) const;
 
     PixelRegion region_{};
     FilmLayerSpec spec_;

@@ -4,31 +4,31 @@
 
 #include "base/error.h"
 
-// One line for each integrator: its name, the function that makes it, which its own file defines, whether it has map
-// passes, and whether it renders participating media.
-#define DRC_INTEGRATORS(X)                           \
-    X("drc", makeFinalGatherIntegrator, false, true) \
-    X("drc-maps", makeMapsIntegrator, true, false)   \
-    X("path", makePathIntegrator, false, true)       \
-    X("bdpt", makeBdptIntegrator, false, false)      \
-    X("direct", makeDirectIntegrator, false, false)
-
 namespace drc {
 
-#define DRC_DECLARE(name, make, maps, media) std::unique_ptr<Integrator> make(const RenderContext& context);
-DRC_INTEGRATORS(DRC_DECLARE)
-#undef DRC_DECLARE
+// Each is defined in the integrator's own file.
+std::unique_ptr<Integrator> makeFinalGatherIntegrator(const RenderContext& context);
+std::unique_ptr<Integrator> makeMapsIntegrator(const RenderContext& context);
+std::unique_ptr<Integrator> makePathIntegrator(const RenderContext& context);
+std::unique_ptr<Integrator> makeBdptIntegrator(const RenderContext& context);
+std::unique_ptr<Integrator> makeDirectIntegrator(const RenderContext& context);
 
 namespace {
 
 struct Entry {
     const char* name;
     std::unique_ptr<Integrator> (*make)(const RenderContext&);
-    bool maps, media;
+    bool maps = false;    // there are map passes
+    bool media = false;   // participating media are rendered
+    bool halves = false;  // the half buffers have all that the picture is made of
 };
-#define DRC_ENTRY(name, make, maps, media) {name, make, maps, media},
-constexpr Entry kIntegrators[] = {DRC_INTEGRATORS(DRC_ENTRY)};
-#undef DRC_ENTRY
+constexpr Entry kIntegrators[] = {
+    {.name = "drc", .make = makeFinalGatherIntegrator, .media = true, .halves = true},
+    {.name = "drc-maps", .make = makeMapsIntegrator, .maps = true},
+    {.name = "path", .make = makePathIntegrator, .media = true, .halves = true},
+    {.name = "bdpt", .make = makeBdptIntegrator},
+    {.name = "direct", .make = makeDirectIntegrator, .halves = true},
+};
 
 const Entry& entry(const std::string& name) {
     for (const Entry& e : kIntegrators)
@@ -50,5 +50,6 @@ std::vector<std::string> integratorNames() {
 
 bool usesMaps(const std::string& integrator) { return entry(integrator).maps; }
 bool rendersMedia(const std::string& integrator) { return entry(integrator).media; }
+bool hasHalves(const std::string& integrator) { return entry(integrator).halves; }
 
 }  // namespace drc

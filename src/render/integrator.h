@@ -74,5 +74,7 @@ std::vector<std::string> integratorNames();
 bool usesMaps(const std::string& integrator);
 // Whether this integrator renders participating media. Others need a scene without.
 bool rendersMedia(const std::string& integrator);
+// Whether two independent pictures of half of the samples can be had: RenderParams::independentHalves.
+bool hasHalves(const std::string& integrator);
 
 }  // namespace drc

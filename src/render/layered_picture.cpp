@@ -81,14 +81,14 @@ PictureLayer pictureLayer(const Film& film, const std::string& name, const std::
     return layer;
 }
 
-void addGBufferSpec(std::vector<FilmLayerSpec>& layers) {
-    layers.push_back({.name = kGBufferLayer, .channels = kGBufferChannels});
+void addGBufferSpec(std::vector<FilmLayerSpec>& layers, int groups) {
+    layers.push_back({.name = kGBufferLayer, .channels = kGBufferChannels, .groups = groups});
 }
 
-void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, float filterWeight) {
+void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, float filterWeight, int group) {
     const float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x,
                             s.normal.y, s.normal.z, s.depth,    lengthSquared(s.albedo) + lengthSquared(s.normal)};
-    layer.add(x, y, 0, values, filterWeight);
+    layer.add(x, y, group, values, filterWeight);
 }
 
 Image sampleCounts(const FilmLayer& layer) {
@@ -100,8 +100,7 @@ Image sampleCounts(const FilmLayer& layer) {
     return counts;
 }
 
-void addGBuffer(LayeredPicture& picture) {
-    const Film& film = *picture.film;
+GBuffer gBufferOf(const Film& film, std::optional<int> group) {
     const PixelRegion& region = film.region();
     const int width = region.width(), height = region.height();
     const FilmLayer& samples = film.layer(kGBufferLayer);
@@ -111,10 +110,12 @@ void addGBuffer(LayeredPicture& picture) {
     forEachRow(height, [&](int row) {
         for (int column = 0; column < width; ++column) {
             const int x = region.x0 + column, y = region.y0 + row;
-            const double expected = samples.expected(x, y);
-            if (expected == 0) continue;
-            const double divisor = filterDivisor(samples.sum(x, y, kGBufferChannels), expected);
-            const auto mean = [&](int c) { return float(samples.sum(x, y, c) / divisor); };
+            if (samples.expected(x, y) == 0) continue;
+            const bool ofGroup = group && samples.has(x, y, *group);
+            const double expected = ofGroup ? samples.expected(x, y, *group) : samples.expected(x, y);
+            const auto sum = [&](int c) { return ofGroup ? samples.sum(x, y, c, *group) : samples.sum(x, y, c); };
+            const double divisor = filterDivisor(sum(kGBufferChannels), expected);
+            const auto mean = [&](int c) { return float(sum(c) / divisor); };
             for (int c = 0; c < 3; ++c) g.albedo.at(column, row, c) = std::clamp(mean(c), 0.f, 1.f);
             for (int c = 0; c < 3; ++c) g.normal.at(column, row, c) = mean(3 + c);
             g.depth.at(column, row, 0) = mean(6);
@@ -126,10 +127,11 @@ void addGBuffer(LayeredPicture& picture) {
             ++sampledInRow[size_t(row)];
         }
     });
-    const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
-    if (const double sampled = sum(sampledInRow); sampled > 0) g.noise = float(std::sqrt(sum(noiseOfRow) / sampled));
+    const auto total = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+    if (const double sampled = total(sampledInRow); sampled > 0)
+        g.noise = float(std::sqrt(total(noiseOfRow) / sampled));
     for (Image* image : {&g.albedo, &g.normal, &g.depth}) fillUnsampled(*image, samples);
-    picture.gBuffer = std::move(g);
+    return g;
 }
 
 }  // namespace drc

@@ -39,6 +39,7 @@ struct LayeredPicture {
     Image beauty;  // the sum of the layers, clamped at zero; denoisers may replace it
     std::optional<GBuffer> gBuffer;
     std::optional<Image> samples;  // X: number of camera samples; present if a layer has variance
+    std::optional<Image> error;    // X: DenoisedError::local, if it was estimated
 
     PictureLayer& layer(const std::string& name);
     // The sum of the layers of a part.
@@ -58,10 +59,10 @@ PictureLayer pictureLayer(const Film& film, const std::string& name, const std::
 // The film's layer that GBufferSamples are added to: albedo, normal, depth, and the squared length of albedo and normal
 // as one vector, from which follows how noisy they are.
 inline constexpr const char* kGBufferLayer = "g-buffer";
-void addGBufferSpec(std::vector<FilmLayerSpec>& layers);
-void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& sample, float filterWeight);
-// Sets picture.gBuffer from that layer.
-void addGBuffer(LayeredPicture& picture);
+void addGBufferSpec(std::vector<FilmLayerSpec>& layers, int groups = 1);
+void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& sample, float filterWeight, int group = 0);
+// The G-buffer from that layer, of all samples or, where a pixel has any, of those of a group alone.
+GBuffer gBufferOf(const Film& film, std::optional<int> group = {});
 // X: the number of samples in each pixel of a layer.
 Image sampleCounts(const FilmLayer& layer);
 

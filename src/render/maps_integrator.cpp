@@ -83,7 +83,7 @@ class MapsIntegrator final : public Integrator {
             fillUnsampled(picture.layers.back().mean, picture.film->layer(layer));
         }
         if (context_.params.variance) picture.samples = sampleCounts(picture.film->layer(kEmission));
-        if (context_.params.gBuffer) addGBuffer(picture);
+        if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);
         picture.compose();
         return picture;
     }

@@ -43,7 +43,11 @@ struct RenderParams {
     std::optional<bool> oidnPrefilter;
     bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
     bool variance = false;  // keep half buffers: PictureLayer::variance
-    bool cells = true;      // whether paths of integrator drc end in radiance cells; false: it is the path tracer
+    // The half buffers know nothing of each other, as the estimate of the denoised picture's error needs
+    // (DenoisedError): each has a sequence of samples and a G-buffer of its own. Else one sequence is well distributed
+    // over both.
+    bool independentHalves = false;
+    bool cells = true;   // whether paths of integrator drc end in radiance cells; false: it is the path tracer
     float cellSize = 0;  // edge of the finest cells at first, world units; 0: by the distances that the picture shows
     bool guide = true;   // whether sampling of the environment learns where its light enters (EnvironmentGuide)
 };

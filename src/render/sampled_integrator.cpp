@@ -13,7 +13,7 @@ std::vector<FilmLayerSpec> SampledIntegrator::layers() const {
     std::vector<FilmLayerSpec> layers{{.name = kBeauty,
                                        .groups = context_.params.variance ? 2 : 1,
                                        .quantum = radianceQuantum(context_.scene.settings.filmScale)}};
-    if (context_.params.gBuffer) addGBufferSpec(layers);
+    if (context_.params.gBuffer) addGBufferSpec(layers, context_.params.independentHalves ? 2 : 1);
     return layers;
 }
 
@@ -25,8 +25,16 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
                                                    params.gBuffer ? &gBuffer : nullptr) *
                                               camera.weight
                                         : Rgb(0.f);
-    film.layer(0).add(x, y, params.variance ? halfOf(params.seed, index) : 0, value, sample.filterWeight);
-    if (params.gBuffer) addGBufferSample(film.layer(1), x, y, gBuffer, sample.filterWeight);
+    const int group = groupOf(index);
+    film.layer(0).add(x, y, group, value, sample.filterWeight);
+    if (params.gBuffer)
+        addGBufferSample(film.layer(1), x, y, gBuffer, sample.filterWeight, params.independentHalves ? group : 0);
+}
+
+int SampledIntegrator::groupOf(uint32_t index) const {
+    const RenderParams& params = context_.params;
+    if (!params.variance) return 0;
+    return params.independentHalves ? int(index & 1) : halfOf(params.seed, index);
 }
 
 LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) const {
@@ -37,7 +45,7 @@ LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) cons
     picture.layers.push_back(pictureLayer(*picture.film, kBeauty, "", picture.scale));
     fillUnsampled(picture.layers[0].mean, samples);
     if (context_.params.variance) picture.samples = sampleCounts(samples);
-    if (context_.params.gBuffer) addGBuffer(picture);
+    if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);
     picture.compose();
     return picture;
 }

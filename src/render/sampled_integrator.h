@@ -23,6 +23,10 @@ class SampledIntegrator : public Integrator {
     virtual Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, GBufferSample* gBuffer) = 0;
 
     const RenderContext context_;
+
+  private:
+    // The half buffer that a sample is added to.
+    int groupOf(uint32_t index) const;
 };
 
 // The half buffer that a sample belongs to, at random for each pair of samples: the even samples of a sequence alone

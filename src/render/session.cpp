@@ -14,7 +14,7 @@ namespace {
 
 // The first words of the files that sessions are saved in.
 constexpr const char* kFileKind = "drc render";
-constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003;
+constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003, kOddSampleStream = 0x2007;
 // The guide's voxels: this many between the camera and what it sees.
 constexpr float kVoxelsInDistance = 8;
 // The square root of the number of camera rays that look for surfaces before rendering.
@@ -195,8 +195,11 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
                 const int x = region.x0 + column;
                 const PixelSamples samples = integrator_->samplesOf(x, y, number);
                 const uint64_t stream = pixelStream(params_.seed, kSampleStream, x, y);
+                const uint64_t odd = pixelStream(params_.seed, kOddSampleStream, x, y);
                 for (uint32_t i = samples.first; i < samples.first + uint32_t(samples.count); ++i) {
-                    CameraSample sample = cameraSample(scene_, x, y, stream, i);
+                    CameraSample sample = !params_.independentHalves
+                                              ? cameraSample(scene_, x, y, stream, i)
+                                              : cameraSample(scene_, x, y, i & 1 ? odd : stream, i / 2);
                     integrator_->sample(x, y, i, sample, *film_);
                 }
             });

@@ -1,6 +1,7 @@
 #include "view/live_render.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/log.h"
 #include "render/sample_pass.h"
@@ -10,6 +11,9 @@ namespace {
 
 // Frames take at most this share of the time, after the first sample of the pixels.
 constexpr double kShareOfFrames = 0.2;
+// The same of estimates of the error, which are not made before the halves have four samples each.
+constexpr double kShareOfEstimates = 0.1;
+constexpr int kLeastSamplesForEstimate = 8;
 // There is no use in more frames a second than this.
 constexpr std::chrono::milliseconds kLeastInterval{150};
 
@@ -108,6 +112,8 @@ void LiveRender::work() {
                     owesFrame_ = true;
                     state_.done = false;
                     isCurrent_ = false;
+                    error_ = nullptr;
+                    errors_ = NoiseThreshold(0);
                     ++view_;
                     began_ = Clock::now();
                 }
@@ -145,11 +151,28 @@ bool LiveRender::isFrameDue() const {
            std::chrono::duration<double>(since) >= std::chrono::duration<double>(frameTook_) / kShareOfFrames;
 }
 
+void LiveRender::estimateError(const LayeredPicture& unfiltered) {
+    const int samples = session_.samplesDone();
+    if (!callbacks_.estimate || moving_ || samples < kLeastSamplesForEstimate || (error_ && error_->samples == samples))
+        return;
+    const auto start = Clock::now();
+    if (error_ && std::chrono::duration<double>(start - lastEstimate_) < estimateTook_ / kShareOfEstimates) return;
+    DenoisedError error = callbacks_.estimate(unfiltered);
+    lastEstimate_ = Clock::now();
+    estimateTook_ = lastEstimate_ - start;
+    if (!std::isfinite(error.whole)) return;
+    errors_.estimated(samples, error.whole);
+    error_ =
+        std::make_shared<const LiveError>(LiveError{error.whole, samples, errors_.slope(), std::move(error.local)});
+}
+
 void LiveRender::makeFrame() {
     const auto start = Clock::now();
     auto next = std::make_shared<LiveFrame>();
     next->picture = session_.snapshot();
     next->unfiltered = next->picture.beauty;
+    estimateError(next->picture);
+    next->error = error_;
     callbacks_.finish(next->picture, moving_);
     next->samples = session_.samplesDone();
     const int passes = session_.film().passes();

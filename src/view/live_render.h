@@ -8,20 +8,31 @@
 #include <optional>
 #include <thread>
 
+#include "render/denoised_error.h"
+#include "render/noise_threshold.h"
 #include "render/session.h"
 
 namespace drc {
 
+// The error of the denoised picture, as far as it has been estimated.
+struct LiveError {
+    double whole = 0;  // DenoisedError::whole
+    int samples = 0;   // after so many in each pixel
+    double slope = 0;  // NoiseThreshold::slope
+    Image local;       // DenoisedError::local
+};
+
 // What is seen at a time.
 struct LiveFrame {
-    uint64_t number = 0;     // from 1
-    LayeredPicture picture;  // finished; picture.film is a copy of its own
-    Image unfiltered;        // beauty before filters
-    int samples = 0;         // complete ones in each pixel
-    double share = 0;        // of the pixels of the first sample, until that is complete; then 1
-    double seconds = 0;      // since the camera was moved last, until it was finished
-    uint64_t view = 0;       // counts the movements of the camera
-    std::string status;      // as Session::status()
+    uint64_t number = 0;                     // from 1
+    LayeredPicture picture;                  // finished; picture.film is a copy of its own
+    Image unfiltered;                        // beauty before filters
+    int samples = 0;                         // complete ones in each pixel
+    double share = 0;                        // of the pixels of the first sample, until that is complete; then 1
+    double seconds = 0;                      // since the camera was moved last, until it was finished
+    uint64_t view = 0;                       // counts the movements of the camera
+    std::string status;                      // as Session::status()
+    std::shared_ptr<const LiveError> error;  // the latest estimate; null: there is none yet of this view
 };
 
 struct LiveState {
@@ -32,10 +43,12 @@ struct LiveState {
 class LiveRender {
   public:
     // finish: applies the filters to a picture. moving: while the camera moves, when time counts most. onFrame: called
-    // after each new frame, on the render's thread.
+    // after each new frame, on the render's thread. estimate: of a picture with half buffers that is not filtered; may
+    // be empty.
     struct Callbacks {
         std::function<void(LayeredPicture&, bool moving)> finish;
         std::function<void()> onFrame;
+        std::function<DenoisedError(const LayeredPicture&)> estimate = {};
     };
 
     // Begins at once. The session must outlive this object, and is used by nothing else meanwhile.
@@ -68,6 +81,7 @@ class LiveRender {
     void run();
     void work();
     void makeFrame();
+    void estimateError(const LayeredPicture& unfiltered);
     // Whether a frame should be made now, after a step.
     bool isFrameDue() const;
 
@@ -89,6 +103,11 @@ class LiveRender {
     bool moving_ = false, isCurrent_ = false;
     Clock::time_point began_ = Clock::now(), lastFrame_{};
     Clock::duration frameTook_{};
+    // Of the present view.
+    std::shared_ptr<const LiveError> error_;
+    NoiseThreshold errors_{0};
+    Clock::time_point lastEstimate_{};
+    Clock::duration estimateTook_{};
     std::thread thread_;
 };
 

@@ -152,6 +152,43 @@ TEST(LiveRender, ShowsFramesWhileTheCameraMoves) {
     EXPECT_GT(views, 5u);
 }
 
+// The error is estimated now and then, of what is seen.
+TEST(LiveRender, TellsTheErrorOfThePresentView) {
+    const auto scene = ballInARoom();
+    RenderParams params = Watched::params("path", 1 << 16);
+    params.variance = params.independentHalves = true;
+    Session session(*scene, params, nullptr, nullptr);
+    const auto nothing = [](LayeredPicture&) {};
+    std::atomic<int> estimates = 0;
+    LiveRender render(session, {.finish = [&](LayeredPicture& picture, bool) { nothing(picture); },
+                                .onFrame = [] {},
+                                .estimate =
+                                    [&](const LayeredPicture& picture) {
+                                        ++estimates;
+                                        return estimateDenoisedError(picture, nothing);
+                                    }});
+    const auto waitFor = [&](const std::function<bool(const LiveFrame&)>& good) {
+        auto frame = render.waitForFrame(0, kLong);
+        for (; !good(*frame); frame = render.waitForFrame(frame->number, kLong))
+            EXPECT_TRUE(!frame->error || frame->samples >= 8);
+        return frame;
+    };
+    const auto early = waitFor([](const LiveFrame& f) { return f.error != nullptr; });
+    EXPECT_GT(early->error->whole, 0);
+    EXPECT_EQ(early->error->local.width(), 48);
+    const int first = early->error->samples;
+    const auto later = waitFor([&](const LiveFrame& f) { return f.error->samples >= 4 * first; });
+    EXPECT_LT(later->error->whole, 0.8 * early->error->whole);
+    EXPECT_LT(estimates, later->samples);
+
+    const ViewCamera home = ViewCamera::of(*scene, 3);
+    const FilmGeometry film = scene->settings.film;
+    const uint64_t before = later->view;
+    render.setCamera([&] { return home.place(*scene, film); }, film, false);
+    const auto moved = waitFor([&](const LiveFrame& f) { return f.view > before; });
+    EXPECT_FALSE(moved->error);
+}
+
 TEST(LiveRender, SaysWhatWentWrong) {
     Watched w;
     LiveRender render(w.session, {[](LayeredPicture&, bool) { throw Error("the denoiser is gone"); }, {}});

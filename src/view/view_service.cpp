@@ -86,6 +86,7 @@ std::vector<std::string> layersOf(const LiveFrame& frame) {
     if (!picture.layers.empty() && !picture.layers[0].part.empty()) names.insert(names.end(), {"direct", "indirect"});
     if (picture.gBuffer) names.insert(names.end(), {"albedo", "normal", "depth"});
     if (picture.samples) names.insert(names.end(), {"variance", "samples"});
+    if (frame.error) names.push_back("error");
     return names;
 }
 
@@ -100,6 +101,7 @@ Image layerOf(const LiveFrame& frame, const std::string& name) {
     if (name == "depth") return picture.gBuffer->depth;
     if (name == "variance") return picture.variance();
     if (name == "samples") return *picture.samples;
+    if (name == "error") return frame.error->local;
     return picture.part(name);
 }
 
@@ -183,6 +185,9 @@ std::string ViewService::frameEvent() const {
                       {"seconds", frame->seconds},
                       {"view", frame->view},
                       {"status", frame->status}});
+    const LiveError* error = frame ? frame->error.get() : nullptr;
+    event["error estimate"] =
+        error ? Json{{"whole", error->whole}, {"samples", error->samples}, {"slope", error->slope}} : Json();
     return event.dump();
 }
 
