@@ -19,8 +19,8 @@ class PictureFinisher {
     // session's schedule. Changes to cheaper filters if these would take too much of the budget, with a warning if they
     // were asked for.
     void measure(Session& session);
-    // Filters, encodes and writes the picture; adds to the metadata what filtered it.
-    void finish(LayeredPicture picture, ExrMetadata metadata);
+    // Filters, encodes and writes the picture; adds to the metadata what filtered it. Returns what was written.
+    LayeredPicture finish(LayeredPicture picture, ExrMetadata metadata);
 
   private:
     // Seconds for the whole picture, extrapolated from parts.

@@ -27,6 +27,7 @@ struct RenderOptions {
     std::string oidnLibrary;
     std::string timing;
     std::string checkpoint, every = "60s", resume;
+    std::string displayServer;
     bool aovs = false, stats = false, quiet = false, verbose = false;
 };
 
