@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -49,6 +50,13 @@ FilmGeometry parseResolution(const std::string& text) {
         film.height < 1 || film.width > 65536 || film.height > 65536)
         throw Error("--resolution " + text + ": give width and height in pixels, as 1280x720");
     return film;
+}
+
+std::string sceneTitle(const std::string& path) {
+    if (path == "-") return "standard input";
+    std::error_code ignored;
+    const std::filesystem::path whole = std::filesystem::absolute(path, ignored);
+    return (whole.parent_path().filename() / whole.filename()).string();
 }
 
 }  // namespace drc

@@ -20,6 +20,9 @@ ProcessInfo& processInfo();
 // Parses a resolution such as "1280x720". Throws Error, naming --resolution, on anything else.
 FilmGeometry parseResolution(const std::string& text);
 
+// The name of a scene for people: files are often called "scene.pbrt", so the folder is part of it.
+std::string sceneTitle(const std::string& path);
+
 void addRenderCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addReferenceCommand(CLI::App& app);

@@ -97,7 +97,7 @@ double PictureFinisher::estimate(const Session& session, double budget) {
     return last_.estimate;
 }
 
-void PictureFinisher::finish(LayeredPicture picture, ExrMetadata metadata) {
+LayeredPicture PictureFinisher::finish(LayeredPicture picture, ExrMetadata metadata) {
     const auto start = Clock::now();
     apply(picture, metadata);
     metadata["drc:denoiser"] = filters().name();
@@ -105,6 +105,7 @@ void PictureFinisher::finish(LayeredPicture picture, ExrMetadata metadata) {
     stats_.timer("denoise").add(filtered - start);
     writer_.write(writer_.encode(picture, metadata));
     stats_.timer("write").add(Clock::now() - filtered);
+    return picture;
 }
 
 void PictureFinisher::useCheaper() {

@@ -23,8 +23,9 @@ class PictureFinisher {
     void measure(Session& session);
     // The error that the unfinished picture would have if it were finished now.
     DenoisedError errorOf(const LayeredPicture& picture) const;
-    // Filters, encodes and writes the picture; adds to the metadata what filtered it, and its error.
-    void finish(LayeredPicture picture, ExrMetadata metadata);
+    // Filters, encodes and writes the picture; adds to the metadata what filtered it, and its error. Returns what was
+    // written.
+    LayeredPicture finish(LayeredPicture picture, ExrMetadata metadata);
 
   private:
     // Seconds for the whole picture, extrapolated from parts.

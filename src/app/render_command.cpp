@@ -5,6 +5,7 @@
 #include "app/checkpoint.h"
 #include "app/command.h"
 #include "app/display_options.h"
+#include "app/display_server.h"
 #include "app/memory_table.h"
 #include "app/models.h"
 #include "app/picture_finisher.h"
@@ -220,7 +221,10 @@ void render(RenderOptions o, const CLI::App& command) {
     std::optional<CheckpointWriter> saving;
     if (!o.checkpoint.empty())
         saving.emplace(*checkpoint, o.checkpoint, std::chrono::duration_cast<Clock::duration>(every));
+    std::unique_ptr<TevDisplay> viewer;
+    if (!o.displayServer.empty()) viewer = showInTev(o, session, scene->settings);
     run(session, finisher, o, saving ? &*saving : nullptr);
+    if (viewer) viewer->stopTaking();
     stats.timer("render").add(Clock::now() - rendering);
 
     const bool interrupted = interruptToken().cancelled();
@@ -239,12 +243,13 @@ void render(RenderOptions o, const CLI::App& command) {
     memory.afterRendering(session, stats);
     session.endSampling();
     memory.beforeFinishing();
-    finisher.finish(session.picture(), metadata);
+    LayeredPicture finished = finisher.finish(session.picture(), metadata);
     memory.afterFinishing();
     std::string names;
     for (const std::string& path : writer.outputs()) names += (names.empty() ? "" : ", ") + path;
     logInfo(fmt::format("{}{}: {} in {:.1f} s", interrupted ? "interrupted; " : "", names, session.status(),
                         std::chrono::duration<double>(Clock::now() - start).count()));
+    if (viewer) viewer->finish(tev::pictureOf(std::move(finished), scene->settings.film));
     if (!o.timing.empty()) writeTiming(o.timing, stats);
     if (o.stats) {
         memory.report(stats);

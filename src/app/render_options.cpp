@@ -6,6 +6,7 @@
 #include "app/option_checks.h"
 #include "base/error.h"
 #include "render/integrator.h"
+#include "view/tcp_sender.h"
 
 namespace drc {
 namespace {
@@ -13,6 +14,18 @@ namespace {
 // The headings in --help of the options that only one integrator has.
 constexpr const char* kMapGroup = "Radiance maps, with --integrator drc-maps alone";
 constexpr const char* kCellGroup = "Radiance cells, with --integrator drc alone";
+
+CLI::Validator tcpAddress() {
+    return {[](std::string& text) -> std::string {
+                try {
+                    parseTcpAddress(text);
+                    return "";
+                } catch (const Error& error) {
+                    return error.what();
+                }
+            },
+            "HOST:PORT"};
+}
 
 // An option that takes one of a few words, each of which stands for a value.
 template <class T>
@@ -196,6 +209,11 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     command.add_option("--resume", o.resume,
                        "Goes on from a checkpoint of the same scene and settings, to the same bits as if it had not "
                        "stopped; --spp, --time and --nthreads may differ");
+    command
+        .add_option("--display-server", o.displayServer,
+                    "HOST:PORT at which tev, the image viewer, listens: shows the picture there while it refines, and "
+                    "when it is finished. tev's own port is 14158")
+        ->check(tcpAddress());
     command.add_flag("--stats", o.stats, "Print counts and times at the end");
     command.add_flag("--quiet", o.quiet, "Print only warnings and errors");
     command.add_flag("-v,--verbose", o.verbose, "Print more messages");

@@ -28,6 +28,7 @@ struct RenderOptions {
     std::string timing;
     std::string checkpoint, every = "60s", resume;
     std::optional<double> noiseThreshold;
+    std::string displayServer;
     bool aovs = false, stats = false, quiet = false, verbose = false;
 };
 

@@ -65,6 +65,16 @@ TEST(RenderOptions, DisplayIsSrgbWithoutExposureUnlessTheySayOtherwise) {
     for (const char* bad : {"nan", "101", "x"}) EXPECT_THAT(complaint({"--exposure", bad}), HasSubstr("--exposure"));
 }
 
+TEST(RenderOptions, RefuseAddressesThatAreNone) {
+    EXPECT_EQ(parsed({"--display-server", "[::1]:14158"}).displayServer, "[::1]:14158");
+    for (const char* wrong : {"localhost", "localhost:", ":14158", "localhost:0", "localhost:65536", "host:1x"}) {
+        const std::string text = complaint({"--display-server", wrong});
+        EXPECT_THAT(text, AllOf(HasSubstr("--display-server"), HasSubstr(wrong), HasSubstr("localhost:14158")));
+        EXPECT_THAT(text, Not(HasSubstr("\n")));
+    }
+    EXPECT_THAT(complaint({"--display-server"}), HasSubstr("--display-server"));
+}
+
 // As pbrt spells them.
 TEST(RenderOptions, TakePbrtsSpellings) {
     const RenderOptions o = parsed({"--outfile", "a.exr", "--cropwindow", "0", ".5", ".25", "1", "--quick", "-D",

@@ -3,7 +3,6 @@
 #include <spawn.h>
 
 #include <chrono>
-#include <filesystem>
 #include <thread>
 
 #include "app/command.h"
@@ -79,13 +78,6 @@ void openBrowser(const std::string& address) {
         logWarning("--open: there is no xdg-open; open the address by hand");
 }
 
-// Files of scenes are often called "scene.pbrt": the folder tells them apart.
-std::string titleOf(const std::string& scene) {
-    std::error_code ignored;
-    const std::filesystem::path path = std::filesystem::absolute(scene, ignored);
-    return (path.parent_path().filename() / path.filename()).string();
-}
-
 void view(ViewOptions o) {
     setLogLevel(o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
@@ -121,9 +113,9 @@ void view(ViewOptions o) {
                   .estimate = hasHalves(params.integrator) ? [&](const LayeredPicture& p) { return filters.errorOf(p); }
                                                            : std::function<DenoisedError(const LayeredPicture&)>()});
     ViewService service(*scene, render,
-                        {.title = titleOf(o.scene), .token = randomToken(), .encodeExr = [&](const LiveFrame& frame) {
-                             return encodeFrame(settings, frame, params);
-                         }});
+                        {.title = sceneTitle(o.scene),
+                         .token = randomToken(),
+                         .encodeExr = [&](const LiveFrame& frame) { return encodeFrame(settings, frame, params); }});
     HttpSettings http;
     http.address = o.address;
     http.port = uint16_t(o.port);

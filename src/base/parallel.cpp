@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "base/error.h"
 
@@ -48,6 +49,12 @@ class InArena {
     const bool before_ = inside();
 };
 
+// Whether the calling thread's loops are its own: see onThisThread.
+bool& isAlone() {
+    thread_local bool value = false;
+    return value;
+}
+
 }  // namespace
 
 void setThreadCount(int count) {
@@ -69,7 +76,10 @@ void parallelFor(int begin, int end, int grain, const std::function<void(int, in
         const int64_t b = begin + k * step;
         body(static_cast<int>(b), static_cast<int>(std::min<int64_t>(b + step, end)));
     };
-    if (pieces == 1) return piece(0);
+    if (pieces == 1 || isAlone()) {
+        for (int64_t k = 0; k < pieces; ++k) piece(k);
+        return;
+    }
     const auto loop = [&] {
         tbb::parallel_for(
             tbb::blocked_range<int64_t>(0, pieces, 1),
@@ -109,5 +119,13 @@ void BackgroundTasks::wait() {
 }
 
 void isolated(const std::function<void()>& body) { tbb::this_task_arena::isolate(body); }
+
+void onThisThread(const std::function<void()>& body) {
+    struct Restore {
+        const bool before = std::exchange(isAlone(), true);
+        ~Restore() { isAlone() = before; }
+    } const restore;
+    body();
+}
 
 }  // namespace drc

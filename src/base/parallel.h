@@ -34,6 +34,10 @@ void parallelFor(int begin, int end, int grain, const std::function<void(int, in
 // works for that loop only and takes no piece of an enclosing loop.
 void isolated(const std::function<void()>& body);
 
+// Calls the body so that its loops run on the calling thread alone. For a thread beside those of the loops, which must
+// not wait until one of these is free, nor take time of all of them.
+void onThisThread(const std::function<void()>& body);
+
 // Tasks that the other threads of the loops work on while the caller does something else. They begin in any order. The
 // number of threads must not be changed meanwhile.
 class BackgroundTasks {

@@ -74,6 +74,41 @@ TEST(Parallel, StopsWhenCancelled) {
     setThreadCount(0);
 }
 
+// Not even while all threads of the loops are busy does such a loop wait for one of them.
+TEST(Parallel, OnThisThreadWaitsForNoOther) {
+    const int before = threadCount();
+    setThreadCount(2);
+    std::atomic<int> busy{0};
+    std::atomic<bool> done{false};
+    std::thread render([&] {
+        parallelFor(0, 64, 1, [&](int, int) {
+            ++busy;
+            while (!done) std::this_thread::yield();
+        });
+    });
+    while (busy < 2) std::this_thread::yield();
+    std::vector<int> pieces;
+    onThisThread([&] {
+        parallelFor(0, 10, 4, [&, own = std::this_thread::get_id()](int b, int e) {
+            EXPECT_EQ(std::this_thread::get_id(), own);
+            pieces.insert(pieces.end(), {b, e});
+        });
+    });
+    done = true;
+    render.join();
+    EXPECT_EQ(pieces, (std::vector<int>{0, 4, 4, 8, 8, 10}));
+    // Afterwards loops have help again, also if the body has thrown.
+    EXPECT_THROW(onThisThread([] { throw Error("wrong"); }), Error);
+    std::atomic<int> together{0};
+    parallelFor(0, 2, 1, [&](int, int) {
+        ++together;
+        const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (together < 2 && std::chrono::steady_clock::now() < limit) std::this_thread::yield();
+    });
+    EXPECT_EQ(together, 2);
+    setThreadCount(before);
+}
+
 TEST(BackgroundTasks, AllAreDoneAfterWaiting) {
     const int before = threadCount();
     for (const int threads : {1, 2, 5}) {

@@ -1,0 +1,21 @@
+#include "app/display_server.h"
+
+#include <fmt/core.h>
+
+#include "app/command.h"
+
+namespace drc {
+
+std::unique_ptr<TevDisplay> showInTev(const RenderOptions& options, const Session& session,
+                                      const RenderSettings& settings) {
+    TevSettings shown;
+    shown.server = parseTcpAddress(options.displayServer);
+    shown.name = fmt::format("{} ({})", sceneTitle(options.scene), sceneTitle(options.outputs.front()));
+    return std::make_unique<TevDisplay>(std::move(shown), [&session, &settings] {
+        LayeredPicture picture = session.snapshot();
+        if (settings.whiteBalance) picture.balance(*settings.whiteBalance);
+        return tev::pictureOf(std::move(picture), settings.film);
+    });
+}
+
+}  // namespace drc

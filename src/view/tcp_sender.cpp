@@ -1,0 +1,121 @@
+#include "view/tcp_sender.h"
+
+#include <netdb.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <future>
+#include <memory>
+#include <system_error>
+#include <thread>
+
+namespace drc {
+namespace {
+
+constexpr std::chrono::milliseconds kTick{50};
+
+using AddressList = std::shared_ptr<const addrinfo>;
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+AddressList lookUp(const TcpAddress& address) {
+    addrinfo hints{}, *list = nullptr;
+    hints.ai_family = AF_UNSPEC;
+    hints.ai_socktype = SOCK_STREAM;
+    const int error = getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &list);
+    if (error != 0) throw Error(error == EAI_SYSTEM ? reason(errno) : gai_strerror(error));
+    return {list, [](const addrinfo* l) { freeaddrinfo(const_cast<addrinfo*>(l)); }};
+}
+
+// The system cannot be told to give up, and may ask name servers for many seconds: it does so on a thread that is left
+// to itself.
+AddressList lookUp(const TcpAddress& address, const TcpSender::Patience& patience) {
+    std::packaged_task<AddressList()> task([address] { return lookUp(address); });
+    std::future<AddressList> found = task.get_future();
+    std::thread(std::move(task)).detach();
+    const auto start = TcpSender::Clock::now();
+    while (found.wait_for(kTick) != std::future_status::ready)
+        if (!patience(TcpSender::Clock::now() - start)) throw Error("its name is not found in time");
+    return found.get();
+}
+
+// Waits, for a tick at most, until the socket takes bytes or has failed.
+bool isReady(int socket) {
+    pollfd waiting{socket, POLLOUT, 0};
+    return poll(&waiting, 1, int(kTick.count())) > 0;
+}
+
+// 0, or the reason why not. The socket does not block.
+int connectTo(int socket, const addrinfo& to, const TcpSender::Patience& patience) {
+    if (connect(socket, to.ai_addr, to.ai_addrlen) == 0) return 0;
+    if (errno != EINPROGRESS && errno != EINTR) return errno;
+    const auto start = TcpSender::Clock::now();
+    while (!isReady(socket))
+        if (!patience(TcpSender::Clock::now() - start)) return ETIMEDOUT;
+    int error = 0;
+    socklen_t size = sizeof error;
+    return getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size) == 0 ? error : errno;
+}
+
+}  // namespace
+
+TcpAddress parseTcpAddress(const std::string& text) {
+    TcpAddress address;
+    const size_t colon = text.rfind(':');
+    if (colon != std::string::npos) {
+        address.host = text.substr(0, colon);
+        const char *begin = text.c_str() + colon + 1, *end = text.c_str() + text.size();
+        const auto [stop, error] = std::from_chars(begin, end, address.port);
+        if (stop != end || error != std::errc()) address.port = 0;
+    }
+    const bool inBrackets = address.host.size() >= 2 && address.host.front() == '[' && address.host.back() == ']';
+    if (inBrackets) address.host = address.host.substr(1, address.host.size() - 2);
+    if (address.port == 0 || address.host.empty() || (!inBrackets && address.host.find(':') != std::string::npos))
+        throw Error("'" + text + "' is not HOST:PORT, as localhost:14158");
+    return address;
+}
+
+TcpSender::TcpSender(const TcpAddress& address, const Patience& patience) {
+    const AddressList addresses = lookUp(address, patience);
+    int error = EADDRNOTAVAIL;
+    for (const addrinfo* to = addresses.get(); to != nullptr; to = to->ai_next) {
+        socket_ = socket(to->ai_family, to->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, to->ai_protocol);
+        error = socket_ < 0 ? errno : connectTo(socket_, *to, patience);
+        if (error == 0) return;
+        if (socket_ >= 0) close(socket_);
+    }
+    throw Error(reason(error));
+}
+
+TcpSender::~TcpSender() { close(socket_); }
+
+void TcpSender::send(std::string_view bytes, const Patience& patience) {
+    auto lastSent = Clock::now();
+    while (!bytes.empty()) {
+        // Not a signal but an error is what a connection that was closed gives.
+        const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent >= 0) {
+            bytes.remove_prefix(size_t(sent));
+            lastSent = Clock::now();
+        } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+            if (!isReady(socket_) && !patience(Clock::now() - lastSent)) throw GaveUp("it does not read");
+        } else if (errno != EINTR) {
+            throw Error(reason(errno));
+        }
+    }
+}
+
+bool TcpSender::isOpen() {
+    std::array<char, 4096> dropped;
+    for (;;) {
+        const ssize_t received = recv(socket_, dropped.data(), dropped.size(), MSG_DONTWAIT);
+        if (received == 0) return false;
+        if (received < 0 && errno != EINTR) return errno == EAGAIN || errno == EWOULDBLOCK;
+    }
+}
+
+}  // namespace drc

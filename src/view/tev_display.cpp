@@ -1,0 +1,190 @@
+#include "view/tev_display.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <ctime>
+#include <new>
+
+#include "base/checksum.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "view/tev_packets.h"
+
+namespace drc {
+namespace {
+
+// The share of the time of all threads that pictures for the viewer may take. At 1280x720, with all layers, one costs a
+// third of a second of one core.
+constexpr double kShare = 0.05;
+// Until a host that does not answer is given up.
+constexpr std::chrono::seconds kConnect{5};
+
+// Seconds that this thread has worked: waiting for the viewer costs the render nothing.
+double secondsOfThread() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
+}
+
+uint64_t sumOf(const std::vector<float>& values) {
+    return checksum({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)});
+}
+
+}  // namespace
+
+TevDisplay::TevDisplay(TevSettings settings, std::function<tev::Picture()> take)
+    : settings_(std::move(settings)), take_(std::move(take)), thread_([this] { run(); }) {}
+
+TevDisplay::~TevDisplay() {
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    wake_.notify_all();
+    if (thread_.joinable()) thread_.join();
+}
+
+void TevDisplay::stopTaking() {
+    const std::lock_guard lock(takeMutex_);
+    take_ = nullptr;
+}
+
+void TevDisplay::finish(tev::Picture picture) {
+    {
+        const std::lock_guard lock(mutex_);
+        last_ = std::move(picture);
+        lastSince_ = Clock::now();
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+void TevDisplay::run() {
+    try {
+        work();
+    } catch (const std::bad_alloc&) {
+        complain("there is not enough memory for its pictures");
+    } catch (const std::exception& error) {
+        complain(error.what());
+    }
+    sender_.reset();
+}
+
+void TevDisplay::work() {
+    auto due = Clock::now() + settings_.interval / 4;
+    for (;;) {
+        const Next next = waitUntil(due);
+        if (next == Next::End) return;
+        if (next == Next::Last) return showLast();
+        const double began = secondsOfThread();
+        try {
+            connect();
+            const std::optional<tev::Picture> picture = taken();
+            if (!picture) {
+                due = Clock::time_point::max();
+                continue;
+            }
+            const double made = secondsOfThread() - began;
+            show(*picture);
+            const double took = secondsOfThread() - began;
+            logDebug(fmt::format("--display-server: to take a picture took {:.3f} s, to send it {:.3f} s", made,
+                                 took - made));
+            const std::chrono::duration<double> rest(took / (kShare * threadCount()));
+            due = Clock::now() +
+                  std::max<Clock::duration>(settings_.interval, std::chrono::duration_cast<Clock::duration>(rest));
+        } catch (const TcpSender::GaveUp&) {
+            throw;
+        } catch (const Error& error) {
+            complain(error.what());
+            sender_.reset();
+            due = Clock::now() + settings_.retry;
+        }
+    }
+}
+
+TevDisplay::Next TevDisplay::waitUntil(Clock::time_point due) {
+    std::unique_lock lock(mutex_);
+    wake_.wait_until(lock, due, [&] { return ending_ || last_; });
+    return ending_ ? Next::End : last_ ? Next::Last : Next::Take;
+}
+
+std::optional<tev::Picture> TevDisplay::taken() {
+    const std::lock_guard lock(takeMutex_);
+    std::optional<tev::Picture> picture;
+    if (take_) onThisThread([&] { picture = take_(); });
+    return picture;
+}
+
+void TevDisplay::connect() {
+    // tev sends nothing: if it is gone, only reading tells before bytes are lost on it.
+    if (sender_ && !sender_->isOpen()) {
+        complain("the viewer has closed the connection");
+        sender_.reset();
+    }
+    if (sender_) return;
+    creation_.clear();
+    sender_.emplace(settings_.server, [&](Clock::duration idle) { return idle < kConnect && waits(idle); });
+    logDebug(fmt::format("--display-server: connected to {}:{}", settings_.server.host, settings_.server.port));
+}
+
+void TevDisplay::show(const tev::Picture& picture) {
+    const auto patience = [&](Clock::duration idle) { return waits(idle); };
+    const std::vector<PixelRegion> tiles = tev::tilesOf(picture.region);
+    const std::vector<std::string> channels = tev::channelNames(picture);
+    std::string creation = tev::createImage(settings_.name, true, picture.film.width, picture.film.height, channels);
+    if (creation != creation_ || picture.region != region_) {
+        sender_->send(creation, patience);
+        creation_ = std::move(creation);
+        region_ = picture.region;
+        sums_.clear();
+        for (const PixelRegion& tile : tiles)
+            sums_.push_back(sumOf(std::vector<float>(tile.count() * channels.size())));
+    }
+    for (size_t i = 0; i < tiles.size(); ++i) {
+        if (isLate(picture)) return;
+        const std::vector<float> values = tev::valuesOf(picture, tiles[i]);
+        const uint64_t sum = sumOf(values);
+        if (sums_[i] == sum) continue;
+        sender_->send(tev::updateImage(settings_.name, false, tiles[i], channels, values), patience);
+        sums_[i] = sum;
+    }
+}
+
+void TevDisplay::showLast() {
+    // Twice, for a viewer that was closed and opened again.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        connect();
+        try {
+            return show(*last_);
+        } catch (const TcpSender::GaveUp&) {
+            throw;
+        } catch (const Error& error) {
+            complain(error.what());
+            sender_.reset();
+        }
+    }
+}
+
+bool TevDisplay::waits(Clock::duration idle) const {
+    const std::lock_guard lock(mutex_);
+    if (ending_) return false;
+    return !last_ || (idle < settings_.patience && Clock::now() - lastSince_ < settings_.longest);
+}
+
+bool TevDisplay::isLate(const tev::Picture& picture) const {
+    const std::lock_guard lock(mutex_);
+    return ending_ || (last_ && &picture != &*last_);
+}
+
+void TevDisplay::complain(const std::string& reason) {
+    const std::string text =
+        fmt::format("--display-server {}:{}: {}", settings_.server.host, settings_.server.port, reason);
+    if (complained_)
+        logDebug(text);
+    else
+        logWarning(text + "; the render goes on without it");
+    complained_ = true;
+}
+
+}  // namespace drc

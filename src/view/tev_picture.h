@@ -1,0 +1,30 @@
+// A picture as tev is shown it: all layers as channels of one image of the film's size, which goes over in tiles.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/layered_picture.h"
+
+namespace drc::tev {
+
+struct Picture {
+    struct Layer {
+        std::string name;  // empty: the beauty
+        Image image;
+    };
+    std::vector<Layer> layers;  // all of the region's size
+    PixelRegion region;         // of the film, in pixels
+    FilmGeometry film;
+};
+
+// The layers that the picture has of: the beauty, direct, indirect, albedo, normal, depth, variance, samples.
+Picture pictureOf(LayeredPicture picture, const FilmGeometry& film);
+
+// "R", "G", "B", "direct.R" and so on.
+std::vector<std::string> channelNames(const Picture& picture);
+// Squares of 128 pixels, or what is left of them at the right and at the bottom, that cover the region.
+std::vector<PixelRegion> tilesOf(const PixelRegion& region);
+// The values of a tile of the region, those of all channels of a pixel together, row by row.
+std::vector<float> valuesOf(const Picture& picture, const PixelRegion& tile);
+
+}  // namespace drc::tev
