@@ -76,6 +76,9 @@ void denoise(const DenoiseOptions& options, const CLI::App& command) {
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}", picture.path, error.what()));
     }
+    // It was of the picture as it came.
+    picture.metadata.erase("drc:error");
+    picture.image = withoutLayers(picture.image, {kErrorLayer});
     picture.metadata["drc:denoiser"] =
         "oidn " + options.quality + (options.prefilter == "off" ? " without prefilter" : "");
     writeImageOutput(options.output, std::move(picture), options.layer);

@@ -3,10 +3,12 @@
 
 #include "app/command.h"
 #include "base/atomic_file.h"
+#include "base/error.h"
 #include "base/folder_testing.h"
 #include "image/auto_exposure.h"
 #include "image/color.h"
 #include "image/image_io.h"
+#include "image/image_layers.h"
 #include "image/view_transform.h"
 #include "render/integrator.h"
 #include "render/open_image_denoise.h"
@@ -40,8 +42,9 @@ class RenderCommandTest : public FolderTest {
         };
         if (has("drc-maps") && !has("--map-denoiser"))
             arguments.insert(arguments.begin(), {"--map-denoiser", "none", "--passes", "1"});
+        if (!has("--spp")) arguments.insert(arguments.begin(), {"--spp", "8"});
         arguments.insert(arguments.begin(),
-                         {"render", path("scene.pbrt"), "--quiet", "-o", path("out.exr"), "--spp", "8", "--seed", "3"});
+                         {"render", path("scene.pbrt"), "--quiet", "-o", path("out.exr"), "--seed", "3"});
         std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants a vector
         app.parse(std::move(arguments));
     }
@@ -55,6 +58,41 @@ TEST_F(RenderCommandTest, DenoisesUnlessToldNotTo) {
     const std::vector<float> standard = picture({"--integrator", "drc-maps"});
     EXPECT_EQ(picture({"--integrator", "drc-maps", "--denoise", "surface"}), standard);
     EXPECT_NE(picture({"--integrator", "drc-maps", "--denoise", "off"}), standard);
+}
+
+// The render stops where its own estimate says so; --spp is the most that is done.
+TEST_F(RenderCommandTest, StopsAtANoiseThreshold) {
+    const auto ended = [&](const char* threshold, const char* spp) {
+        run({"--integrator", "path", "--denoise", "off", "--noise-threshold", threshold, "--spp", spp, "--aovs",
+             "--resolution", "120x80"});
+        const ExrMetadata metadata = readExrMetadata(path("out.exr"));
+        return std::pair(std::stoi(metadata.at("drc:spp")), std::stod(metadata.at("drc:error")));
+    };
+    const auto [coarse, coarseError] = ended("0.02", "100000");
+    const auto [fine, fineError] = ended("0.01", "100000");
+    EXPECT_LE(coarseError, 0.02);
+    EXPECT_LE(fineError, 0.01);
+    // A picture that is not denoised needs four times the samples for half of the error.
+    EXPECT_GT(fine, 3 * coarse);
+    EXPECT_LT(fine, 6 * coarse);
+    const auto [bounded, boundedError] = ended("0.01", "16");
+    EXPECT_EQ(bounded, 16);
+    EXPECT_GT(boundedError, 0.01);
+    // The layer has the same error, averaged in another way.
+    const Image error = layerOf(readImage(path("out.exr")), kErrorLayer).value();
+    double squares = 0;
+    for (const float v : error.data()) squares += double(v) * v;
+    EXPECT_NEAR(std::sqrt(squares / double(error.data().size())), boundedError, 0.3 * boundedError);
+    EXPECT_EQ(ended("0", "12").first, 12);
+}
+
+TEST_F(RenderCommandTest, EstimatesNoErrorsWithoutHalves) {
+    for (const char* integrator : {"bdpt", "drc-maps"}) try {
+            run({"--integrator", integrator, "--noise-threshold", "0.1"});
+            FAIL() << integrator;
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("--noise-threshold: with --integrator " + std::string(integrator)));
+        }
 }
 
 // However little time there is: a picture, if a coarse one.

@@ -209,6 +209,9 @@ PictureFile RenderMerger::merged() const {
     if (allTellSpp_) result.metadata["drc:spp"] = std::to_string(spp_);
     result.metadata.erase("drc:interrupted");
     result.metadata.erase("drc:passes");
+    // What the renders' errors have in common does not average out, and nobody knows how much that is.
+    result.metadata.erase("drc:error");
+    result.image = withoutLayers(result.image, {kErrorLayer});
     return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/folder_testing.h"
 #include "base/log.h"
+#include "image/image_layers.h"
 
 namespace drc {
 namespace {
@@ -85,6 +86,26 @@ TEST(RenderMerger, TheSpreadOfRendersTellsTheVarianceOfSingleSamples) {
     }
     const double mean = sum / kTrials, error = std::sqrt((squares / kTrials - mean * mean) / kTrials);
     EXPECT_NEAR(mean, 1.0 / kRenders, 4 * error);
+}
+
+TEST(RenderMerger, ErrorsOfRendersAreNotThatOfTheirMean) {
+    PictureFile a = render("0", 1, 0.3f, 2), b = render("1", 2, 0.05f, 6);
+    for (PictureFile* picture : {&a, &b}) {
+        std::vector<std::string> names = picture->image.channelNames();
+        names.push_back(std::string(kErrorLayer) + ".X");
+        std::vector<float> values = picture->image.data();
+        values.push_back(0.02f);
+        picture->image = Image(1, 1, names);
+        picture->image.data() = values;
+        picture->metadata["drc:error"] = "0.02";
+    }
+    RenderMerger merger;
+    merger.add(a);
+    merger.add(b);
+    const PictureFile both = merger.merged();
+    EXPECT_FALSE(both.metadata.contains("drc:error"));
+    EXPECT_FALSE(layerOf(both.image, kErrorLayer));
+    EXPECT_EQ(both.image.channels(), a.image.channels() - 1);
 }
 
 TEST(RenderMerger, WithoutCountsTheMetadataWeighs) {

@@ -16,7 +16,8 @@ namespace drc {
 
 struct DenoisedError {
     // X: the relative error to expect of a pixel: the square root of the mean of (T - I)^2 / (D^2 + 0.01) over the
-    // channels, with T the denoised picture, I the true one and D of relative_norm.h, averaged over the pixels around.
+    // channels, with T the denoised picture, I the true one and D the radiance around the pixel (relative_norm.h) in
+    // the denoised halves, averaged over the pixels around.
     Image local;
     // The same averaged over all pixels: the square root of what `drc compare` calls error, or NaN if not a single
     // pixel has samples in both halves.

@@ -111,7 +111,8 @@ TEST(DenoisedError, IsWhereTheDenoiserFails) {
             }
     };
     const DenoisedError error = estimateDenoisedError(pictureOf(64, 3), filter);
-    EXPECT_NEAR(error.local.at(32, 56, 0), 0.33f, 0.07f);
+    // Relative to what the denoiser makes of it, half as bright again as the truth.
+    EXPECT_NEAR(error.local.at(32, 56, 0), 0.25f, 0.03f);
     EXPECT_LT(error.local.at(100, 56, 0), 0.05f);
     EXPECT_LT(error.local.at(32, 110, 0), 0.05f);
 }
