@@ -91,6 +91,7 @@ void view(ViewOptions o) {
     pbrt::LoadOptions load;
     if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
     load.overrides = o.overrides;
+    load.names = true;
     const auto scene = pbrt::loadPbrtFile(o.scene, load);
     o.params.gBuffer = o.params.variance = true;
     if (!o.params.spp) o.params.spp = kSamples;
@@ -113,7 +114,7 @@ void view(ViewOptions o) {
     };
     LiveRender render(session, {.finish = [&](LayeredPicture& picture, bool moving) { filters.apply(picture, moving); },
                                 .onFrame = announce});
-    ViewService service(*scene, render,
+    ViewService service(*scene, session.accel(), render,
                         {.title = titleOf(o.scene), .token = randomToken(), .encodeExr = [&](const LiveFrame& frame) {
                              return encodeFrame(settings, frame, params);
                          }});

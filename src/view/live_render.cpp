@@ -149,6 +149,7 @@ void LiveRender::makeFrame() {
     const auto start = Clock::now();
     auto next = std::make_shared<LiveFrame>();
     next->picture = session_.snapshot();
+    next->camera = session_.tracer().scene().camera;
     next->unfiltered = next->picture.beauty;
     callbacks_.finish(next->picture, moving_);
     next->samples = session_.samplesDone();
