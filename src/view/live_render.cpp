@@ -59,7 +59,10 @@ void LiveRender::setCamera(std::function<std::unique_ptr<Camera>()> make, const 
         const std::lock_guard lock(mutex_);
         move_ = Move{std::move(make), film, moving};
         // Else a camera that moves all the time would never be seen.
-        if (!owesFrame_) cancel_.cancel();
+        if (!owesFrame_) {
+            abandon_.cancel();
+            cancel_.cancel();
+        }
     }
     changed_.notify_all();
 }
@@ -94,12 +97,9 @@ void LiveRender::work() {
             for (;;) {
                 // A pass that was cancelled counts as far as it got, and goes on from there.
                 cancel_.reset();
+                abandon_.reset();
                 if (stopping_) return;
-                if (!calls_.empty()) {
-                    for (const auto* call : calls_) (*call)(session_);
-                    calls_.clear();
-                    changed_.notify_all();
-                }
+                // First of all, because a pass may have been abandoned for it.
                 if (move_) {
                     Move move = std::move(*move_);
                     move_.reset();
@@ -110,6 +110,11 @@ void LiveRender::work() {
                     isCurrent_ = false;
                     ++view_;
                     began_ = Clock::now();
+                }
+                if (!calls_.empty()) {
+                    for (const auto* call : calls_) (*call)(session_);
+                    calls_.clear();
+                    changed_.notify_all();
                 }
                 // What has been sampled is shown before the render rests.
                 if ((!state_.paused && !state_.done) || (!isCurrent_ && session_.hasPicture())) break;
@@ -123,7 +128,7 @@ void LiveRender::work() {
             rests = state_.paused || state_.done;
         }
         if (!rests) {
-            const bool whole = session_.step(&cancel_);
+            const bool whole = session_.step(&cancel_, &abandon_);
             isCurrent_ = false;
             if (!whole && !cancel_.cancelled()) {
                 const std::lock_guard lock(mutex_);
@@ -134,6 +139,11 @@ void LiveRender::work() {
         }
         if (session_.hasPicture() && (rests || isFrameDue())) makeFrame();
     }
+}
+
+bool LiveRender::isOutdated() const {
+    const std::lock_guard lock(mutex_);
+    return move_ && !owesFrame_;
 }
 
 bool LiveRender::isFrameDue() const {
@@ -148,10 +158,13 @@ bool LiveRender::isFrameDue() const {
 void LiveRender::makeFrame() {
     const auto start = Clock::now();
     auto next = std::make_shared<LiveFrame>();
-    next->picture = session_.snapshot();
+    // The film is not copied: no step runs until the frame is finished.
+    next->picture = session_.picture();
+    if (isOutdated()) return;
     next->camera = session_.tracer().scene().camera;
     next->unfiltered = next->picture.beauty;
     callbacks_.finish(next->picture, moving_);
+    next->picture.film = std::make_shared<const Film>(session_.tracer().scene().settings, std::vector<FilmLayerSpec>());
     next->samples = session_.samplesDone();
     const int passes = session_.film().passes();
     next->share = passes >= SamplePass::kLattices ? 1 : passes == 2 ? 0.25 : 0.0625;

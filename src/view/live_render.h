@@ -15,7 +15,7 @@ namespace drc {
 // What is seen at a time.
 struct LiveFrame {
     uint64_t number = 0;                   // from 1
-    LayeredPicture picture;                // finished; picture.film is a copy of its own
+    LayeredPicture picture;                // finished; picture.film has the region alone
     std::shared_ptr<const Camera> camera;  // that took it
     Image unfiltered;                      // beauty before filters
     int samples = 0;                       // complete ones in each pixel
@@ -69,12 +69,15 @@ class LiveRender {
     void run();
     void work();
     void makeFrame();
+    // Whether the camera will be moved now, so that a frame would be too late.
+    bool isOutdated() const;
     // Whether a frame should be made now, after a step.
     bool isFrameDue() const;
 
     Session& session_;
     Callbacks callbacks_;
     CancelToken cancel_;
+    CancelToken abandon_;  // raised when the camera will be moved, so that what is being sampled is of no use
 
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
