@@ -121,7 +121,11 @@ class ViewServer(unittest.TestCase):
             self.view.wait_for(lambda s: s["paused"])
             time.sleep(0.5)
             width, _, _, _, values = self.view.frame()
-            pixel = json.loads(self.view.get("pixel?x=37&y=21"))["layers"]["beauty"]
+            answer = json.loads(self.view.get("pixel?x=37&y=21"))
+            pixel = answer["layers"]["beauty"]
+            self.assertEqual([answer["samples"]], answer["layers"]["samples"])
+            self.assertEqual(answer["surface"]["shapeKind"], "plymesh")
+            self.assertEqual(json.loads(self.view.get("surface?x=37&y=21"))["surface"], answer["surface"])
             for c in range(3):
                 self.assertAlmostEqual(pixel[c], values[3 * (21 * width + 37) + c], delta=1e-3 * (abs(pixel[c]) + 1))
             self.assertEqual(status_of(lambda: self.view.get("pixel?x=320&y=0")), 400)
@@ -466,6 +470,37 @@ class ViewInBrowser(unittest.TestCase):
         self.browser.mouse("mouseReleased", 410, 400)
         self.browser.wait_for("/ normal -?[0-9.e-]+ /.test(document.getElementById('pixel').textContent)")
         self.assertEqual(self.view.state()["camera"]["eye"], self.view.state()["home"]["eye"])
+
+    def footer(self):
+        return self.browser.run("document.getElementById('pixel').textContent")
+
+    def test_names_what_is_under_the_pointer(self):
+        """In both modes, and one request at a time, however fast the pointer moves."""
+        self.browser.wait_for("state.samples > 0")
+        surface = r"\d+ samples? +\S+ \(\w+\), plymesh geometry/\S+\.ply,.* away, \S*scene\.pbrt:\d+"
+        for mode in ("false", "true"):
+            self.browser.run(f"setInspect({mode})")
+            self.browser.mouse("mouseMoved", 300, 300)
+            self.browser.wait_for("surface.textContent.includes('plymesh')")
+            self.assertRegex(self.footer(), surface)
+        self.browser.events.clear()
+        start = time.monotonic()
+        for i in range(200):
+            self.browser.mouse("mouseMoved", 300 + i, 300 + i % 7)
+        took = time.monotonic() - start
+        self.browser.wait_for("!asking")
+        asked = [e["params"] for e in self.browser.events if e.get("method") == "Network.requestWillBeSent"]
+        names = [p["request"]["url"].split("/")[-1] for p in asked]
+        names = [n for n in names if n.startswith("surface?")]
+        self.assertTrue(names)
+        self.assertLess(len(names), took / 0.05 + 3)
+        # The last answer is of where the pointer is.
+        x, y = self.browser.run("pixelAt({ clientX: 499, clientY: 303 })")
+        self.assertEqual(names[-1], f"surface?x={x}&y={y}")
+        # A click in the mode that inspects tells all, and the surface.
+        self.browser.mouse("mousePressed", 499, 303, 1)
+        self.browser.mouse("mouseReleased", 499, 303)
+        self.browser.wait_for("/ normal .* plymesh /.test(document.getElementById('pixel').textContent)")
 
     def test_compares(self):
         self.browser.run("""(async () => {

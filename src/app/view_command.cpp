@@ -87,6 +87,7 @@ void view(ViewOptions o) {
     pbrt::LoadOptions load;
     if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
     load.overrides = o.overrides;
+    load.names = true;
     const auto scene = pbrt::loadPbrtFile(o.scene, load);
     o.params.gBuffer = o.params.variance = o.params.independentHalves = true;
     if (!o.params.spp) o.params.spp = kSamples;
@@ -112,7 +113,7 @@ void view(ViewOptions o) {
                   .onFrame = announce,
                   .estimate = hasHalves(params.integrator) ? [&](const LayeredPicture& p) { return filters.errorOf(p); }
                                                            : std::function<DenoisedError(const LayeredPicture&)>()});
-    ViewService service(*scene, render,
+    ViewService service(*scene, session.accel(), render,
                         {.title = sceneTitle(o.scene),
                          .token = randomToken(),
                          .encodeExr = [&](const LiveFrame& frame) { return encodeFrame(settings, frame, params); }});

@@ -17,6 +17,7 @@ struct MaterialInstance {
     std::string type;
     ParamSet params;
     MaterialPtr material;  // null: "none"
+    std::string name;      // that MakeNamedMaterial gives it; empty: none
 };
 using NamedMaterials = NamedMap<MaterialInstance>;
 

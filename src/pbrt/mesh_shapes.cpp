@@ -167,7 +167,8 @@ Geometry plyMesh(const ShapeContext& context) {
     const Param& name = required(params, "filename", ParamType::String);
     if (context.dialect == Dialect::V4) params.notBuilt({"displacement", "displacement.edgelength"});
     Geometry geometry;
-    geometry.loadMesh = [path = context.files.find(params.getString("filename", ""), name.valuePos, "PLY file"),
+    geometry.meshFile = params.getString("filename", "");
+    geometry.loadMesh = [path = context.files.find(geometry.meshFile, name.valuePos, "PLY file"),
                          placing = Placing(context)] { return placed(readPly(path), placing); };
     return geometry;
 }

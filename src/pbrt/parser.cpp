@@ -40,6 +40,7 @@ void Parser::endImports() {
 
 std::unique_ptr<Scene> Parser::parse(const LoadOptions& options) {
     builder_.limitCurves(options.curvePieces);
+    if (options.names) builder_.keepNames();
     try {
         readDirectives();
         std::unique_ptr<Scene> scene = builder_.finish(options);

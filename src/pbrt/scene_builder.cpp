@@ -205,8 +205,10 @@ void SceneBuilder::makeNamedMaterial(const std::string& name, ParamSet params) {
     const Param* type = params.find("type", {ParamType::String});
     if (type == nullptr) fail(params.pos(), "the named material '" + name + "' needs the parameter \"string type\"");
     const std::string typeName = params.getString("type", "");
-    state_.namedMaterials.set(name,
-                              make_.material(typeName, completed("material", std::move(params)), materialSources()));
+    auto instance = std::make_shared<MaterialInstance>(
+        *make_.material(typeName, completed("material", std::move(params)), materialSources()));
+    instance->name = name;
+    state_.namedMaterials.set(name, std::move(instance));
 }
 
 void SceneBuilder::namedMaterial(const std::string& name, const SourcePos& pos) {
@@ -294,7 +296,19 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
         pending.lightSlot = scene_->lights.size();
         scene_->lights.push_back(nullptr);
     }
+    if (keepsNames_) pending.primitive.name = nameOf(type, pending.geometry, pending.pos);
     pending_.push_back(std::move(pending));
+}
+
+uint32_t SceneBuilder::nameOf(const std::string& shape, const Geometry& geometry, const SourcePos& pos) {
+    const MaterialInstance& material = *state_.material;
+    const SourceLocation at = pos.location();
+    return scene_->names.add({.material = material.name,
+                              .materialKind = material.type.empty() ? "none" : std::string_view(material.type),
+                              .shapeKind = shape,
+                              .meshFile = geometry.meshFile,
+                              .file = at.file,
+                              .line = at.line});
 }
 
 void SceneBuilder::takeFromMaterial(Primitive& primitive) const {
@@ -348,7 +362,7 @@ size_t SceneBuilder::movingObject(const std::string& shape, const SourcePos& pos
         return movingObject_->object;
     const AnimatedTransform motion = motionOf(shape, pos);
     const size_t object = scene_->objects.size();
-    scene_->objects.push_back({"", {}});
+    scene_->objects.push_back({openObject_ ? scene_->objects[*openObject_].name : "", {}});
     if (openObject_)
         movingParts_[*openObject_].push_back({object, motion});
     else

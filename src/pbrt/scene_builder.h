@@ -29,6 +29,9 @@ class SceneBuilder {
     // Maximum number of pieces into which all further curves may be split.
     void limitCurves(size_t pieces) { curvePiecesLeft_ = pieces; }
 
+    // Scene::names shall say what the file calls each surface.
+    void keepNames() { keepsNames_ = true; }
+
     // Transformations. apply() multiplies the current transformation from the right.
     void apply(const Transform& t, const SourcePos& pos);
     void setTransform(const Transform& t, const SourcePos& pos);
@@ -124,6 +127,8 @@ class SceneBuilder {
     void takeFromMaterial(Primitive& primitive) const;
     // What makes the area light of a shape: the graphics state's, or that of its material; empty: it does not emit.
     AreaLightBuilder areaLightOf(const Primitive& primitive);
+    // The row of Scene::names for a shape with the present material.
+    uint32_t nameOf(const std::string& shape, const Geometry& geometry, const SourcePos& pos);
     // Appends curves to the preceding ones if they are of the same type, because hair comes as one shape per curve.
     bool joinCurves(const PendingPrimitive& next);
     MaterialSources materialSources() {
@@ -167,6 +172,7 @@ class SceneBuilder {
     std::optional<MovingObject> movingObject_;
     InstanceBudget instances_;
     size_t curvePiecesLeft_ = limits::kCurvePieces;
+    bool keepsNames_ = false;
     std::vector<PendingPrimitive> pending_;
     std::map<RgbTexturePtr, Emission> emissions_;  // of materials
     std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();

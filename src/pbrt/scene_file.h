@@ -18,6 +18,8 @@ struct LoadOptions {
     double subdividedTriangles = limits::kSubdividedTriangles;
     // Maximum number of pieces of all curves together.
     size_t curvePieces = limits::kCurvePieces;
+    // Whether Scene::names is filled in.
+    bool names = false;
 };
 
 // The dialect is determined by the words of the file (dialect_scan.h); -v reports it and the deciding word. Everything

@@ -31,6 +31,7 @@ struct Geometry {
     std::shared_ptr<Curves> curves{};  // the same as `shape` if it is curves, so that several can be joined
     // Reads and transforms the mesh. Slow; to be called once, on any thread. Owns everything that it needs.
     std::function<TriangleMeshPtr()> loadMesh{};
+    std::string meshFile{};                  // that loadMesh() reads, as the scene's file names it; empty: none
     double subdivided = 0;                   // number of triangles after subdivision
     FloatTexturePtr alpha{}, shadowAlpha{};  // for all shapes; set by makeShape()
     bool alphaIsShare = false;               // Primitive::alphaIsShare

@@ -17,6 +17,10 @@ constexpr float kCellSize = 0.0144f;
 // times as many. Cells then still get four times as many deposits each, so that with the number of samples both the
 // size and the noise of cells fall towards zero.
 constexpr double kRefineAt = 1 << 26, kRefineFactor = 16;
+// A commit of deposits takes a pass over the whole table of cells, which is most of the work of a coarse picture. For
+// a camera that moves it is put off, until each pixel has a sample, if the cells answer this share of what they are
+// asked, as in a room that they know already.
+constexpr double kMostlyKnown = 2. / 3;
 
 class FinalGatherIntegrator final : public SampledIntegrator {
   public:
@@ -34,12 +38,13 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         plan();
     }
 
-    // The cells are not of the camera. Deposits of a pass that was not complete are lost.
+    // The cells are not of the camera. Deposits that have not been committed are lost.
     bool cameraMoved() override {
         if (!cells_) return false;
         region_ = context_.scene.settings.region();
         rows_.clear();
         plan();
+        hasMoved_ = true;
         return true;
     }
 
@@ -51,10 +56,10 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         if (!cells_) return;
         planner_->update(samples, samples > 0);
         FinalGather::Counts counts;
-        for (Row& row : rows_) {
-            counts.add(row.counts);
-            row.counts = {};
-        }
+        for (const Row& row : rows_) counts.add(row.counts);
+        const bool mostlyKnown = double(counts.answered) >= kMostlyKnown * double(counts.asked);
+        if (hasMoved_ && samples == 0 && mostlyKnown) return;
+        for (Row& row : rows_) row.counts = {};
         if (samples > 0 && double(samples) * double(region_.count()) >= refineAt_) {
             cells_->refine();
             refineAt_ *= kRefineFactor;
@@ -172,6 +177,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     std::optional<SamplePlanner> planner_;
     std::vector<Row> rows_;
     double refineAt_ = kRefineAt;
+    bool hasMoved_ = false;  // the camera
 };
 
 }  // namespace

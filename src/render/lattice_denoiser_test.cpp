@@ -60,7 +60,7 @@ double errorOf(const Image& image, int fromRow, int toRow) {
 
 Image pictureOf(const Film& film) {
     Image image = film.layer(0).image();
-    fillUnsampled(image, film.layer(0));
+    fillUnsampled({&image}, film.layer(0));
     return image;
 }
 

@@ -266,7 +266,7 @@ Planes LayerFilter::withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales
 Image LayerFilter::smooth(const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
     Image result = samples.image();
-    fillUnsampled(result, samples);
+    fillUnsampled({&result}, samples);
     // Many scenes have no glossy lobes.
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
     const bool whole = isWhole(samples);

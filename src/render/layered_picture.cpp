@@ -94,9 +94,10 @@ void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, fl
 Image sampleCounts(const FilmLayer& layer) {
     const PixelRegion& region = layer.region();
     Image counts(region.width(), region.height(), {"X"});
-    for (int y = region.y0; y < region.y1; ++y)
-        for (int x = region.x0; x < region.x1; ++x)
-            counts.at(x - region.x0, y - region.y0, 0) = float(layer.expected(x, y));
+    forEachRow(region.height(), [&](int row) {
+        for (int column = 0; column < region.width(); ++column)
+            counts.at(column, row, 0) = float(layer.expected(region.x0 + column, region.y0 + row));
+    });
     return counts;
 }
 
@@ -130,7 +131,7 @@ GBuffer gBufferOf(const Film& film, std::optional<int> group) {
     const auto total = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
     if (const double sampled = total(sampledInRow); sampled > 0)
         g.noise = float(std::sqrt(total(noiseOfRow) / sampled));
-    for (Image* image : {&g.albedo, &g.normal, &g.depth}) fillUnsampled(*image, samples);
+    fillUnsampled({&g.albedo, &g.normal, &g.depth}, samples);
     return g;
 }
 

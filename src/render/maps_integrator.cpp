@@ -80,7 +80,7 @@ class MapsIntegrator final : public Integrator {
         for (const auto& [layer, part] : {std::pair("emission", "direct"), std::pair("lit", "direct"),
                                           std::pair("maps", "indirect"), std::pair("glossy", "indirect")}) {
             picture.layers.push_back(pictureLayer(*picture.film, layer, part, picture.scale));
-            fillUnsampled(picture.layers.back().mean, picture.film->layer(layer));
+            fillUnsampled({&picture.layers.back().mean}, picture.film->layer(layer));
         }
         if (context_.params.variance) picture.samples = sampleCounts(picture.film->layer(kEmission));
         if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);

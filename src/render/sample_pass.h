@@ -4,6 +4,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 
 #include "image/image.h"
 #include "render/film_layer.h"
@@ -44,7 +45,7 @@ struct SamplePass {
 };
 
 // Fills pixels that have no sample yet, during the first passes, with the value of the nearest sampled pixel up and
-// left on a coarser lattice. sampled: a layer of the image's region that every camera sample adds to.
-void fillUnsampled(Image& image, const FilmLayer& sampled);
+// left on a coarser lattice. sampled: a layer of the images' region that every camera sample adds to.
+void fillUnsampled(std::initializer_list<Image*> images, const FilmLayer& sampled);
 
 }  // namespace drc

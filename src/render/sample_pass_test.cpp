@@ -31,7 +31,7 @@ TEST(SamplePass, PixelsBetweenLatticesAreFilled) {
             SamplePass{p}.forEachColumn(row, kWidth,
                                         [&](int column) { layer.add(5 + column, 7 + row, 0, colour(column, row), 1); });
         Image image = layer.image();
-        fillUnsampled(image, layer);
+        fillUnsampled({&image}, layer);
         const int lattice = 4 >> p;
         for (int row = 0; row < kHeight; ++row)
             for (int column = 0; column < kWidth; ++column)

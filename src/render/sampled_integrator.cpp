@@ -43,7 +43,7 @@ LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) cons
     picture.film = std::move(film);
     const FilmLayer& samples = picture.film->layer(kBeauty);
     picture.layers.push_back(pictureLayer(*picture.film, kBeauty, "", picture.scale));
-    fillUnsampled(picture.layers[0].mean, samples);
+    fillUnsampled({&picture.layers[0].mean}, samples);
     if (context_.params.variance) picture.samples = sampleCounts(samples);
     if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);
     picture.compose();

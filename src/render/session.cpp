@@ -65,14 +65,14 @@ void Session::begin() {
     if (params_.guide && params_.integrator != "bdpt") startGuide();
 }
 
-void Session::setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film) {
+void Session::setCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film) {
     scene_.camera = std::move(camera);
     scene_.settings.film = film;
     begin();
     restart();
 }
 
-void Session::moveCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film) {
+void Session::moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film) {
     scene_.camera = std::move(camera);
     scene_.settings.film = film;
     if (!integrator_->cameraMoved()) {
@@ -157,7 +157,7 @@ void Session::startGuide() {
     tracer_.setGuide(&*guide_);
 }
 
-bool Session::step(const CancelToken* cancel) {
+bool Session::step(const CancelToken* cancel, const CancelToken* abandon) {
     if (cancel && cancel->cancelled()) return false;
     const std::optional<Schedule::Work> work = schedule_.next(film_->passes(), film_->mapPasses);
     if (!work) return false;
@@ -170,7 +170,7 @@ bool Session::step(const CancelToken* cancel) {
         whole = integrator_->mapPass(work->index, work->spacing, work->stride, *film_, cancel);
         film_->mapPasses += whole;
     } else {
-        whole = samplePass(work->index, cancel);
+        whole = samplePass(work->index, cancel, abandon);
     }
     const auto took = Schedule::Clock::now() - start;
     schedule_.finished(*work, took, whole);
@@ -181,7 +181,8 @@ bool Session::step(const CancelToken* cancel) {
     return whole;
 }
 
-bool Session::samplePass(int index, const CancelToken* cancel) {
+bool Session::samplePass(int index, const CancelToken* cancel, const CancelToken* abandon) {
+    const auto isAbandoned = [&] { return abandon != nullptr && abandon->cancelled(); };
     const SamplePass pass{index};
     const uint32_t number = uint32_t(params_.firstSample) + pass.sample();
     const PixelRegion& region = film_->region();
@@ -190,8 +191,9 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
         [&](int y, int) {
             const auto lock = film_->lockRow(y);
             // A pass that was cancelled continues with the rows that it did not reach.
-            if (film_->rowPasses(y) > index) return;
+            if (film_->rowPasses(y) > index || isAbandoned()) return;
             pass.forEachColumn(y - region.y0, region.width(), [&](int column) {
+                if (isAbandoned()) return;
                 const int x = region.x0 + column;
                 const PixelSamples samples = integrator_->samplesOf(x, y, number);
                 const uint64_t stream = pixelStream(params_.seed, kSampleStream, x, y);
@@ -203,7 +205,7 @@ bool Session::samplePass(int index, const CancelToken* cancel) {
                     integrator_->sample(x, y, i, sample, *film_);
                 }
             });
-            film_->setRowPasses(y, index + 1);
+            if (!isAbandoned()) film_->setRowPasses(y, index + 1);
         },
         cancel);
     return film_->passes() > index;

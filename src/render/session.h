@@ -19,8 +19,10 @@ class Session {
     ~Session();
 
     // Runs one pass over the film, or the part of it that could be done until the deadline passed or `cancel` was
-    // raised; that part counts. False: the render is done, or it was cancelled.
-    bool step(const CancelToken* cancel = nullptr);
+    // raised; that part counts. False: the render is done, or it was cancelled. abandon: when raised, the step ends
+    // even within a row of pixels, and the film is of no use until the camera has been set or moved; for when that is
+    // what comes next.
+    bool step(const CancelToken* cancel = nullptr, const CancelToken* abandon = nullptr);
     // Whether every layer of the picture has some light already.
     bool hasPicture() const { return schedule_.hasPicture(film_->passes(), film_->mapPasses); }
     // The picture so far, unfiltered. Safe while step runs, from any thread. part: of the film's region.
@@ -35,10 +37,10 @@ class Session {
 
     // Changes the camera: the film is cleared and may have another size, the prepared scene stays. Not while other
     // calls run.
-    void setCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film);
+    void setCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
     // The same for a camera that looks around in the same room: what has been found out about the scene is kept, such
     // as radiance cells, and helps the new picture, which therefore depends on where the camera has been.
-    void moveCamera(std::unique_ptr<Camera> camera, const FilmGeometry& film);
+    void moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
 
     // Writes all that the render has found out to a file, whole or not at all, and goes on from there: a session of the
     // same scene and parameters that has loaded the file ends with the same bits as one that was never stopped.
@@ -67,7 +69,7 @@ class Session {
 
   private:
     std::string fileHeader(const std::string& identity) const;
-    bool samplePass(int index, const CancelToken* cancel);
+    bool samplePass(int index, const CancelToken* cancel, const CancelToken* abandon);
     void startGuide();
     // Calls f(ray, sampler) for about side x side camera rays all over the picture.
     template <class F>

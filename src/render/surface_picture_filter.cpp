@@ -18,7 +18,7 @@ void SurfacePictureFilter::apply(LayeredPicture& picture) const {
         const LayerFilter broad(surfaces, LobeKind::Broad);
         const FilmLayer& maps = film.layer("maps");
         Image indirect = smooth_ ? broad.smooth(maps) : maps.image();
-        if (!smooth_) fillUnsampled(indirect, maps);
+        if (!smooth_) fillUnsampled({&indirect}, maps);
         if (correct) broad.correct(indirect, film.layer("broad"));
         set("maps", std::move(indirect));
     }

@@ -13,6 +13,7 @@
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "scene/shape.h"
+#include "scene/surface_names.h"
 #include "scene/triangle_mesh.h"
 
 namespace drc {
@@ -26,6 +27,7 @@ struct Primitive {
     FloatTexturePtr alpha;                       // transparent where 0, for all rays; null: opaque
     FloatTexturePtr shadowAlpha;                 // the same for shadow rays only; null: as alpha
     bool alphaIsShare = false;                   // of the rays that alpha lets hit the surface (pbrt-v4), at random
+    uint32_t name = SurfaceNames::kNone;         // its row in Scene::names
     MediumInterface media = {};                  // owned by Scene::media
 };
 
@@ -77,13 +79,15 @@ struct Scene {
     std::vector<Primitive> primitives;
     std::vector<ObjectDefinition> objects;
     std::vector<Instance> instances;
-    std::vector<LightPtr> lights;  // all lights, including those of emissive primitives
-    std::unique_ptr<Camera> camera;
+    std::vector<LightPtr> lights;          // all lights, including those of emissive primitives
+    std::shared_ptr<const Camera> camera;  // may be replaced, not changed
     std::vector<std::shared_ptr<const Medium>> media;
     const Medium* cameraMedium = nullptr;  // that the camera is in; null: empty space
     RenderSettings settings;
     // What has been subtracted from the file's world coordinates, because floats are finest near zero.
     Vec3 origin{0.f};
+    // What the file calls the surfaces, for those who ask; may be empty.
+    SurfaceNames names;
     // The files that it was read from: the one with the scene first, then those that it names, each once.
     std::vector<std::string> files;
 

@@ -63,7 +63,10 @@ void LiveRender::setCamera(std::function<std::unique_ptr<Camera>()> make, const 
         const std::lock_guard lock(mutex_);
         move_ = Move{std::move(make), film, moving};
         // Else a camera that moves all the time would never be seen.
-        if (!owesFrame_) cancel_.cancel();
+        if (!owesFrame_) {
+            abandon_.cancel();
+            cancel_.cancel();
+        }
     }
     changed_.notify_all();
 }
@@ -98,12 +101,9 @@ void LiveRender::work() {
             for (;;) {
                 // A pass that was cancelled counts as far as it got, and goes on from there.
                 cancel_.reset();
+                abandon_.reset();
                 if (stopping_) return;
-                if (!calls_.empty()) {
-                    for (const auto* call : calls_) (*call)(session_);
-                    calls_.clear();
-                    changed_.notify_all();
-                }
+                // First of all, because a pass may have been abandoned for it.
                 if (move_) {
                     Move move = std::move(*move_);
                     move_.reset();
@@ -117,6 +117,11 @@ void LiveRender::work() {
                     ++view_;
                     began_ = Clock::now();
                 }
+                if (!calls_.empty()) {
+                    for (const auto* call : calls_) (*call)(session_);
+                    calls_.clear();
+                    changed_.notify_all();
+                }
                 // What has been sampled is shown before the render rests.
                 if ((!state_.paused && !state_.done) || (!isCurrent_ && session_.hasPicture())) break;
                 changed_.wait(
@@ -129,7 +134,7 @@ void LiveRender::work() {
             rests = state_.paused || state_.done;
         }
         if (!rests) {
-            const bool whole = session_.step(&cancel_);
+            const bool whole = session_.step(&cancel_, &abandon_);
             isCurrent_ = false;
             if (!whole && !cancel_.cancelled()) {
                 const std::lock_guard lock(mutex_);
@@ -140,6 +145,11 @@ void LiveRender::work() {
         }
         if (session_.hasPicture() && (rests || isFrameDue())) makeFrame();
     }
+}
+
+bool LiveRender::isOutdated() const {
+    const std::lock_guard lock(mutex_);
+    return move_ && !owesFrame_;
 }
 
 bool LiveRender::isFrameDue() const {
@@ -169,11 +179,15 @@ void LiveRender::estimateError(const LayeredPicture& unfiltered) {
 void LiveRender::makeFrame() {
     const auto start = Clock::now();
     auto next = std::make_shared<LiveFrame>();
-    next->picture = session_.snapshot();
+    // The film is not copied: no step runs until the frame is finished.
+    next->picture = session_.picture();
+    if (isOutdated()) return;
+    next->camera = session_.tracer().scene().camera;
     next->unfiltered = next->picture.beauty;
     estimateError(next->picture);
     next->error = error_;
     callbacks_.finish(next->picture, moving_);
+    next->picture.film = std::make_shared<const Film>(session_.tracer().scene().settings, std::vector<FilmLayerSpec>());
     next->samples = session_.samplesDone();
     const int passes = session_.film().passes();
     next->share = passes >= SamplePass::kLattices ? 1 : passes == 2 ? 0.25 : 0.0625;

@@ -24,14 +24,15 @@ struct LiveError {
 
 // What is seen at a time.
 struct LiveFrame {
-    uint64_t number = 0;                     // from 1
-    LayeredPicture picture;                  // finished; picture.film is a copy of its own
-    Image unfiltered;                        // beauty before filters
-    int samples = 0;                         // complete ones in each pixel
-    double share = 0;                        // of the pixels of the first sample, until that is complete; then 1
-    double seconds = 0;                      // since the camera was moved last, until it was finished
-    uint64_t view = 0;                       // counts the movements of the camera
-    std::string status;                      // as Session::status()
+    uint64_t number = 0;                   // from 1
+    LayeredPicture picture;                // finished; picture.film has the region alone
+    std::shared_ptr<const Camera> camera;  // that took it
+    Image unfiltered;                      // beauty before filters
+    int samples = 0;                       // complete ones in each pixel
+    double share = 0;                      // of the pixels of the first sample, until that is complete; then 1
+    double seconds = 0;                    // since the camera was moved last, until it was finished
+    uint64_t view = 0;                     // counts the movements of the camera
+    std::string status;                    // as Session::status()
     std::shared_ptr<const LiveError> error;  // the latest estimate; null: there is none yet of this view
 };
 
@@ -82,12 +83,15 @@ class LiveRender {
     void work();
     void makeFrame();
     void estimateError(const LayeredPicture& unfiltered);
+    // Whether the camera will be moved now, so that a frame would be too late.
+    bool isOutdated() const;
     // Whether a frame should be made now, after a step.
     bool isFrameDue() const;
 
     Session& session_;
     Callbacks callbacks_;
     CancelToken cancel_;
+    CancelToken abandon_;  // raised when the camera will be moved, so that what is being sampled is of no use
 
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "image/auto_exposure.h"
 #include "image/image_io.h"
+#include "view/seen_surface.h"
 
 namespace drc {
 namespace {
@@ -22,7 +23,9 @@ constexpr int kLeastSide = 16, kMostSide = 4096;
 // Pixels of a picture to compare with.
 constexpr int64_t kMostCompared = int64_t(kMostSide) * kMostSide;
 
-HttpResponse json(const Json& value) { return {200, "application/json", value.dump(), {}}; }
+// Names of files and materials need not be UTF-8.
+std::string text(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+HttpResponse json(const Json& value) { return {200, "application/json", text(value), {}}; }
 HttpResponse wrong(const std::string& what) { return {400, "text/plain; charset=utf-8", what + "\n", {}}; }
 HttpResponse missing(const std::string& what) { return {404, "text/plain; charset=utf-8", what + "\n", {}}; }
 
@@ -33,6 +36,22 @@ Json asJson(const ViewCamera& c, const Scene& scene) {
             {"up", asJson(c.up)},
             {"mirrored", c.mirrored},
             {"pbrt", c.asPbrt(scene.origin)}};
+}
+
+Json asJson(const SeenSurface& seen, const Scene& scene) {
+    const SurfaceName name = scene.names.at(seen.primitive->name);
+    Json value{{"distance", seen.distance}, {"emits", seen.primitive->areaLight != nullptr}};
+    const auto say = [&](const char* what, std::string_view words) {
+        if (!words.empty()) value[what] = words;
+    };
+    say("material", name.material);
+    say("materialKind", name.materialKind);
+    say("shapeKind", name.shapeKind);
+    say("meshFile", name.meshFile);
+    say("file", name.file);
+    if (name.line > 0) value["line"] = name.line;
+    if (seen.instance != nullptr) say("object", scene.objects[size_t(seen.instance->object)].name);
+    return value;
 }
 
 // Three numbers of an object; false if it does not have them.
@@ -47,10 +66,10 @@ bool read(const Json& object, const char* name, Vec3& v) {
 }
 
 // A whole number of a query; none if it is anything else.
-std::optional<int> numberOf(std::string_view text) {
-    if (text.empty() || text.size() > 6) return {};
+std::optional<int> numberOf(std::string_view digits) {
+    if (digits.empty() || digits.size() > 6) return {};
     int value = 0;
-    for (const char c : text) {
+    for (const char c : digits) {
         if (c < '0' || c > '9') return {};
         value = value * 10 + (c - '0');
     }
@@ -105,8 +124,9 @@ Image layerOf(const LiveFrame& frame, const std::string& name) {
     return picture.part(name);
 }
 
-ViewService::ViewService(const Scene& scene, LiveRender& render, Settings settings)
+ViewService::ViewService(const Scene& scene, const Accel& accel, LiveRender& render, Settings settings)
     : scene_(scene),
+      accel_(accel),
       render_(render),
       settings_(std::move(settings)),
       home_([&] {
@@ -139,7 +159,7 @@ HttpResponse ViewService::answer(const HttpRequest& request) {
         return response;
     }
     if (what == "frame") return picture(request);
-    if (what == "pixel") return pixel(request);
+    if (what == "pixel" || what == "surface") return pixel(request, what == "pixel");
     if (what == "exposure") {
         const auto frame = render_.frame();
         return frame ? json({{"stops", autoExposure(frame->picture.beauty)}})
@@ -188,7 +208,7 @@ std::string ViewService::frameEvent() const {
     const LiveError* error = frame ? frame->error.get() : nullptr;
     event["error estimate"] =
         error ? Json{{"whole", error->whole}, {"samples", error->samples}, {"slope", error->slope}} : Json();
-    return event.dump();
+    return text(event);
 }
 
 HttpResponse ViewService::state() const {
@@ -222,13 +242,18 @@ HttpResponse ViewService::picture(const HttpRequest& request) const {
     return {200, "application/octet-stream", encodeHalves(image, frame->number), {}};
 }
 
-HttpResponse ViewService::pixel(const HttpRequest& request) const {
+HttpResponse ViewService::pixel(const HttpRequest& request, bool withLayers) const {
     const std::optional<int> x = numberOf(request.parameter("x")), y = numberOf(request.parameter("y"));
     const auto frame = render_.frame();
     if (!frame) return {503, "text/plain; charset=utf-8", "there is no picture yet\n", {}};
     const Image& beauty = frame->picture.beauty;
     if (!x || !y || *x >= beauty.width() || *y >= beauty.height()) return wrong("x and y must be in the picture");
-    Json value{{"x", *x}, {"y", *y}};
+    Json value{{"x", *x}, {"y", *y}, {"surface", nullptr}};
+    const PixelRegion& region = frame->picture.film->region();
+    const Vec2 centre(float(region.x0 + *x) + 0.5f, float(region.y0 + *y) + 0.5f);
+    if (const auto seen = seenSurface(accel_, *frame->camera, centre)) value["surface"] = asJson(*seen, scene_);
+    if (frame->picture.samples) value["samples"] = frame->picture.samples->at(*x, *y, 0);
+    if (!withLayers) return json(value);
     for (const std::string& name : layersOf(*frame)) {
         const Image image = layerOf(*frame, name);
         Json& values = value["layers"][name] = Json::array();

@@ -23,7 +23,7 @@ class ViewService {
     };
 
     // All must outlive the service.
-    ViewService(const Scene& scene, LiveRender& render, Settings settings);
+    ViewService(const Scene& scene, const Accel& accel, LiveRender& render, Settings settings);
 
     // Safe from any thread.
     HttpResponse answer(const HttpRequest& request);
@@ -35,11 +35,13 @@ class ViewService {
     HttpResponse page() const;
     HttpResponse state() const;
     HttpResponse picture(const HttpRequest& request) const;
-    HttpResponse pixel(const HttpRequest& request) const;
+    // withLayers: what all layers have there, beside the surface.
+    HttpResponse pixel(const HttpRequest& request, bool withLayers) const;
     HttpResponse setCamera(const HttpRequest& request);
     HttpResponse compare(const HttpRequest& request);
 
     const Scene& scene_;
+    const Accel& accel_;
     LiveRender& render_;
     const Settings settings_;
     const ViewCamera home_;

@@ -169,7 +169,8 @@ struct RestingView {
     }();
     Session session{*scene, params, nullptr, nullptr};
     LiveRender render{session, {[](LayeredPicture&, bool) {}, {}}};
-    ViewService service{*scene, render, {"scene", "t", [](const LiveFrame&) { return std::string("exr"); }}};
+    ViewService service{
+        *scene, session.accel(), render, {"scene", "t", [](const LiveFrame&) { return std::string("exr"); }}};
 };
 
 }  // namespace

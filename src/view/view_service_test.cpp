@@ -1,0 +1,158 @@
+#include "view/view_service.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "pbrt/scene_file.h"
+
+namespace drc {
+namespace {
+
+using Json = nlohmann::json;
+constexpr auto kLong = std::chrono::seconds(60);
+
+// A mirror behind a disk that lets all light pass, with a lamp on its left and an instanced ball on its right; sky
+// elsewhere. The camera is at the origin and looks along z.
+constexpr const char* kScene = R"(Camera "perspective" "float fov" 90
+Film "image" "integer xresolution" 40 "integer yresolution" 20
+WorldBegin
+LightSource "infinite"
+MakeNamedMaterial "Walnut" "string type" "matte"
+ObjectBegin "ornament"
+NamedMaterial "Walnut"
+Shape "sphere" "float radius" 1
+ObjectEnd
+AttributeBegin
+Translate 4 0 5
+ObjectInstance "ornament"
+AttributeEnd
+AttributeBegin
+AreaLightSource "diffuse" "rgb L" [2 2 2]
+Material "none"
+Translate -4 0 5
+Shape "disk" "float radius" 1
+AttributeEnd
+AttributeBegin
+Material "none"
+Translate 0 0 2
+Shape "disk" "float radius" 1
+AttributeEnd
+Material "mirror"
+Translate 0 0 8
+Shape "disk" "float radius" 1
+WorldEnd
+)";
+
+struct Served {
+    explicit Served(const std::string& text = kScene) {
+        pbrt::LoadOptions options;
+        options.names = true;
+        scene = pbrt::loadPbrtString(text, ".", options, "room.pbrt");
+        RenderParams params;
+        params.integrator = "path";
+        params.spp = 3;
+        params.gBuffer = params.variance = true;
+        session = std::make_unique<Session>(*scene, params, nullptr, nullptr);
+        render = std::make_unique<LiveRender>(*session, LiveRender::Callbacks{[](LayeredPicture&, bool) {}, {}});
+        service = std::make_unique<ViewService>(
+            *scene, session->accel(), *render,
+            ViewService::Settings{"room", "t", [](const LiveFrame&) { return std::string(); }});
+        waitForSamples(3);
+    }
+    void waitForSamples(int samples) {
+        auto frame = render->waitForFrame(0, kLong);
+        while (frame->samples < samples) frame = render->waitForFrame(frame->number, kLong);
+    }
+    HttpResponse get(const std::string& target) {
+        HttpRequest request;
+        request.method = "GET";
+        EXPECT_TRUE(parseTarget("/t/" + target, request));
+        return service->answer(request);
+    }
+    HttpResponse post(const std::string& what, const std::string& body) {
+        HttpRequest request;
+        request.method = "POST";
+        request.path = "/t/" + what;
+        request.body = body;
+        return service->answer(request);
+    }
+    Json surface(int x, int y) {
+        return Json::parse(get("surface?x=" + std::to_string(x) + "&y=" + std::to_string(y)).body);
+    }
+
+    std::unique_ptr<Scene> scene;
+    std::unique_ptr<Session> session;
+    std::unique_ptr<LiveRender> render;
+    std::unique_ptr<ViewService> service;
+};
+
+// The column that shows a point at depth z of the film's middle row, whose half width is 20 pixels at 90 degrees.
+int columnOf(float x, float z) { return int(20 + 10 * x / z); }
+
+TEST(ViewService, NamesTheSurfaceOfAPixel) {
+    Served served;
+    Json ball = served.surface(columnOf(4, 5), 10);
+    EXPECT_EQ(ball["samples"], 3);
+    EXPECT_EQ(ball["surface"]["material"], "Walnut");
+    EXPECT_EQ(ball["surface"]["materialKind"], "matte");
+    EXPECT_EQ(ball["surface"]["shapeKind"], "sphere");
+    EXPECT_EQ(ball["surface"]["object"], "ornament");
+    EXPECT_EQ(ball["surface"]["file"], "room.pbrt");
+    EXPECT_EQ(ball["surface"]["line"], 8);
+    EXPECT_EQ(ball["surface"]["emits"], false);
+    EXPECT_NEAR(double(ball["surface"]["distance"]), std::hypot(4, 5) - 1, 0.1);
+    EXPECT_FALSE(ball.contains("layers"));
+
+    Json lamp = served.surface(columnOf(-4, 5), 10);
+    EXPECT_EQ(lamp["surface"]["emits"], true);
+    EXPECT_EQ(lamp["surface"]["shapeKind"], "disk");
+    EXPECT_FALSE(lamp["surface"].contains("object"));
+
+    // Through the disk that lets all light pass.
+    Json mirror = served.surface(20, 10);
+    EXPECT_EQ(mirror["surface"]["materialKind"], "mirror");
+    EXPECT_FALSE(mirror["surface"].contains("material"));
+    EXPECT_NEAR(double(mirror["surface"]["distance"]), 8, 0.1);
+
+    EXPECT_TRUE(served.surface(20, 0)["surface"].is_null());
+}
+
+TEST(ViewService, TellsAllLayersOfAPixelWithItsSurface) {
+    Served served;
+    Json pixel = Json::parse(served.get("pixel?x=" + std::to_string(columnOf(4, 5)) + "&y=10").body);
+    EXPECT_EQ(pixel["surface"]["material"], "Walnut");
+    EXPECT_EQ(pixel["samples"], 3);
+    for (const char* layer : {"beauty", "unfiltered", "albedo", "normal", "depth", "variance", "samples"})
+        EXPECT_TRUE(pixel["layers"].contains(layer)) << layer;
+    for (const char* wrong : {"surface", "surface?x=40&y=0", "surface?x=0&y=20", "surface?x=-1&y=0", "pixel?x=1"})
+        EXPECT_EQ(served.get(wrong).status, 400) << wrong;
+}
+
+// The surface is that of the picture that is shown, whatever its camera, its size and the part of the film.
+TEST(ViewService, NamesWhatTheShownFrameShows) {
+    std::string text = kScene;
+    text.insert(text.find("\nWorldBegin"), "  \"float cropwindow\" [0.5 1 0 1]");
+    Served served(text);
+    EXPECT_EQ(served.surface(columnOf(4, 5) - 20, 10)["surface"]["material"], "Walnut");
+    EXPECT_EQ(served.get("surface?x=20&y=10").status, 400);
+
+    Served moved;
+    const Json camera{{"eye", {0, 0, 0}}, {"look", {4, 0, 5}}, {"up", {0, 1, 0}}, {"width", 80}, {"height", 40}};
+    ASSERT_EQ(moved.post("camera", camera.dump()).status, 200);
+    auto frame = moved.render->waitForFrame(0, kLong);
+    while (frame->view == 0) frame = moved.render->waitForFrame(frame->number, kLong);
+    EXPECT_EQ(moved.surface(40, 20)["surface"]["material"], "Walnut");
+}
+
+// Names in files need not be UTF-8, and JSON must.
+TEST(ViewService, AnswersWithNamesInOtherEncodings) {
+    std::string text = kScene;
+    for (size_t at = text.find("Walnut"); at != std::string::npos; at = text.find("Walnut", at + 1))
+        text.replace(at, 6, "Nu\xdf");
+    Served served(text);
+    EXPECT_EQ(served.surface(columnOf(4, 5), 10)["surface"]["material"], "Nu\xef\xbf\xbd");
+}
+
+}  // namespace
+}  // namespace drc
