@@ -39,8 +39,9 @@ Checkpoint::Identity identityOf(const Scene& scene, const RenderParams& params, 
         {"--max-depth", std::to_string(*params.maxDepth)},
         {"--clamp", fmt::format("{}", params.clamp)},
         {"guiding", params.guide ? "on" : "off"},
-        {"layers", fmt::format("{}{}{}", params.gBuffer ? "G-buffer " : "", params.variance ? "variance" : "",
-                               params.independentHalves ? " of independent halves" : "")}};
+        {"layers",
+         fmt::format("{}{}{}{}", params.gBuffer ? "G-buffer " : "", params.parts ? "parts " : "",
+                     params.variance ? "variance" : "", params.independentHalves ? " of independent halves" : "")}};
     if (params.integrator == "drc")
         identity.insert(identity.end(), {{"--cells", params.cells ? "on" : "off"},
                                          {"--cell-size", fmt::format("{}", params.cellSize)}});

@@ -58,7 +58,7 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
             continue;
         }
         std::vector<ExrLayer> layers{{"", &picture.beauty}};
-        const bool parts = !picture.layers.empty() && !picture.layers[0].part.empty();
+        const bool parts = picture.hasParts();
         const Image direct = parts ? picture.part("direct") : Image(),
                     indirect = parts ? picture.part("indirect") : Image();
         if (parts) layers.insert(layers.end(), {{"direct", &direct}, {"indirect", &indirect}});

@@ -189,7 +189,7 @@ void render(RenderOptions o, const CLI::App& command) {
     stats.timer("load").add(Clock::now() - start);
     for (const std::string& path : o.outputs) checkOutput("-o", path);
     if (o.spacing) o.params.firstSpacing = *o.spacing / float(scene->settings.film.height);
-    if (o.aovs) o.params.gBuffer = o.params.variance = true;
+    if (o.aovs) o.params.gBuffer = o.params.parts = o.params.variance = true;
     if (o.noiseThreshold) estimateErrors(o.params);
     RenderParams params = resolved(o.params, *scene);
     if (o.noiseThreshold && !hasHalves(params.integrator))

@@ -89,7 +89,7 @@ void view(ViewOptions o) {
     load.overrides = o.overrides;
     load.names = true;
     const auto scene = pbrt::loadPbrtFile(o.scene, load);
-    o.params.gBuffer = o.params.variance = o.params.independentHalves = true;
+    o.params.gBuffer = o.params.parts = o.params.variance = o.params.independentHalves = true;
     if (!o.params.spp) o.params.spp = kSamples;
     RenderParams params = resolved(o.params, *scene);
     if (usesMaps(params.integrator)) throw Error("drc view: --integrator drc-maps cannot be watched yet");

@@ -1,6 +1,7 @@
 #include "integrators/final_gather.h"
 
 #include <array>
+#include <utility>
 
 namespace drc {
 namespace {
@@ -72,7 +73,10 @@ class Trainings {
 
 Rgb FinalGather::radiance(const Ray& ray, Sample& sample) const {
     Pcg32 random(sample.seed);
-    return clampedSample(follow(PathState(ray), sample, random), walker_.settings().clamp);
+    const float clamp = walker_.settings().clamp;
+    const Rgb sum = follow(PathState(ray), sample, random);
+    if (Rgb* direct = sample.sinks.direct) *direct = partOfClamped(*direct, sum, clamp);
+    return clampedSample(sum, clamp);
 }
 
 Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
@@ -86,6 +90,11 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
     Rgb share(1.f);
     bool shown = true;  // whether share is not zero
     Trainings trainings;
+    Rgb* directWanted = sample.sinks.direct;
+    // All that has been met before the second vertex is direct light.
+    const auto recordDirect = [&](bool ends) {
+        if (directWanted && (ends || path.depth > 0)) *std::exchange(directWanted, nullptr) = sum;
+    };
     // Since the last non-specular vertex, and of its direction.
     float distance = 0, pdf = path.pdf;
     const Accel& accel = lighting_.accel();
@@ -109,10 +118,11 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
             trainings.scatter(weight, Rgb(1.f));
         };
         const Arrival arrival =
-            walker_.advance(path, any, found, hit, inMedium, sample.sampler, sample.gBuffer, met, passed);
+            walker_.advance(path, any, found, hit, inMedium, sample.sampler, sample.sinks.gBuffer, met, passed);
         if (arrival == Arrival::Escaped)
             emitted(lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group));
         if (arrival == Arrival::Scattered) {
+            recordDirect(false);
             if (path.depth >= settings.maxDepth) shown = false;
             if (!shown && !trainings.wantMore(path.depth, settings.maxDepth)) break;
             const VertexNumbers u(sample.sampler);
@@ -131,6 +141,7 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
             continue;
         }
         if (arrival != Arrival::Surface) break;
+        recordDirect(false);
         if (path.depth >= settings.maxDepth) shown = false;
         if (!shown && !trainings.wantMore(path.depth, settings.maxDepth)) break;
 
@@ -141,8 +152,8 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
         const Bsdf bsdf = hit.bsdf();
         if (bsdf.size() == 0) break;
         path.group = lighting_.groupOf(hit, bsdf);
-        if (sample.gBuffer && path.depth == 0)
-            sample.gBuffer->record(path.throughput * path.passing, hit, bsdf, path.distance);
+        if (sample.sinks.gBuffer && path.depth == 0)
+            sample.sinks.gBuffer->record(path.throughput * path.passing, hit, bsdf, path.distance);
 
         bool answered = false, trainsHere = false;
         const bool mixed = bsdf.hasWithin(others);
@@ -216,6 +227,7 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
             trainings.scatter(path.weight, Rgb(1.f));
         }
     }
+    recordDirect(true);
     trainings.deposit(sample.deposits, settings.clamp);
     return sum;
 }

@@ -39,7 +39,7 @@ class FinalGather {
         uint64_t seed;                        // of the random numbers for look-ups
         std::vector<CacheDeposit>& deposits;  // are appended
         Counts& counts;
-        GBufferSample* gBuffer = nullptr;  // may be null
+        PathSinks sinks{};  // of the camera sample; without firstHit
     };
 
     // Both must outlive this object.

@@ -40,6 +40,9 @@ struct GBufferSample {
 struct PathSinks {
     FirstHit* firstHit = nullptr;
     GBufferSample* gBuffer = nullptr;
+    // The part of the sample's radiance that comes straight from emitters or has met a single non-specular vertex: what
+    // path tracing to a depth of 1 gives.
+    Rgb* direct = nullptr;
 };
 
 }  // namespace drc

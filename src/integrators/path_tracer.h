@@ -52,17 +52,16 @@ class PathTracer {
     // See DirectLighting.
     void setGuide(EnvironmentGuide* guide) { lighting_.setGuide(guide); }
 
-    // All light that arrives at the ray's origin along it. gBuffer, if not null, receives the surfaces that the path
-    // sees first.
-    Rgb radiance(const Ray& ray, Sampler& sampler, GBufferSample* gBuffer = nullptr) const {
-        return walker_.walk(ray, sampler, PathWalker::FirstEmission::Counted, {nullptr, gBuffer});
+    // All light that arrives at the ray's origin along it.
+    Rgb radiance(const Ray& ray, Sampler& sampler, const PathSinks& sinks = {}) const {
+        return walker_.walk(ray, sampler, PathWalker::FirstEmission::Counted, sinks);
     }
 
     // The same without Le of the first surface itself, or of the environment if the ray escapes: the R of the split.
     // Emitters seen through a mirror or glass are included. The ray's origin is a vertex of the path, and counts in its
     // depth.
     Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const {
-        return walker_.walk(ray, sampler, PathWalker::FirstEmission::Skipped, {first, nullptr});
+        return walker_.walk(ray, sampler, PathWalker::FirstEmission::Skipped, {.firstHit = first});
     }
 
     // D: Le seen through the specular chain, and one bounce of light at each non-specular hit along it. Where a surface

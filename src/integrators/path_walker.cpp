@@ -97,7 +97,9 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
     // If first emission is skipped, the ray's origin was the path's first vertex.
     const int maxDepth = settings_.maxDepth - (counted ? 0 : 1);
     // Where to record the next values; each is reset once it is known.
-    FirstHit *hitWanted = sinks.firstHit, *albedoWanted = nullptr, *directWanted = sinks.firstHit;
+    FirstHit *hitWanted = sinks.firstHit, *albedoWanted = nullptr;
+    Rgb* const direct = sinks.firstHit ? &sinks.firstHit->direct : sinks.direct;
+    Rgb* directWanted = direct;
     const Accel& accel = lighting_.accel();
     SurfaceInteraction hit;
     MediumVertex inMedium;
@@ -126,6 +128,7 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
             if (arrival == Arrival::Scattered) {
                 counted = true;
                 if (path.depth >= maxDepth) break;
+                if (directWanted && path.depth > 0) *std::exchange(directWanted, nullptr) = sum;
                 const VertexNumbers u(sampler);
                 DirectLighting::Proposal light = lighting_.propose(inMedium, u.light, u.onLight);
                 const Rgb throughput = path.throughput;
@@ -156,19 +159,14 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
         // The path's own ray is traced before the shadow ray, which then hides the latency of loading the surface's
         // data.
         any = goesOn && accel.find(path.ray, found);
-        if (directWanted && depth > 0) std::exchange(directWanted, nullptr)->direct = sum;
+        if (directWanted && depth > 0) *std::exchange(directWanted, nullptr) = sum;
         sum += throughput * lighting_.weighted(hit, light);
         if (!goesOn) break;
     }
-    if (directWanted) directWanted->direct = sum;
+    if (directWanted) *directWanted = sum;
     const Rgb bounded = clampedSample(sum, settings_.clamp);
     // The direct part is scaled together with the whole.
-    if (sinks.firstHit && bounded != sum) {
-        if (isFinite(sum))
-            sinks.firstHit->direct *= settings_.clamp / luminance(sum);
-        else
-            sinks.firstHit->direct = Rgb(0.f);
-    }
+    if (direct && bounded != sum) *direct = partOfClamped(*direct, sum, settings_.clamp);
     return bounded;
 }
 

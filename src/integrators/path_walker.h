@@ -26,6 +26,13 @@ inline Rgb clampedSample(const Rgb& radiance, float clamp) {
     return l <= clamp ? radiance : radiance * (clamp / l);
 }
 
+// What becomes of a part of that radiance.
+inline Rgb partOfClamped(const Rgb& part, const Rgb& radiance, float clamp) {
+    if (!isFinite(radiance)) return Rgb(0.f);
+    const float l = luminance(radiance);
+    return l <= clamp ? part : part * (clamp / l);
+}
+
 // The state of a path after its latest vertex.
 struct PathState {
     explicit PathState(const Ray& r) : ray(r), from(r.o) {}

@@ -46,10 +46,10 @@ class BdptIntegrator final : public SampledIntegrator {
   private:
     static constexpr const char* kSplats = "splats";
 
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film& film, GBufferSample* gBuffer) override {
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film& film, const PathSinks& sinks) override {
         thread_local std::vector<Splat> splats;
         splats.clear();
-        const Rgb radiance = tracer_.radiance(ray, sampler, splats, gBuffer);
+        const Rgb radiance = tracer_.radiance(ray, sampler, splats, sinks.gBuffer);
         FilmLayer& layer = film.layer(film.layerCount() - 1);
         for (const Splat& splat : splats) splatFilter_.add(splat, layer);
         return radiance;

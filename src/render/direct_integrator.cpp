@@ -9,8 +9,8 @@ class DirectIntegrator final : public SampledIntegrator {
     using SampledIntegrator::SampledIntegrator;
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, GBufferSample* gBuffer) override {
-        return context_.tracer.direct(ray, sampler, gBuffer);
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, const PathSinks& sinks) override {
+        return context_.tracer.direct(ray, sampler, sinks.gBuffer);
     }
 };
 

@@ -129,8 +129,10 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     }
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, GBufferSample* gBuffer) override {
-        if (!cells_) return context_.tracer.radiance(ray, sampler, gBuffer);
+    bool tellsDirect() const override { return true; }
+
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, const PathSinks& sinks) override {
+        if (!cells_) return context_.tracer.radiance(ray, sampler, sinks);
         Row& row = rows_[size_t(place.y - region_.y0)];
         GBufferSample surface;
         FinalGather::Sample sample{
@@ -140,11 +142,11 @@ class FinalGatherIntegrator final : public SampledIntegrator {
             .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
             .deposits = row.deposits,
             .counts = row.counts,
-            .gBuffer = &surface};
+            .sinks = {.gBuffer = &surface, .direct = sinks.direct}};
         const Rgb value = gather_.radiance(ray, sample);
         const int half = halfOf(pixelStream(context_.params.seed, kHalfStream, place.x, place.y), place.index);
         planner_->add(place.x, place.y, half, luminance(value), surface);
-        if (gBuffer != nullptr) *gBuffer = surface;
+        if (sinks.gBuffer) *sinks.gBuffer = surface;
         return value;
     }
 

@@ -31,10 +31,13 @@ PictureLayer& LayeredPicture::layer(const std::string& name) {
 }
 
 Image LayeredPicture::part(const std::string& name) const {
+    if (direct && name == "direct") return *direct;
     Image sum(film->region().width(), film->region().height());
     for (const PictureLayer& layer : layers)
-        if (name.empty() || layer.part == name)
+        if (direct || name.empty() || layer.part == name)
             for (size_t i = 0; i < sum.data().size(); ++i) sum.data()[i] += layer.mean.data()[i];
+    if (direct && name == "indirect")
+        for (size_t i = 0; i < sum.data().size(); ++i) sum.data()[i] -= direct->data()[i];
     return sum;
 }
 
@@ -63,6 +66,7 @@ void LayeredPicture::balance(const RgbMatrix& matrix) {
         forEachPixel(layer.mean, [&](const Rgb& c) { return matrix * c; });
         if (layer.variance) forEachPixel(*layer.variance, [&](const Rgb& v) { return matrix.ofVariance(v); });
     }
+    if (direct) forEachPixel(*direct, [&](const Rgb& c) { return matrix * c; });
     forEachPixel(beauty, [&](const Rgb& c) { return clampNonNegative(matrix * c); });
 }
 

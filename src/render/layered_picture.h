@@ -14,7 +14,7 @@ namespace drc {
 
 struct PictureLayer {
     std::string name;
-    // The EXR's layer that this one is added to: "direct" or "indirect". Empty: the picture has no such parts.
+    // The part of the picture that this layer is added to: "direct" or "indirect". Empty: it has light of both.
     std::string part;
     Image mean;                     // may be negative, where the pixel filter has negative lobes
     std::optional<Image> variance;  // of the mean, for R, G and B, from the differences between groups of samples
@@ -38,11 +38,16 @@ struct LayeredPicture {
     std::vector<PictureLayer> layers;
     Image beauty;  // the sum of the layers, clamped at zero; denoisers may replace it
     std::optional<GBuffer> gBuffer;
+    // Direct light (PathSinks::direct), of the same samples as the layers; for pictures whose layers have light of both
+    // parts.
+    std::optional<Image> direct;
     std::optional<Image> samples;  // X: number of camera samples; present if a layer has variance
     std::optional<Image> error;    // X: DenoisedError::local, if it was estimated
 
     PictureLayer& layer(const std::string& name);
-    // The sum of the layers of a part.
+    // Whether direct and indirect light can be told apart.
+    bool hasParts() const { return direct || (!layers.empty() && !layers[0].part.empty()); }
+    // "direct", "indirect", or "" for all: parts of the sum of the layers.
     Image part(const std::string& name) const;
     // Variance of the sum of the layers.
     Image variance() const;

@@ -10,9 +10,10 @@ class PathIntegrator final : public SampledIntegrator {
     bool cameraMoved() override { return true; }
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, GBufferSample* gBuffer) override {
-        return context_.tracer.radiance(ray, sampler, gBuffer);
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, const PathSinks& sinks) override {
+        return context_.tracer.radiance(ray, sampler, sinks);
     }
+    bool tellsDirect() const override { return true; }
 };
 
 }  // namespace

@@ -42,6 +42,7 @@ struct RenderParams {
     std::optional<OidnQuality> oidnQuality;
     std::optional<bool> oidnPrefilter;
     bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
+    bool parts = false;     // keep direct light apart, where the integrator can: LayeredPicture::hasParts
     bool variance = false;  // keep half buffers: PictureLayer::variance
     // The half buffers know nothing of each other, as the estimate of the denoised picture's error needs
     // (DenoisedError): each has a sequence of samples and a G-buffer of its own. Else one sequence is well distributed

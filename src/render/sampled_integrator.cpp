@@ -13,6 +13,8 @@ std::vector<FilmLayerSpec> SampledIntegrator::layers() const {
     std::vector<FilmLayerSpec> layers{{.name = kBeauty,
                                        .groups = context_.params.variance ? 2 : 1,
                                        .quantum = radianceQuantum(context_.scene.settings.filmScale)}};
+    if (keepsDirect())
+        layers.push_back({.name = kDirect, .quantum = radianceQuantum(context_.scene.settings.filmScale)});
     if (context_.params.gBuffer) addGBufferSpec(layers, context_.params.independentHalves ? 2 : 1);
     return layers;
 }
@@ -21,14 +23,18 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
     const RenderParams& params = context_.params;
     const CameraRay& camera = sample.camera;
     GBufferSample gBuffer;
-    const Rgb value = camera.weight > 0 ? radiance(camera.ray, sample.sampler, {x, y, index}, film,
-                                                   params.gBuffer ? &gBuffer : nullptr) *
-                                              camera.weight
-                                        : Rgb(0.f);
+    Rgb value(0.f), direct(0.f);
+    const bool keeps = keepsDirect();
+    if (camera.weight > 0) {
+        const PathSinks sinks{.gBuffer = params.gBuffer ? &gBuffer : nullptr, .direct = keeps ? &direct : nullptr};
+        value = radiance(camera.ray, sample.sampler, {x, y, index}, film, sinks) * camera.weight;
+    }
     const int group = groupOf(index);
     film.layer(0).add(x, y, group, value, sample.filterWeight);
+    if (keeps) film.layer(1).add(x, y, 0, direct * camera.weight, sample.filterWeight);
     if (params.gBuffer)
-        addGBufferSample(film.layer(1), x, y, gBuffer, sample.filterWeight, params.independentHalves ? group : 0);
+        addGBufferSample(film.layer(keeps ? 2 : 1), x, y, gBuffer, sample.filterWeight,
+                         params.independentHalves ? group : 0);
 }
 
 int SampledIntegrator::groupOf(uint32_t index) const {
@@ -44,6 +50,10 @@ LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) cons
     const FilmLayer& samples = picture.film->layer(kBeauty);
     picture.layers.push_back(pictureLayer(*picture.film, kBeauty, "", picture.scale));
     fillUnsampled({&picture.layers[0].mean}, samples);
+    if (keepsDirect()) {
+        picture.direct = picture.film->layer(kDirect).image(picture.scale);
+        fillUnsampled({&*picture.direct}, samples);
+    }
     if (context_.params.variance) picture.samples = sampleCounts(samples);
     if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);
     picture.compose();

@@ -13,20 +13,24 @@ class SampledIntegrator : public Integrator {
     LayeredPicture picture(std::shared_ptr<const Film> film) const override;
 
   protected:
-    static constexpr const char* kBeauty = "beauty";
+    static constexpr const char *kBeauty = "beauty", *kDirect = "direct";
     // The pixel of a sample, and the index of the sample within it.
     struct Place {
         int x, y;
         uint32_t index;
     };
-    // The radiance that arrives along a camera ray of nonzero weight. gBuffer: null if it is not wanted.
-    virtual Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, GBufferSample* gBuffer) = 0;
+    // The radiance that arrives along a camera ray of nonzero weight. sinks: what else is wanted; never firstHit, and
+    // direct only if tellsDirect().
+    virtual Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, const PathSinks& sinks) = 0;
+    // Whether direct light can be told apart.
+    virtual bool tellsDirect() const { return false; }
 
     const RenderContext context_;
 
   private:
     // The half buffer that a sample is added to.
     int groupOf(uint32_t index) const;
+    bool keepsDirect() const { return context_.params.parts && tellsDirect(); }
 };
 
 // The half buffer that a sample belongs to, at random for each pair of samples: the even samples of a sequence alone

@@ -24,15 +24,15 @@ struct LiveError {
 
 // What is seen at a time.
 struct LiveFrame {
-    uint64_t number = 0;                   // from 1
-    LayeredPicture picture;                // finished; picture.film has the region alone
-    std::shared_ptr<const Camera> camera;  // that took it
-    Image unfiltered;                      // beauty before filters
-    int samples = 0;                       // complete ones in each pixel
-    double share = 0;                      // of the pixels of the first sample, until that is complete; then 1
-    double seconds = 0;                    // since the camera was moved last, until it was finished
-    uint64_t view = 0;                     // counts the movements of the camera
-    std::string status;                    // as Session::status()
+    uint64_t number = 0;                     // from 1
+    LayeredPicture picture;                  // finished; picture.film has the region alone
+    std::shared_ptr<const Camera> camera;    // that took it
+    Image unfiltered;                        // beauty before filters
+    int samples = 0;                         // complete ones in each pixel
+    double share = 0;                        // of the pixels of the first sample, until that is complete; then 1
+    double seconds = 0;                      // since the camera was moved last, until it was finished
+    uint64_t view = 0;                       // counts the movements of the camera
+    std::string status;                      // as Session::status()
     std::shared_ptr<const LiveError> error;  // the latest estimate; null: there is none yet of this view
 };
 

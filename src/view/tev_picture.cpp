@@ -14,7 +14,7 @@ constexpr int kTile = 128;
 Picture pictureOf(LayeredPicture picture, const FilmGeometry& film) {
     Picture result{{}, picture.film->region(), film};
     std::vector<Picture::Layer>& layers = result.layers;
-    if (!picture.layers.empty() && !picture.layers[0].part.empty())
+    if (picture.hasParts())
         for (const char* part : {"direct", "indirect"}) layers.push_back({part, picture.part(part)});
     if (picture.samples) {
         layers.push_back({"variance", picture.variance()});

@@ -102,7 +102,7 @@ std::string randomToken() {
 std::vector<std::string> layersOf(const LiveFrame& frame) {
     const LayeredPicture& picture = frame.picture;
     std::vector<std::string> names{"beauty", "unfiltered"};
-    if (!picture.layers.empty() && !picture.layers[0].part.empty()) names.insert(names.end(), {"direct", "indirect"});
+    if (picture.hasParts()) names.insert(names.end(), {"direct", "indirect"});
     if (picture.gBuffer) names.insert(names.end(), {"albedo", "normal", "depth"});
     if (picture.samples) names.insert(names.end(), {"variance", "samples"});
     if (frame.error) names.push_back("error");
