@@ -502,6 +502,61 @@ class ViewInBrowser(unittest.TestCase):
         self.browser.mouse("mouseReleased", 499, 303)
         self.browser.wait_for("/ normal .* plymesh /.test(document.getElementById('pixel').textContent)")
 
+    def test_samples_a_part(self):
+        """Drawn with shift held, or by a finger in the mode for it; known to the server, and so to every page."""
+        self.browser.wait_for("state.samples > 0")
+        eye = self.view.state()["camera"]["eye"]
+        at = self.browser.run("(() => { const p = placed(), b = screen.getBoundingClientRect();"
+                              "return [p.x + b.left, p.y + b.top, p.scale]; })()")
+        def on_screen(x, y):
+            return at[0] + x * at[2], at[1] + y * at[2]
+        def drag(modifiers=0):
+            for kind, x, y in (("mousePressed", 80, 40), ("mouseMoved", 120, 60), ("mouseMoved", 160, 90),
+                               ("mouseReleased", 160, 90)):
+                px, py = on_screen(x, y)
+                self.browser.call("Input.dispatchMouseEvent", type=kind, x=px, y=py, button="left", clickCount=1,
+                                  buttons=0 if kind == "mouseReleased" else 1, modifiers=modifiers)
+        drag(modifiers=8)
+        state = self.view.wait_for(lambda s: s["focus"] is not None and s["focusSamples"] > 8)
+        for got, wanted in zip(state["focus"], (80, 40, 160, 90)):
+            self.assertLessEqual(abs(got - wanted), 1)
+        x0, y0, x1, y1 = state["focus"]
+        width, height, _, _, counts = self.view.frame("samples")
+        inside = [counts[y * width + x] for y in range(y0, y1) for x in range(x0, x1)]
+        outside = [counts[y * width + x] for y in range(height) for x in range(width)
+                   if not (x0 <= x < x1 and y0 <= y < y1)]
+        self.assertGreater(sum(inside) / len(inside), sum(outside) / len(outside) + 8)
+        # The rectangle is seen, also by a page that comes later.
+        self.browser.open(self.view.url)
+        self.browser.wait_for("document.body.dataset.drawn > 0 && state.focus !== null")
+        self.settle()
+        x, y = on_screen(80, 60)
+        shown = self.browser.run(f"""(() => {{ const b = screen.getBoundingClientRect();
+            const d = pen.getImageData({x} - b.left - 3, {y} - b.top, 6, 1).data, c = [0xe0, 0xa4, 0x58];
+            let best = 999; for (let i = 0; i < d.length; i += 4)
+                best = Math.min(best, Math.abs(d[i] - c[0]) + Math.abs(d[i + 1] - c[1]) + Math.abs(d[i + 2] - c[2]));
+            return best; }})()""")
+        self.assertLess(shown, 150)
+        self.assertIn("in the part", self.browser.run("document.getElementById('status').textContent"))
+        if self.screenshots:
+            self.browser.screenshot(self.screenshots / "view-part.png", whole=False)
+        self.browser.run("document.getElementById('screen').focus()")
+        self.browser.press("Escape", 27)
+        self.view.wait_for(lambda s: s["focus"] is None)
+        # By touch, in the mode.
+        self.browser.run("document.getElementById('part').click()")
+        for kind, points in (("touchStart", [(20, 20)]), ("touchMove", [(60, 50)]), ("touchMove", [(100, 80)]), ("touchEnd", [])):
+            self.browser.call("Input.dispatchTouchEvent", type=kind,
+                              touchPoints=[dict(zip("xy", on_screen(*p))) for p in points])
+        state = self.view.wait_for(lambda s: s["focus"] is not None)
+        for got, wanted in zip(state["focus"], (20, 20, 100, 80)):
+            self.assertLessEqual(abs(got - wanted), 1)
+        self.assertFalse(self.browser.run("boxing"))
+        self.assertEqual(self.view.state()["camera"]["eye"], eye)
+        # A camera that moves ends it.
+        self.browser.run("document.getElementById('home').click()")
+        self.view.wait_for(lambda s: s["focus"] is None and s["samples"] > 0)
+
     def test_compares(self):
         self.browser.run("""(async () => {
             const data = await (await fetch("save.exr")).blob(), transfer = new DataTransfer();

@@ -55,26 +55,16 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     void samplePassDone(int samples) override {
         if (!cells_) return;
         planner_->update(samples, samples > 0);
-        FinalGather::Counts counts;
-        for (const Row& row : rows_) counts.add(row.counts);
-        const bool mostlyKnown = double(counts.answered) >= kMostlyKnown * double(counts.asked);
-        if (hasMoved_ && samples == 0 && mostlyKnown) return;
-        for (Row& row : rows_) row.counts = {};
+        if (hasMoved_ && samples == 0 && mostIsKnown()) return;
         if (samples > 0 && double(samples) * double(region_.count()) >= refineAt_) {
             cells_->refine();
             refineAt_ *= kRefineFactor;
         }
-        std::vector<std::vector<CacheDeposit>*> lists;
-        for (Row& row : rows_) lists.push_back(&row.deposits);
-        const size_t deposits = cells_->commit(lists);
-        if (context_.stats == nullptr) return;
-        Stats& stats = *context_.stats;
-        stats.add("cells/look-ups/answered", counts.answered);
-        stats.add("cells/look-ups/refused: the segment is short or the lobe narrow", counts.refused);
-        stats.add("cells/look-ups/refused: too little is known", counts.asked - counts.answered);
-        stats.add("cells/deposits", int64_t(deposits));
-        stats.set("cells/cells", int64_t(cells_->used()));
-        stats.set("cells/bytes", int64_t(cells_->bytes()));
+        commit();
+    }
+
+    void focusPassesDone() override {
+        if (cells_) commit();
     }
 
     void endSampling() override {
@@ -148,6 +138,35 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         planner_->add(place.x, place.y, half, luminance(value), surface);
         if (sinks.gBuffer) *sinks.gBuffer = surface;
         return value;
+    }
+
+    FinalGather::Counts counts() const {
+        FinalGather::Counts all;
+        for (const Row& row : rows_) all.add(row.counts);
+        return all;
+    }
+    // Whether the cells have answered most of what they have been asked since the last commit.
+    bool mostIsKnown() const {
+        const FinalGather::Counts all = counts();
+        return double(all.answered) >= kMostlyKnown * double(all.asked);
+    }
+
+    void commit() {
+        const FinalGather::Counts all = counts();
+        std::vector<std::vector<CacheDeposit>*> lists;
+        for (Row& row : rows_) {
+            row.counts = {};
+            lists.push_back(&row.deposits);
+        }
+        const size_t deposits = cells_->commit(lists);
+        if (context_.stats == nullptr) return;
+        Stats& stats = *context_.stats;
+        stats.add("cells/look-ups/answered", all.answered);
+        stats.add("cells/look-ups/refused: the segment is short or the lobe narrow", all.refused);
+        stats.add("cells/look-ups/refused: too little is known", all.asked - all.answered);
+        stats.add("cells/deposits", int64_t(deposits));
+        stats.set("cells/cells", int64_t(cells_->used()));
+        stats.set("cells/bytes", int64_t(cells_->bytes()));
     }
 
     void plan() {

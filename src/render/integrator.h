@@ -43,6 +43,9 @@ class Integrator {
     // Called when a sample pass over the whole film is complete, while no sample is taken. samples: complete ones in
     // each pixel.
     virtual void samplePassDone(int /*samples*/) {}
+    // Called when, beside passes over the whole film, about as many samples have been taken of a part of it, while no
+    // sample is taken.
+    virtual void focusPassesDone() {}
     // What the integrator has found out that is not in the film, so that a render can go on later as if it had not
     // stopped, also within a pass. While no sample is taken. loadState reads what saveState of an integrator of the
     // same parameters wrote; it changes nothing, and throws Error if the values contradict each other. The function

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "base/log.h"
 #include "integrators/window_finder.h"
@@ -17,6 +18,8 @@ constexpr const char* kFileKind = "drc render";
 constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003, kOddSampleStream = 0x2007;
 // The guide's voxels: this many between the camera and what it sees.
 constexpr float kVoxelsInDistance = 8;
+// The first index, within a pixel, of the samples that a focus takes. Others have lower ones.
+constexpr uint32_t kFirstFocusSample = uint32_t(1) << 31;
 // The square root of the number of camera rays that look for surfaces before rendering.
 constexpr int kProbes = 16;
 // The same for those that look for windows.
@@ -85,7 +88,19 @@ void Session::moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometr
     restart();
 }
 
+void Session::setFocus(const std::optional<PixelRegion>& focus) {
+    const PixelRegion& all = film_->region();
+    if (focus && (focus->x0 < all.x0 || focus->y0 < all.y0 || focus->x1 > all.x1 || focus->y1 > all.y1 ||
+                  focus->x0 >= focus->x1 || focus->y0 >= focus->y1))
+        throw std::out_of_range("the focus is not a part of the film");
+    focus_ = focus;
+    focusSamples_ = 0;
+}
+
 void Session::restart() {
+    setFocus({});
+    focusPasses_ = 0;
+    waitingSamples_ = 0;
     const int height = scene_.settings.film.height;
     schedule_ = Schedule(params_, Schedule::Clock::now(), height, scene_.settings.region().count());
 }
@@ -159,6 +174,7 @@ void Session::startGuide() {
 
 bool Session::step(const CancelToken* cancel, const CancelToken* abandon) {
     if (cancel && cancel->cancelled()) return false;
+    if (focus_ && samplesDone() > 0) return focusPass(cancel, abandon);
     const std::optional<Schedule::Work> work = schedule_.next(film_->passes(), film_->mapPasses);
     if (!work) return false;
     std::optional<DeadlineToken> inTime;
@@ -195,15 +211,7 @@ bool Session::samplePass(int index, const CancelToken* cancel, const CancelToken
             pass.forEachColumn(y - region.y0, region.width(), [&](int column) {
                 if (isAbandoned()) return;
                 const int x = region.x0 + column;
-                const PixelSamples samples = integrator_->samplesOf(x, y, number);
-                const uint64_t stream = pixelStream(params_.seed, kSampleStream, x, y);
-                const uint64_t odd = pixelStream(params_.seed, kOddSampleStream, x, y);
-                for (uint32_t i = samples.first; i < samples.first + uint32_t(samples.count); ++i) {
-                    CameraSample sample = !params_.independentHalves
-                                              ? cameraSample(scene_, x, y, stream, i)
-                                              : cameraSample(scene_, x, y, i & 1 ? odd : stream, i / 2);
-                    integrator_->sample(x, y, i, sample, *film_);
-                }
+                takeSamples(x, y, integrator_->samplesOf(x, y, number));
             });
             if (!isAbandoned()) film_->setRowPasses(y, index + 1);
         },
@@ -211,11 +219,48 @@ bool Session::samplePass(int index, const CancelToken* cancel, const CancelToken
     return film_->passes() > index;
 }
 
+void Session::takeSamples(int x, int y, const PixelSamples& samples) {
+    const uint64_t stream = pixelStream(params_.seed, kSampleStream, x, y);
+    const uint64_t odd = pixelStream(params_.seed, kOddSampleStream, x, y);
+    for (uint32_t i = samples.first; i < samples.first + uint32_t(samples.count); ++i) {
+        CameraSample sample = !params_.independentHalves ? cameraSample(scene_, x, y, stream, i)
+                                                         : cameraSample(scene_, x, y, i & 1 ? odd : stream, i / 2);
+        integrator_->sample(x, y, i, sample, *film_);
+    }
+}
+
+bool Session::focusPass(const CancelToken* cancel, const CancelToken* abandon) {
+    // A pass that is cancelled does not go on: the next one has other samples.
+    const uint32_t index = kFirstFocusSample + focusPasses_++;
+    parallelFor(
+        focus_->y0, focus_->y1, 1,
+        [&](int y, int) {
+            const auto lock = film_->lockRow(y);
+            for (int x = focus_->x0; x < focus_->x1; ++x) {
+                if (abandon != nullptr && abandon->cancelled()) return;
+                takeSamples(x, y, {index, 1});
+            }
+        },
+        cancel);
+    const auto isRaised = [](const CancelToken* token) { return token != nullptr && token->cancelled(); };
+    if (isRaised(cancel) || isRaised(abandon)) return false;
+    ++focusSamples_;
+    // As often, for so many samples, as in passes over the whole film.
+    waitingSamples_ += focus_->count();
+    if (waitingSamples_ >= film_->region().count()) {
+        waitingSamples_ = 0;
+        integrator_->focusPassesDone();
+        if (guide_) guide_->update();
+    }
+    return true;
+}
+
 std::string Session::fileHeader(const std::string& identity) const {
     return fmt::format("{} 3 {} {} {}", kFileKind, params_.integrator, film_->description(""), identity);
 }
 
 void Session::save(const std::string& path, const std::string& identity) const {
+    if (focusPasses_ > 0) throw std::logic_error("a session that has had a focus cannot be saved");
     StateWriter file(path, fileHeader(identity));
     integrator_->saveState(file);
     file.value(uint8_t(guide_.has_value()));

@@ -42,11 +42,21 @@ class Session {
     // as radiance cells, and helps the new picture, which therefore depends on where the camera has been.
     void moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
 
+    // Once every pixel has a sample, all further ones go to this part of the film's region, none: to whole passes,
+    // which go on where they stopped. The samples count as any other, and are different ones. Setting or moving the
+    // camera ends it. Not while other calls run. Throws std::out_of_range if the part is empty or not within the
+    // region.
+    void setFocus(const std::optional<PixelRegion>& focus);
+    const std::optional<PixelRegion>& focus() const { return focus_; }
+    // Samples of each of its pixels that have been taken for the present focus.
+    int focusSamples() const { return focusSamples_; }
+
     // Writes all that the render has found out to a file, whole or not at all, and goes on from there: a session of the
     // same scene and parameters that has loaded the file ends with the same bits as one that was never stopped.
     // identity: describes scene, camera and settings, in one line, which the file's first line ends with. load throws
     // Error, and changes nothing, if the file is of another identity, integrator or film, or if it is damaged. Not
-    // while step runs.
+    // while step runs. The file does not tell which samples a focus has taken: save throws std::logic_error if there
+    // are such.
     void save(const std::string& path, const std::string& identity) const;
     void load(const std::string& path, const std::string& identity);
 
@@ -70,6 +80,10 @@ class Session {
   private:
     std::string fileHeader(const std::string& identity) const;
     bool samplePass(int index, const CancelToken* cancel, const CancelToken* abandon);
+    // A sample of each pixel of the focus.
+    bool focusPass(const CancelToken* cancel, const CancelToken* abandon);
+    // Takes samples of a pixel, whose row is locked.
+    void takeSamples(int x, int y, const PixelSamples& samples);
     void startGuide();
     // Calls f(ray, sampler) for about side x side camera rays all over the picture.
     template <class F>
@@ -94,6 +108,10 @@ class Session {
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<Film> film_;
     Schedule schedule_;
+    std::optional<PixelRegion> focus_;
+    int focusSamples_ = 0;
+    uint32_t focusPasses_ = 0;   // of this film, for any focus
+    size_t waitingSamples_ = 0;  // of focus passes, that nothing has been learnt from yet
 };
 
 }  // namespace drc

@@ -29,6 +29,8 @@ class SurfaceNames {
     // The rows point to strings of their own table.
     SurfaceNames(const SurfaceNames&) = delete;
     SurfaceNames& operator=(const SurfaceNames&) = delete;
+    SurfaceNames(SurfaceNames&&) = default;
+    SurfaceNames& operator=(SurfaceNames&&) = default;
 
     // The index of the new row. Copies the strings that are new.
     uint32_t add(const SurfaceName& name);

@@ -25,6 +25,8 @@ TEST(SurfaceNames, KeepsEveryStringOnce) {
     // Not only equal: the same bytes.
     EXPECT_EQ(first.material.data(), last.material.data());
     EXPECT_EQ(first.file.data(), last.file.data());
+    const SurfaceNames moved = std::move(names);
+    EXPECT_EQ(moved.at(rows[0]).meshFile, "board0.ply");
 }
 
 TEST(SurfaceNames, SaysNothingOfSurfacesWithoutARow) {

@@ -62,11 +62,21 @@ void LiveRender::setCamera(std::function<std::unique_ptr<Camera>()> make, const 
     {
         const std::lock_guard lock(mutex_);
         move_ = Move{std::move(make), film, moving};
+        nextFocus_.reset();
         // Else a camera that moves all the time would never be seen.
         if (!owesFrame_) {
             abandon_.cancel();
             cancel_.cancel();
         }
+    }
+    changed_.notify_all();
+}
+
+void LiveRender::setFocus(const std::optional<PicturePart>& part) {
+    {
+        const std::lock_guard lock(mutex_);
+        nextFocus_ = part;
+        cancel_.cancel();
     }
     changed_.notify_all();
 }
@@ -111,11 +121,21 @@ void LiveRender::work() {
                     moving_ = move.moving;
                     owesFrame_ = true;
                     state_.done = false;
+                    state_.focus.reset();
                     isCurrent_ = false;
                     error_ = nullptr;
                     errors_ = NoiseThreshold(0);
+                    framePasses_ = 0;
                     ++view_;
                     began_ = Clock::now();
+                }
+                if (nextFocus_) {
+                    applyFocus(*nextFocus_);
+                    nextFocus_.reset();
+                    lock.unlock();
+                    if (callbacks_.onFrame) callbacks_.onFrame();
+                    lock.lock();
+                    continue;
                 }
                 if (!calls_.empty()) {
                     for (const auto* call : calls_) (*call)(session_);
@@ -124,8 +144,9 @@ void LiveRender::work() {
                 }
                 // What has been sampled is shown before the render rests.
                 if ((!state_.paused && !state_.done) || (!isCurrent_ && session_.hasPicture())) break;
-                changed_.wait(
-                    lock, [&] { return stopping_ || move_ || !calls_.empty() || (!state_.paused && !state_.done); });
+                changed_.wait(lock, [&] {
+                    return stopping_ || move_ || nextFocus_ || !calls_.empty() || (!state_.paused && !state_.done);
+                });
             }
         }
         bool rests = false;
@@ -147,6 +168,22 @@ void LiveRender::work() {
     }
 }
 
+void LiveRender::applyFocus(const std::optional<PicturePart>& part) {
+    // More samples are wanted than the whole picture gets.
+    state_.done = false;
+    state_.focus.reset();
+    if (!part) return session_.setFocus({});
+    const PixelRegion& film = session_.film().region();
+    const auto pixels = [](double from, double to, int size) {
+        const int begin = std::clamp(int(std::lround(from * size)), 0, size - 1);
+        return std::pair(begin, std::clamp(int(std::lround(to * size)), begin + 1, size));
+    };
+    const auto [x0, x1] = pixels(part->x0, part->x1, film.width());
+    const auto [y0, y1] = pixels(part->y0, part->y1, film.height());
+    session_.setFocus(PixelRegion{film.x0 + x0, film.y0 + y0, film.x0 + x1, film.y0 + y1});
+    state_.focus = PixelRegion{x0, y0, x1, y1};
+}
+
 bool LiveRender::isOutdated() const {
     const std::lock_guard lock(mutex_);
     return move_ && !owesFrame_;
@@ -156,7 +193,7 @@ bool LiveRender::isFrameDue() const {
     const int passes = session_.film().passes();
     const auto since = Clock::now() - lastFrame_;
     // The first sample of the pixels comes in passes over lattices: each is shown.
-    if (passes <= SamplePass::kLattices) return true;
+    if (passes <= SamplePass::kLattices && passes != framePasses_) return true;
     return since >= kLeastInterval &&
            std::chrono::duration<double>(since) >= std::chrono::duration<double>(frameTook_) / kShareOfFrames;
 }
@@ -189,6 +226,7 @@ void LiveRender::makeFrame() {
     callbacks_.finish(next->picture, moving_);
     next->picture.film = std::make_shared<const Film>(session_.tracer().scene().settings, std::vector<FilmLayerSpec>());
     next->samples = session_.samplesDone();
+    next->focusSamples = session_.focusSamples();
     const int passes = session_.film().passes();
     next->share = passes >= SamplePass::kLattices ? 1 : passes == 2 ? 0.25 : 0.0625;
     next->seconds = std::chrono::duration<double>(Clock::now() - began_).count();
@@ -196,6 +234,7 @@ void LiveRender::makeFrame() {
     next->status = session_.status();
     frameTook_ = Clock::now() - start;
     lastFrame_ = Clock::now();
+    framePasses_ = passes;
     isCurrent_ = true;
     {
         const std::lock_guard lock(mutex_);

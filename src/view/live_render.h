@@ -32,20 +32,27 @@ struct LiveFrame {
     double share = 0;                        // of the pixels of the first sample, until that is complete; then 1
     double seconds = 0;                      // since the camera was moved last, until it was finished
     uint64_t view = 0;                       // counts the movements of the camera
+    int focusSamples = 0;                    // of each pixel of the part that the samples go to, if there is one
     std::string status;                      // as Session::status()
     std::shared_ptr<const LiveError> error;  // the latest estimate; null: there is none yet of this view
 };
 
+// A part of the picture, whose width and height are 1 here.
+struct PicturePart {
+    double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
+};
+
 struct LiveState {
     bool paused = false, done = false;
-    std::string error;  // of the render, which has ended by it
+    std::optional<PixelRegion> focus;  // that the samples go to, in pixels of the picture; none: to all of it
+    std::string error;                 // of the render, which has ended by it
 };
 
 class LiveRender {
   public:
     // finish: applies the filters to a picture. moving: while the camera moves, when time counts most. onFrame: called
-    // after each new frame, on the render's thread. estimate: of a picture with half buffers that is not filtered; may
-    // be empty.
+    // after each new frame, and when the focus has changed, on the render's thread. estimate: of a picture with half
+    // buffers that is not filtered; may be empty.
     struct Callbacks {
         std::function<void(LayeredPicture&, bool moving)> finish;
         std::function<void()> onFrame;
@@ -69,6 +76,9 @@ class LiveRender {
     // Renders from another camera, for a film of any size. make: called on the render's thread, and must not throw.
     // moving: another camera will soon follow. The latest of several counts.
     void setCamera(std::function<std::unique_ptr<Camera>()> make, const FilmGeometry& film, bool moving);
+    // From now on all samples go to this part, once every pixel has one, until the camera is set; none: to the whole
+    // picture. The part has at least a pixel. The latest of several counts.
+    void setFocus(const std::optional<PicturePart>& part);
     // Calls f(session) while no step runs, and waits for it.
     void between(const std::function<void(const Session&)>& f);
 
@@ -79,6 +89,7 @@ class LiveRender {
         FilmGeometry film;
         bool moving = false;
     };
+    void applyFocus(const std::optional<PicturePart>& part);
     void run();
     void work();
     void makeFrame();
@@ -100,11 +111,13 @@ class LiveRender {
     bool stopping_ = false;
     bool owesFrame_ = false;  // of the present view none has been made yet
     std::optional<Move> move_;
+    std::optional<std::optional<PicturePart>> nextFocus_;
     std::vector<const std::function<void(const Session&)>*> calls_;
 
     // Of the render's thread.
     uint64_t view_ = 0;
     bool moving_ = false, isCurrent_ = false;
+    int framePasses_ = 0;  // of the film, at the last frame
     Clock::time_point began_ = Clock::now(), lastFrame_{};
     Clock::duration frameTook_{};
     // Of the present view.

@@ -189,6 +189,44 @@ TEST(LiveRender, TellsTheErrorOfThePresentView) {
     EXPECT_FALSE(moved->error);
 }
 
+// All samples go to a part, also beyond those that the whole picture gets, until the camera moves or it is given up.
+TEST(LiveRender, SamplesAPart) {
+    Watched w("path", 4);
+    const auto render = w.start();
+    w.waitFor(*render, [](const LiveFrame& f) { return f.samples == 4; });
+    render->setFocus(PicturePart{0.25, 0.5, 0.75, 1});
+    const auto focused = w.waitFor(*render, [](const LiveFrame& f) { return f.focusSamples >= 8; });
+    EXPECT_EQ(render->state().focus, (PixelRegion{12, 16, 36, 32}));
+    EXPECT_EQ(focused->samples, 4);
+    EXPECT_EQ(focused->picture.beauty.width(), 48);
+    render->setFocus({});
+    while (!render->state().done) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_FALSE(render->state().focus);
+    // The least part is a pixel.
+    render->setFocus(PicturePart{1, 0, 1, 0});
+    w.waitFor(*render, [](const LiveFrame& f) { return f.focusSamples >= 2; });
+    EXPECT_EQ(render->state().focus, (PixelRegion{47, 0, 48, 1}));
+    const Scene* scene = w.scene.get();
+    const ViewCamera camera = ViewCamera::of(*scene, 3);
+    render->setCamera([camera, scene] { return camera.place(*scene, {48, 32}); }, {48, 32}, false);
+    w.waitFor(*render, [](const LiveFrame& f) { return f.view > 0 && f.samples == 4; });
+    EXPECT_FALSE(render->state().focus);
+}
+
+// It is also known while the render rests, and everybody who watches hears of it.
+TEST(LiveRender, TakesAFocusWhilePaused) {
+    Watched w;
+    const auto render = w.start();
+    w.waitFor(*render, [](const LiveFrame& f) { return f.samples >= 2; });
+    render->pause(true);
+    render->between([](const Session&) {});
+    const int before = w.announced;
+    render->setFocus(PicturePart{0, 0, 0.5, 0.5});
+    while (!render->state().focus) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (w.announced == before) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(render->state().paused);
+}
+
 TEST(LiveRender, SaysWhatWentWrong) {
     Watched w;
     LiveRender render(w.session, {[](LayeredPicture&, bool) { throw Error("the denoiser is gone"); }, {}});

@@ -146,7 +146,7 @@ HttpResponse ViewService::answer(const HttpRequest& request) {
     if (difference != 0) return {403, "text/plain; charset=utf-8", "open the address that drc view printed\n", {}};
     const std::string what = request.path.substr(prefix.size());
     const bool isPost = request.method == "POST";
-    if (what == "camera" || what == "pause" || what == "compare") {
+    if (what == "camera" || what == "focus" || what == "pause" || what == "compare") {
         if (!isPost) return {405, "text/plain; charset=utf-8", "this is for POST\n", {{"Allow", "POST"}}};
     } else if (isPost) {
         return missing("there is nothing of this name to post to");
@@ -174,6 +174,7 @@ HttpResponse ViewService::answer(const HttpRequest& request) {
                 {{"Content-Disposition", "attachment; filename=\"drc.exr\""}}};
     }
     if (what == "camera") return setCamera(request);
+    if (what == "focus") return setFocus(request);
     if (what == "compare") return compare(request);
     if (what == "pause") {
         if (request.body != "true" && request.body != "false") return wrong("the body must be true or false");
@@ -196,7 +197,8 @@ HttpResponse ViewService::page() const {
 std::string ViewService::frameEvent() const {
     const auto frame = render_.frame();
     const LiveState state = render_.state();
-    Json event{{"paused", state.paused}, {"done", state.done}};
+    Json event{{"paused", state.paused}, {"done", state.done}, {"focus", nullptr}};
+    if (state.focus) event["focus"] = {state.focus->x0, state.focus->y0, state.focus->x1, state.focus->y1};
     if (!state.error.empty()) event["error"] = state.error;
     if (frame)
         event.update({{"number", frame->number},
@@ -204,6 +206,7 @@ std::string ViewService::frameEvent() const {
                       {"share", frame->share},
                       {"seconds", frame->seconds},
                       {"view", frame->view},
+                      {"focusSamples", frame->focusSamples},
                       {"status", frame->status}});
     const LiveError* error = frame ? frame->error.get() : nullptr;
     event["error estimate"] =
@@ -291,6 +294,26 @@ HttpResponse ViewService::setCamera(const HttpRequest& request) {
     }
     render_.setCamera([this, camera, film] { return camera.place(scene_, film); }, film, isMoving);
     return json(asJson(camera, scene_));
+}
+
+HttpResponse ViewService::setFocus(const HttpRequest& request) {
+    const Json object = Json::parse(request.body, nullptr, false);
+    if (object.is_null()) {
+        render_.setFocus({});
+        return json(nullptr);
+    }
+    PicturePart part;
+    const auto edge = [&](const char* name, double& value) {
+        const auto found = object.find(name);
+        if (found == object.end() || !found->is_number()) return false;
+        value = found->get<double>();
+        return value >= 0 && value <= 1;
+    };
+    if (!object.is_object() || !edge("x0", part.x0) || !edge("y0", part.y0) || !edge("x1", part.x1) ||
+        !edge("y1", part.y1) || part.x0 >= part.x1 || part.y0 >= part.y1)
+        return wrong("the body must be null, or have x0 < x1 and y0 < y1, from 0 to 1 across the picture");
+    render_.setFocus(part);
+    return json({{"x0", part.x0}, {"y0", part.y0}, {"x1", part.x1}, {"y1", part.y1}});
 }
 
 HttpResponse ViewService::compare(const HttpRequest& request) {

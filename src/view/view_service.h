@@ -38,6 +38,7 @@ class ViewService {
     // withLayers: what all layers have there, beside the surface.
     HttpResponse pixel(const HttpRequest& request, bool withLayers) const;
     HttpResponse setCamera(const HttpRequest& request);
+    HttpResponse setFocus(const HttpRequest& request);
     HttpResponse compare(const HttpRequest& request);
 
     const Scene& scene_;

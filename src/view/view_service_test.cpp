@@ -145,6 +145,22 @@ TEST(ViewService, NamesWhatTheShownFrameShows) {
     EXPECT_EQ(moved.surface(40, 20)["surface"]["material"], "Walnut");
 }
 
+TEST(ViewService, TakesAPartOfThePicture) {
+    Served served;
+    EXPECT_TRUE(Json::parse(served.get("state").body)["focus"].is_null());
+    EXPECT_EQ(served.post("focus", R"({"x0": 0.5, "y0": 0, "x1": 1, "y1": 0.5})").status, 200);
+    while (Json::parse(served.get("state").body)["focus"].is_null()) std::this_thread::yield();
+    Json state = Json::parse(served.get("state").body);
+    EXPECT_EQ(state["focus"], (Json{20, 0, 40, 10}));
+    EXPECT_EQ(served.post("focus", "null").status, 200);
+    while (!Json::parse(served.get("state").body)["focus"].is_null()) std::this_thread::yield();
+    for (const char* wrong :
+         {"", "[]", "{}", "true", R"({"x0": 0, "y0": 0, "x1": 1})", R"({"x0": 0, "y0": 0, "x1": 1.5, "y1": 1})",
+          R"({"x0": 0.5, "y0": 0, "x1": 0.5, "y1": 1})", R"({"x0": "0", "y0": 0, "x1": 1, "y1": 1})"})
+        EXPECT_EQ(served.post("focus", wrong).status, 400) << wrong;
+    EXPECT_EQ(served.get("focus").status, 405);
+}
+
 // Names in files need not be UTF-8, and JSON must.
 TEST(ViewService, AnswersWithNamesInOtherEncodings) {
     std::string text = kScene;
