@@ -9,7 +9,6 @@
 #include "app/picture_filters.h"
 #include "app/picture_writer.h"
 #include "base/error.h"
-#include "base/interrupt.h"
 #include "base/log.h"
 #include "pbrt/scene_file.h"
 #include "render/oidn_picture_filter.h"
@@ -81,9 +80,6 @@ void openBrowser(const std::string& address) {
 void view(ViewOptions o) {
     setLogLevel(o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
-    installInterruptHandler();
-    // There is nothing to save: the first signal ends the program.
-    setSomethingToSave(false);
     pbrt::LoadOptions load;
     if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
     load.overrides = o.overrides;
@@ -131,8 +127,8 @@ void view(ViewOptions o) {
     fmt::print("{}\n", address);
     std::fflush(stdout);
     if (o.open) openBrowser(address);
-    while (!interruptToken().cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    listener = nullptr;
+    // There is nothing to save: Ctrl-C ends the program.
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
 }  // namespace
