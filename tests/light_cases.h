@@ -42,6 +42,8 @@ inline const LightCase kLightCases[] = {
     {"Projection",
      "AttributeBegin\nTranslate -0.4 -1 2.5\nRotate -140 1 0 0\n"
      "LightSource \"projection\" \"rgb I\" [50 50 50] \"float fov\" 70 \"string mapname\" \"map.exr\"\nAttributeEnd\n"},
+    {"Sun",
+     "LightSource \"distant\" \"rgb L\" [3 2 2] \"point from\" [1 -2 3] \"point to\" [0 0 0] \"float angle\" 12\n"},
     {"Distant", "LightSource \"distant\" \"rgb L\" [3 2 2] \"point from\" [1 -2 3] \"point to\" [0 0 0]\n"},
     {"Infinite", "LightSource \"infinite\" \"rgb L\" [0.6 0.7 0.9]\n"},
     {"InfiniteMap",

@@ -136,11 +136,13 @@ class ViewServer(unittest.TestCase):
 
     def test_pause(self):
         self.view.post("pause", True)
-        self.view.wait_for(lambda s: s["paused"])
-        time.sleep(0.5)
-        number = self.view.state()["number"]
-        time.sleep(0.7)
-        self.assertEqual(self.view.state()["number"], number)
+        paused_at = self.view.wait_for(lambda s: s["paused"])["number"]
+        # What has been sampled is still shown, however long the machine takes for it; then nothing moves.
+        shown, number = None, self.view.state()["number"]
+        while shown != number:
+            time.sleep(1.5)
+            shown, number = number, self.view.state()["number"]
+        self.assertLessEqual(number, paused_at + 2)
         self.view.post("pause", False)
         self.view.wait_for(lambda s: s["number"] > number and not s["paused"])
 

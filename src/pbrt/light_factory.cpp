@@ -32,7 +32,7 @@ LightPtr makePoint(const LightContext& context) {
 
 LightPtr makeDistant(const LightContext& context) {
     const Rgb radiance = context.params.getColor("L", Rgb(1.f)) * scaleOf(context.params);
-    return makeDistantLight(distantDirection(context), radiance);
+    return distantLight(context, radiance);
 }
 
 LightPtr makeSpot(const LightContext& context) {

@@ -99,6 +99,21 @@ TEST(LightFactory, AProjectedPictureRepeatsAtItsEdges) {
     EXPECT_NEAR(at(-0.5f, 0.999f) * 2.25f, 4, 0.05f);
 }
 
+TEST(LightFactory, DistantLightsMayBeSeenUnderAnAngle) {
+    const auto lightOf = [](const std::string& angle) {
+        return loadWorld("LightSource \"distant\" \"rgb L\" [1 2 3] \"float angle\" " + angle)->lights.at(0);
+    };
+    EXPECT_TRUE(lightOf("0")->isDelta());
+    const LightPtr sun = lightOf("60");
+    EXPECT_FALSE(sun->isDelta());
+    // Irradiance over pi sin^2.
+    EXPECT_NEAR(sun->escaped(Vec3(0), Vec3(0, 0, -1)).y, 2 / (kPi * 0.25f), 1e-4);
+    EXPECT_EQ(sun->escaped(Vec3(0), Vec3(0, 0, 1)), Rgb(0.f));
+    EXPECT_THAT(errorOfWorld("LightSource \"distant\" \"float angle\" 200"),
+                HasSubstr("must be from 0 to 180 degrees"));
+    EXPECT_THAT(errorOfWorld("LightSource \"distant\" \"float angle\" -1"), HasSubstr("must be from 0 to 180 degrees"));
+}
+
 TEST(LightFactory, ScaleMultipliesEveryLight) {
     for (const char* light : {"point", "spot", "goniometric", "projection"})
         EXPECT_EQ(arriving(std::string("LightSource \"") + light + "\" \"rgb I\" [1 2 3] \"rgb scale\" [2 3 .5]",

@@ -53,7 +53,7 @@ LightPtr makePoint(const LightContext& context) {
 
 LightPtr makeDistant(const LightContext& context) {
     const float scale = brightness(context.params, "illuminance", 1);
-    return makeDistantLight(distantDirection(context), context.params.getColor("L", Rgb(1.f)) * scale);
+    return distantLight(context, context.params.getColor("L", Rgb(1.f)) * scale);
 }
 
 LightPtr makeSpot(const LightContext& context) {

@@ -47,6 +47,15 @@ Vec3 distantDirection(const LightContext& context) {
     return direction;
 }
 
+LightPtr distantLight(const LightContext& context, const Rgb& irradiance) {
+    const Vec3 direction = distantDirection(context);
+    const float angle = context.params.getFloat("angle", 0);
+    if (!(angle >= 0 && angle <= 180))
+        context.params.failAt(*context.params.find("angle", {ParamType::Float}),
+                              fmt::format("must be from 0 to 180 degrees, not {:g}", angle));
+    return angle > 0 ? makeSunLight(direction, irradiance, angle) : makeDistantLight(direction, irradiance);
+}
+
 SpotAngles spotAngles(const ParamSet& params) {
     const float cone = params.getFloat("coneangle", 30);
     if (!(cone > 0 && cone <= 180))

@@ -29,6 +29,9 @@ Transform aimed(const ParamSet& params, const Transform& toWorld);
 
 // Direction from lit points towards a distant light, world space.
 Vec3 distantDirection(const LightContext& context);
+// A distant light of this irradiance on a surface that faces it; with DRC's own parameter "float angle", the diameter
+// in degrees that it is seen under.
+LightPtr distantLight(const LightContext& context, const Rgb& irradiance);
 
 // The half-angle of a spotlight's cone, and the width of its soft edge, in degrees.
 struct SpotAngles {

@@ -157,7 +157,7 @@ void Session::startGuide() {
     float most = 0;
     for (const Light* light : lights_.infiniteLights()) {
         const float power = luminance(light->power(1));
-        if (light->isDelta() || !(power > most)) continue;
+        if (light->isDelta() || !light->surrounds() || !(power > most)) continue;
         brightest = light;
         most = power;
     }

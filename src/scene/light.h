@@ -88,6 +88,8 @@ class Light {
     virtual bool isInfinite() const { return false; }
     virtual Rgb escaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Rgb(0.f); }
     virtual float pdfEscaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return 0; }
+    // Whether light arrives from all around, so that it pays to learn from where it does (EnvironmentGuide).
+    virtual bool surrounds() const { return isInfinite(); }
     // The u in the unit square for which sample() at `from` returns direction wi.
     virtual Vec2 inverse(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Vec2(0, 0); }
     // Rows of an environment's map, as a measure of its detail; 1 if it is constant.
@@ -146,6 +148,8 @@ LightPtr makeGoniometricLight(const Transform& lightToWorld, const Rgb& intensit
 LightPtr makeProjectionLight(const Transform& lightToWorld, const Rgb& intensity, float fovDegrees, LightImage image);
 // direction: from lit points towards the light, world space.
 LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
+// The same, seen as a disk. angle: its diameter, in degrees, in (0, 180]. irradiance: on a surface that faces it.
+LightPtr makeSunLight(const Vec3& direction, const Rgb& irradiance, float angle);
 
 // An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, with row 0 at theta = 0,
 // and u = phi / 2 pi.
