@@ -1,0 +1,40 @@
+"""The world as an infinite light: constant, or a picture of all directions."""
+import numpy as np
+
+from ..materials.closures import ClosureReader, emitted
+from ..materials.points import Points
+from ..materials.textures import evaluated
+from ..materials.tree_key import tree_key
+from .cache import digest
+from .equal_area import directions
+from .image_files import pfm_bytes
+from .pbrt_text import statement
+
+
+def world_lines(world, reader, cache, side):
+    """side: pixels of the picture's side."""
+    if world is None:
+        return []
+    tree = world.node_tree
+    if tree is None or not getattr(world, "use_nodes", True):
+        return constant_lines(np.array(world.color, dtype=float))
+    reader = reader.at(world.name)
+    radiance = emitted(ClosureReader(reader).background(tree))
+    if radiance.is_constant:
+        return constant_lines(np.broadcast_to(radiance.constant(), 3))
+
+    def make():
+        # Four directions a pixel, so that small suns keep their energy.
+        way = directions(2 * side).reshape(-1, 3).astype(np.float32)
+        points = Points(len(way), {"": way[:, :2]}, generated=way, object=way, position=way, normal=way)
+        values = np.maximum(evaluated(radiance, points, 3), 0)
+        return pfm_bytes(values.reshape(side, 2, side, 2, 3).mean(axis=(1, 3)))
+
+    file = cache.file(digest("world", tree_key(tree), side), "pfm", make)
+    return [statement("LightSource", "infinite", params={"string filename": file})]
+
+
+def constant_lines(radiance):
+    if not np.any(radiance > 0):
+        return []
+    return [statement("LightSource", "infinite", params={"rgb L": np.maximum(radiance, 0)})]
