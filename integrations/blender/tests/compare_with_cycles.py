@@ -10,6 +10,7 @@ apart.
 """
 import argparse
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -84,6 +85,7 @@ def render_both(drc, feature, folder, spp):
     theirs, ours = os.path.join(folder, "cycles.exr"), os.path.join(folder, "drc.exr")
     scene.render.filepath = theirs
     quietly(lambda: bpy.ops.render.render(write_still=True))
+    shutil.rmtree(os.path.join(folder, "scene"), ignore_errors=True)
     exporter = SceneExporter(os.path.join(folder, "scene"), Settings(max_depth=32, filter_kind="BOX", filter_width=1.0))
     depsgraph = bpy.context.evaluated_depsgraph_get()
     made = exporter.export(depsgraph, set_frame=lambda f, s: scene.frame_set(f, subframe=s))

@@ -387,6 +387,8 @@ def _(s):
 
 @feature("camera: panorama")
 def _(s):
+    bpy.data.objects.remove(s.lamp)  # which only DRC would show
+    s.light("POINT", 400, (2.5, -2.5, 4.5), shadow_soft_size=0.0)
     s.camera.location = (0.3, -1.6, 1.2)
     s.camera.data.type = "PANO"
     if hasattr(s.camera.data, "panorama_type"):

@@ -22,7 +22,7 @@ class Closure:
 class Surface:
     scattering: list = field(default_factory=list)  # Closures
     emission: list = field(default_factory=list)  # expressions of radiance
-    passing: list = field(default_factory=list)  # expressions of what passes straight through, colours
+    passing: list = field(default_factory=list)  # (share, colour) of what passes straight through
 
 
 PRINCIPLED = {  # parameter: sockets, of which the first that a version has counts
@@ -44,7 +44,7 @@ def constant_reflectance_tint(colour):
 
 
 class ClosureReader:
-    """Reads the surface of a material or world tree. wrong: for what the node has and DRC has not."""
+    """Reads the surface of a material or world tree; the reader's report gets what has no equal."""
 
     def __init__(self, reader):
         self.reader = reader
@@ -80,9 +80,10 @@ class ClosureReader:
         if node.type == "MIX_SHADER":
             # Both shader inputs are called Shader: by position.
             factor, first, second = at.inputs()[:3]
-            share = combined(lambda f: np.clip(f, 0, 1), as_number(self.reader.value(factor)))
             if self._is_plastic(factor.source(), first, second):
-                return self._plastic(at, factor.source(), first, second, weight, made)
+                self._plastic(at, factor.source(), first, second, weight, made)
+                return
+            share = combined(lambda f: np.clip(f, 0, 1), as_number(self.reader.value(factor)))
             self._add(first, product(weight, rest(share)), made)
             self._add(second, product(weight, share), made)
         elif node.type == "ADD_SHADER":
@@ -137,7 +138,7 @@ class ClosureReader:
             self.reader.unsupported(at, "light does not spread below surfaces; it is diffuse there and then")
         alpha = combined(lambda a: np.clip(a, 0, 1), self._value(at, "Alpha"))
         if not alpha.is_always(1):
-            made.passing.append(as_colour(product(weight, rest(alpha))))
+            made.passing.append((product(weight, rest(alpha)), constant(1.0, 1.0, 1.0)))
             weight = product(weight, alpha)
         strength = self._value(at, "Emission Strength")
         emission = product(strength, self._value(at, "Emission Color"))
@@ -196,7 +197,7 @@ class ClosureReader:
         self._glass(at, weight, made)
 
     def _transparent(self, at, weight, made):
-        made.passing.append(product(weight, as_colour(self._value(at, "Color"))))
+        made.passing.append((weight, as_colour(self._value(at, "Color"))))
 
     def _translucent(self, at, weight, made):
         made.scattering.append(self._closure(at, "diffusetransmission", {

@@ -86,7 +86,7 @@ def noise(points, detail=2.0, roughness=0.5, lacunarity=2.0, distortion=0.0, nor
 def checker(points):
     """1 where the first colour is."""
     cell = np.floor((points + 1e-6) * 0.999999).astype(np.int64)
-    return (np.sum(cell, axis=1, keepdims=True) % 2 == 0).astype(np.float32)
+    return (np.sum(cell, axis=1, keepdims=True) % 2 == 1).astype(np.float32)
 
 
 def gradient(points, kind):

@@ -49,18 +49,22 @@ class MaterialPlan:
 
 def plan_of(surface, reader):
     """From a sum of closures."""
-    passing, closures = total([as_colour(p) for p in surface.passing]), list(surface.scattering)
-    clear = combined(lambda p: np.clip(p.mean(axis=1, keepdims=True), 0, 1), passing) if surface.passing else ZERO
-    if surface.passing and passing.is_constant and np.ptp(passing.constant()) > 1e-3:
-        reader.report.add("a coloured Transparent BSDF is a thin pane without reflections: shadows of point lamps and "
-                          "suns are full behind it", *reader.place)
-        strongest = float(passing.constant().max())
-        closures.append(Closure("principled", {
-            "rgb basecolor": constant(*(passing.constant() / max(strongest, 1e-6))), "float transmission": ONE,
-            "float ior": ONE, "float roughness": ZERO, "float specularlevel": ZERO, "bool thinwall": True}, constant(strongest)))
-        clear = ZERO
-    elif surface.passing and not passing.is_constant:
-        reader.report.add("a textured Transparent BSDF passes grey light", *reader.place)
+    closures, clear = list(surface.scattering), ZERO
+    for share, colour in surface.passing:
+        if colour.is_constant and np.ptp(colour.constant()) > 1e-3:
+            reader.report.add("a coloured Transparent BSDF is a thin pane without reflections: shadows of point lamps and "
+                              "suns are full behind it", *reader.place)
+            closures.append(Closure("principled", {
+                "rgb basecolor": combined(lambda c: np.clip(c, 0, 1), colour), "float transmission": ONE, "float ior": ONE, "float roughness": ZERO,
+                "float specularlevel": ZERO, "bool thinwall": True}, share))
+            continue
+        if not colour.is_constant:
+            reader.report.add("a textured Transparent BSDF passes grey light", *reader.place)
+        grey = combined(lambda c: np.clip(c.mean(axis=1, keepdims=True), 0, 1), colour)
+        # What a grey one does not let pass, it absorbs.
+        clear = total([clear, product(share, grey)]) if clear is not ZERO else product(share, grey)
+        if not grey.is_always(1):
+            closures.append(Closure("diffuse", {"rgb reflectance": constant(0.0, 0.0, 0.0)}, product(share, rest(grey))))
     weights = [c.weight for c in closures]
     sum_ = total(weights) if weights else ZERO
     alpha = rest(clear)

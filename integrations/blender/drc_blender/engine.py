@@ -1,0 +1,170 @@
+"""The render engine: F12 exports the scene, starts the renderer, shows its picture as it refines, and keeps its passes.
+
+The renderer is a child process: whatever happens to it, Blender goes on, and its message is Blender's report.
+"""
+import os
+import tempfile
+import time
+
+import bpy
+
+from .commands import render_command
+from .export.camera_maths import pixel_bounds
+from .export.scene import SceneExporter, Settings
+from .program import Child, UserError
+from .properties import preferences, program
+from .render_passes import BUILT_IN, PASSES, pass_values
+from .tev_receiver import TevReceiver
+
+LOOK_EVERY = 0.05  # seconds
+DRAIN = 15.0  # seconds that the last picture may take to come
+
+
+def exporter_settings(drc):
+    return Settings(max_depth=drc.max_bounces, filter_kind=drc.filter_kind, filter_width=drc.filter_width,
+                    texture_side=drc.texture_side, atlas_side=2 * drc.texture_side, world_side=drc.world_side)
+
+
+def export_folder(scene, use):
+    """use: "render" or "view", which may run at once."""
+    chosen = bpy.path.abspath(scene.drc.keep_files) if scene.drc.keep_files else ""
+    return os.path.join(chosen or bpy.app.tempdir or tempfile.gettempdir(), f"drc-{use}")
+
+
+class DrcRenderEngine(bpy.types.RenderEngine):
+    bl_idname = "DRC"
+    bl_label = "DRC"
+    bl_use_preview = False
+    bl_use_postprocess = True
+    bl_use_shading_nodes_custom = False
+    bl_use_eevee_viewport = True
+
+    export_only = None  # a file: the next render writes the scene there, and renders nothing
+
+    # Passes
+
+    def update_render_passes(self, scene, renderlayer):
+        for name, channels, kind, _ in PASSES:
+            self.register_pass(scene, renderlayer, name, len(channels), channels, kind)
+
+    # F12
+
+    def render(self, depsgraph):
+        try:
+            exported = self._export(depsgraph)
+            if DrcRenderEngine.export_only is None:
+                self._render(depsgraph.scene, exported)
+        except UserError as error:
+            self._fail(str(error))
+        except OSError as error:
+            self._fail(f"cannot write the scene: {error.strerror or error}" + (f": {error.filename}" if error.filename else ""))
+        except ValueError as error:
+            self._fail(str(error))
+
+    def _fail(self, message):
+        self.report({"ERROR"}, f"DRC: {message}")
+        self.error_set(f"DRC: {message}")
+
+    def _export(self, depsgraph):
+        self.update_stats("", "DRC: exporting")
+        scene = depsgraph.scene
+        if DrcRenderEngine.export_only is not None:
+            folder, name = os.path.split(DrcRenderEngine.export_only)
+        else:
+            folder, name = export_folder(scene, "render"), "scene.pbrt"
+        began = time.monotonic()
+        exporter = SceneExporter(folder, exporter_settings(scene.drc))
+        exported = exporter.export(depsgraph, set_frame=self.frame_set, camera=self.camera_override, name=name)
+        exported.seconds["export"] = time.monotonic() - began
+        for line in exported.report.lines():
+            self.report({"WARNING"}, f"DRC: {line}")
+        return exported
+
+    def _render(self, scene, exported):
+        output = os.path.join(os.path.dirname(exported.path), "picture.exr")
+        receiver, child = TevReceiver(), None
+        try:
+            child = Child(render_command(program(), exported.path, output, scene.drc, receiver.port, preferences().threads))
+            bounds = self._bounds(scene)
+            began = time.monotonic()
+            while child.running():
+                if self.test_break():
+                    child.stop()
+                    return
+                self._show(receiver, scene, bounds, began)
+                time.sleep(LOOK_EVERY)
+            if child.finish():
+                raise UserError(child.failure())
+            for line in child.warnings():
+                self.report({"WARNING"}, f"DRC: {line}")
+            self._wait_for_the_last(receiver)
+            self._show(receiver, scene, bounds, began, last=True)
+        finally:
+            if child is not None:
+                child.stop()
+            receiver.close()
+            if os.path.exists(output):
+                os.remove(output)
+
+    @staticmethod
+    def _wait_for_the_last(receiver):
+        end = time.monotonic() + DRAIN
+        while not receiver.drained() and time.monotonic() < end:
+            time.sleep(0.01)
+
+    def _bounds(self, scene):
+        """(x0, x1, y0, y1) of what is rendered, from the top left of the film."""
+        width, height = self.resolution_x, self.resolution_y
+        render = scene.render
+        if not render.use_border:
+            return 0, width, 0, height
+        return pixel_bounds((render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y), width, height)
+
+    def _show(self, receiver, scene, bounds, began, last=False):
+        passed = time.monotonic() - began
+        drc = scene.drc
+        if drc.stop == "TIME":
+            self.update_progress(min(1.0, passed / drc.time))
+        picture = receiver.changed()
+        if picture is None:
+            if last:
+                raise UserError("the renderer has sent no picture" + (f" ({receiver.error})" if receiver.error else ""))
+            return
+        samples = picture.layer("samples.X")
+        count = float(samples[bounds[2]:bounds[3], bounds[0]:bounds[1]].mean()) if samples is not None else 0
+        if drc.stop == "SAMPLES":
+            self.update_progress(min(1.0, count / drc.samples))
+        self.update_stats("", f"DRC: {count:.1f} samples a pixel, {passed:.1f} s")
+        for name, channels, _, _ in PASSES:
+            if name not in BUILT_IN:
+                self.add_pass(name, len(channels), channels)
+        result = self.begin_result(0, 0, bounds[1] - bounds[0], bounds[3] - bounds[2])
+        try:
+            for layer in result.layers:
+                for render_pass in layer.passes:
+                    if any(p[0] == render_pass.name for p in PASSES):
+                        values = pass_values(picture, render_pass.name, bounds)
+                        if values is not None:
+                            render_pass.rect.foreach_set(values)
+            if not last:
+                self.update_result(result)
+        finally:
+            self.end_result(result)
+
+    # Viewport
+
+    def view_update(self, context, depsgraph):
+        from .viewport import viewport_of
+        viewport_of(self).update(context, depsgraph)
+
+    def view_draw(self, context, depsgraph):
+        from .viewport import viewport_of
+        viewport_of(self).draw(context, depsgraph)
+
+
+def register():
+    bpy.utils.register_class(DrcRenderEngine)
+
+
+def unregister():
+    bpy.utils.unregister_class(DrcRenderEngine)
