@@ -148,9 +148,18 @@ def _(s):
 
 @feature("world, sky texture", lit=False)
 def _(s):
+    add_sky(s, False)
+
+
+@feature("world, sky texture with sun", lit=False)
+def _(s):
+    add_sky(s, True)
+
+
+def add_sky(s, disc):
     sky = s.node(s.scene.world, "TexSky")
     sky.sun_elevation, sky.sun_rotation = math.radians(35), math.radians(-140)
-    sky.sun_disc = False
+    sky.sun_disc = disc
     s.set(s.scene.world.node_tree, s.background.inputs["Color"], sky.outputs[0])
     s.background.inputs["Strength"].default_value = 0.2
 
@@ -173,12 +182,12 @@ on_ball("Principled, sheen", "BsdfPrincipled", Base_Color=(0.2, 0.2, 0.3), Sheen
 on_ball("Principled, alpha 0.4", "BsdfPrincipled", Base_Color=(0.2, 0.6, 0.3), Alpha=0.4)
 on_ball("Principled, emission", "BsdfPrincipled", Base_Color=(0.2, 0.2, 0.2), Emission_Color=(0.3, 0.6, 1.0), Emission_Strength=2.0)
 on_ball("Diffuse", "BsdfDiffuse", Color=(0.3, 0.7, 0.4))
-on_ball("Diffuse, rough", "BsdfDiffuse", Color=(0.3, 0.7, 0.4), Roughness=0.8)
+on_ball("Diffuse, rough", "BsdfDiffuse", reason="it is as smooth as Lambert's", Color=(0.3, 0.7, 0.4), Roughness=0.8)
 on_ball("Glossy, sharp", "BsdfAnisotropic", Color=(0.8, 0.7, 0.5), Roughness=0.0)
 on_ball("Glossy, rough 0.4", "BsdfAnisotropic", Color=(0.8, 0.5, 0.3), Roughness=0.4)
 on_ball("Metallic", "BsdfMetallic", Base_Color=(0.9, 0.6, 0.4), Edge_Tint=(0.7, 0.8, 1.0), Roughness=0.3)
 on_ball("Glass, clear", "BsdfGlass", Color=(1.0, 1.0, 1.0), Roughness=0.0, IOR=1.5)
-on_ball("Glass, coloured, rough", "BsdfGlass", Color=(0.7, 0.9, 0.8), Roughness=0.3, IOR=1.4)
+on_ball("Glass, coloured, rough", "BsdfGlass", reason="reflections at its rim are not tinted", Color=(0.7, 0.9, 0.8), Roughness=0.3, IOR=1.4)
 on_ball("Transparent, grey", "BsdfTransparent", Color=(0.6, 0.6, 0.6))
 on_ball("Transparent, coloured", "BsdfTransparent", Color=(0.4, 0.8, 0.6))
 on_ball("Translucent", "BsdfTranslucent", Color=(0.7, 0.6, 0.3))
@@ -349,8 +358,8 @@ def _(s):
     s.box.data.materials.append(s.material("second", (0.9, 0.8, 0.1)))
     for i, face in enumerate(s.box.data.polygons):
         face.material_index, face.use_smooth = i % 2, True
-    for edge in s.box.data.edges:
-        edge.use_edge_sharp = True
+    for i, edge in enumerate(s.box.data.edges):
+        edge.use_edge_sharp = i % 3 != 0
 
 
 @feature("text and curve")

@@ -86,14 +86,19 @@ def sun(light, matrix, colour, sphere, report, place, object_):
     half = min(light.angle, math.radians(170)) / 2
     if light.angle < LEAST_SUN_ANGLE:
         return [statement("LightSource", "distant", params={"rgb L": colour, "point3 from": towards, "point3 to": (0, 0, 0)})]
-    centre, radius = sphere
-    distance = SUN_AT_RADII * max(radius, 1e-3)
-    disk = distance * math.tan(half)
     radiance = colour / (math.pi * math.sin(half) ** 2) if is_normalized(light) else colour
     report.add("a sun with an angle is a far disk, which the camera sees (Blender hides it)", *place)
+    return disk_of_sun(radiance, towards, half, sphere)
+
+
+def disk_of_sun(radiance, towards, half, sphere):
+    """half: of the angle that it is seen under."""
+    centre, radius = sphere
+    distance = SUN_AT_RADII * max(radius, 1e-3)
+    towards = np.asarray(towards, dtype=float)
     return ["AttributeBegin", transform(frame(-towards, np.asarray(centre) + distance * towards)),
             statement("AreaLightSource", "diffuse", params={"rgb L": radiance}), 'Material "diffuse" "rgb reflectance" [0 0 0]',
-            statement("Shape", "disk", params={"float radius": disk}), "AttributeEnd"]
+            statement("Shape", "disk", params={"float radius": distance * math.tan(half)}), "AttributeEnd"]
 
 
 def frame(z, origin):

@@ -88,7 +88,7 @@ class SceneExporter:
         head += [statement("Sampler", "zsobol", params={"integer pixelsamples": 128}),
                  statement("Integrator", "path", params={"integer maxdepth": self.settings.max_depth}), "", "WorldBegin", ""]
         sphere = sphere_around(bounds)
-        world = world_lines(scene.world, self.reader, self.files, self.settings.world_side)
+        world = world_lines(scene.world, self.reader, self.files, self.settings.world_side, sphere)
         lamp_text = [line for object_lines in lamps for line in object_lines(sphere)]
         text = "\n".join(head + world + lamp_text + definitions + shapes) + "\n"
         write_text(self.exported.path, text)

@@ -8,11 +8,12 @@ from ..materials.tree_key import tree_key
 from .cache import digest
 from .equal_area import directions
 from .image_files import pfm_bytes
+from .lights import disk_of_sun
 from .pbrt_text import statement
 
 
-def world_lines(world, reader, cache, side):
-    """side: pixels of the picture's side."""
+def world_lines(world, reader, cache, side, sphere):
+    """side: pixels of the picture's side; sphere: centre and radius of all that is seen."""
     if world is None:
         return []
     tree = world.node_tree
@@ -31,7 +32,22 @@ def world_lines(world, reader, cache, side):
         return pfm_bytes(values.reshape(side, 2, side, 2, 3).mean(axis=(1, 3)))
 
     file = cache.file(digest("world", tree_key(tree), side), "pfm", make)
-    return [statement("LightSource", "infinite", params={"string filename": file})]
+    lines = [statement("LightSource", "infinite", params={"string filename": file})]
+    for sky in reader.skies:
+        if sky.sun_radiance is not None:
+            lines += sun_lines(sky, radiance, reader, sphere)
+    return lines
+
+
+def sun_lines(sky, radiance, reader, sphere):
+    """The sun of a Sky Texture, as bright as the nodes behind it make it."""
+    way = np.asarray(sky.sun_direction, dtype=np.float32)[None]
+    points = Points(1, {"": way[:, :2]}, generated=way, object=way, position=way, normal=way)
+    without = radiance(points)[0]
+    reader.suns_shown = True
+    added = radiance(points)[0] - without
+    reader.suns_shown = False
+    return disk_of_sun(np.maximum(added, 0), sky.sun_direction, sky.sun_angle / 2, sphere) if np.any(added > 0) else []
 
 
 def constant_lines(radiance):

@@ -1,4 +1,6 @@
 """Reads values of node trees as expressions, and reports the nodes that have no equal."""
+import subprocess
+
 from .expressions import as_colour, as_number, constant
 from .image_lookup import Images
 from .value_nodes import NODES
@@ -9,9 +11,20 @@ class Reader:
 
     def __init__(self, report, images=None, place=()):
         self.report, self.images, self.place = report, images or Images(), place
+        self.skies = []  # the export.sky.Sky of each Sky Texture that was read
+        self.suns_shown = False  # whether Sky Textures show their sun in every direction, to learn what it becomes
 
     def at(self, *place):
         return Reader(self.report, self.images, place)
+
+    def sky(self, node):
+        """The rendered sky of a Sky Texture, or why there is none."""
+        from ..export.sky import bake
+        try:
+            self.skies.append(bake(node))
+        except (OSError, RuntimeError, subprocess.SubprocessError) as error:
+            return str(error)
+        return self.skies[-1]
 
     def unsupported(self, at, what, instead=None):
         groups = [g.name for g in at.groups]

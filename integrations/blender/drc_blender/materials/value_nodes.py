@@ -146,6 +146,19 @@ def _environment(reader, at):
     return combined(looked_up, _texture_vector(reader, at, _of_place("generated")))
 
 
+def _sky(reader, at):
+    sky = reader.sky(at.node)
+    if isinstance(sky, str):
+        return reader.unsupported(at, sky + "; it is black", constant(0.0, 0.0, 0.0))
+
+    def looked_up(v):
+        v = v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1e-20)
+        found = sky.pixels.lookup(equirectangular(v), "REPEAT", "Linear")[:, :3]
+        return found + sky.sun_radiance if reader.suns_shown and sky.sun_radiance is not None else found
+
+    return combined(looked_up, _texture_vector(reader, at, _of_place("generated")))
+
+
 def _scaled(reader, at):
     return combined(lambda v, s: v * s, _texture_vector(reader, at, _of_place("generated")), reader.value(at.input("Scale")))
 
@@ -381,6 +394,6 @@ NODES = {
     "MATH": _maths, "MIX": _mix, "MIX_RGB": _mix_rgb, "NEW_GEOMETRY": _geometry, "RGB": _rgb, "RGBTOBW": _grey,
     "SEPARATE_COLOR": _separate, "SEPRGB": _separate, "SEPXYZ": _separate, "TEX_BRICK": _brick, "TEX_CHECKER": _checker,
     "TEX_COORD": _coordinates, "TEX_ENVIRONMENT": _environment, "TEX_GRADIENT": _gradient, "TEX_IMAGE": _image,
-    "TEX_NOISE": _noise, "UVMAP": _uv_map, "VALTORGB": _colour_ramp, "VALUE": _value, "VECT_MATH": _vector_maths,
+    "TEX_NOISE": _noise, "TEX_SKY": _sky, "UVMAP": _uv_map, "VALTORGB": _colour_ramp, "VALUE": _value, "VECT_MATH": _vector_maths,
     "VERTEX_COLOR": _attribute,
 }
