@@ -13,7 +13,7 @@ from .export.camera_maths import pixel_bounds
 from .export.scene import SceneExporter, Settings
 from .program import Child, UserError
 from .properties import preferences, program
-from .render_passes import BUILT_IN, PASSES, pass_values
+from .render_passes import BUILT_IN, OF_OTHER_INTEGRATORS, PASSES, pass_values
 from .tev_receiver import TevReceiver
 
 LOOK_EVERY = 0.05  # seconds
@@ -45,6 +45,8 @@ class DrcRenderEngine(bpy.types.RenderEngine):
 
     def update_render_passes(self, scene, renderlayer):
         for name, channels, kind, _ in PASSES:
+            if name in OF_OTHER_INTEGRATORS:
+                continue
             self.register_pass(scene, renderlayer, name, len(channels), channels, kind)
 
     # F12
@@ -55,15 +57,18 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             if DrcRenderEngine.export_only is None:
                 self._render(depsgraph.scene, exported)
         except UserError as error:
-            self._fail(str(error))
+            self.tell("ERROR", str(error))
         except OSError as error:
-            self._fail(f"cannot write the scene: {error.strerror or error}" + (f": {error.filename}" if error.filename else ""))
+            self.tell("ERROR", f"cannot write the scene: {error.strerror or error}" + (f": {error.filename}" if error.filename else ""))
         except ValueError as error:
-            self._fail(str(error))
+            self.tell("ERROR", str(error))
 
-    def _fail(self, message):
-        self.report({"ERROR"}, f"DRC: {message}")
-        self.error_set(f"DRC: {message}")
+    def tell(self, kind, message):
+        """kind: ERROR or WARNING. One line in Blender's reports."""
+        self.report({kind}, f"DRC: {message}")
+
+    def is_cancelled(self):
+        return self.test_break()
 
     def _export(self, depsgraph):
         self.update_stats("", "DRC: exporting")
@@ -77,7 +82,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         exported = exporter.export(depsgraph, set_frame=self.frame_set, camera=self.camera_override, name=name)
         exported.seconds["export"] = time.monotonic() - began
         for line in exported.report.lines():
-            self.report({"WARNING"}, f"DRC: {line}")
+            self.tell("WARNING", line)
         return exported
 
     def _render(self, scene, exported):
@@ -88,7 +93,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             bounds = self._bounds(scene)
             began = time.monotonic()
             while child.running():
-                if self.test_break():
+                if self.is_cancelled():
                     child.stop()
                     return
                 self._show(receiver, scene, bounds, began)
@@ -96,8 +101,8 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             if child.finish():
                 raise UserError(child.failure())
             for line in child.warnings():
-                self.report({"WARNING"}, f"DRC: {line}")
-            self._wait_for_the_last(receiver)
+                self.tell("WARNING", line)
+            receiver.finish(DRAIN)
             self._show(receiver, scene, bounds, began, last=True)
         finally:
             if child is not None:
@@ -105,12 +110,6 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             receiver.close()
             if os.path.exists(output):
                 os.remove(output)
-
-    @staticmethod
-    def _wait_for_the_last(receiver):
-        end = time.monotonic() + DRAIN
-        while not receiver.drained() and time.monotonic() < end:
-            time.sleep(0.01)
 
     def _bounds(self, scene):
         """(x0, x1, y0, y1) of what is rendered, from the top left of the film."""
@@ -127,7 +126,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             self.update_progress(min(1.0, passed / drc.time))
         picture = receiver.changed()
         if picture is None:
-            if last:
+            if last and not receiver.has_picture():
                 raise UserError("the renderer has sent no picture" + (f" ({receiver.error})" if receiver.error else ""))
             return
         samples = picture.layer("samples.X")
@@ -135,19 +134,17 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         if drc.stop == "SAMPLES":
             self.update_progress(min(1.0, count / drc.samples))
         self.update_stats("", f"DRC: {count:.1f} samples a pixel, {passed:.1f} s")
+        values = {name: pass_values(picture, name, bounds) for name, *_ in PASSES}
         for name, channels, _, _ in PASSES:
-            if name not in BUILT_IN:
+            if name not in BUILT_IN and values[name] is not None:
                 self.add_pass(name, len(channels), channels)
         result = self.begin_result(0, 0, bounds[1] - bounds[0], bounds[3] - bounds[2])
         try:
             for layer in result.layers:
                 for render_pass in layer.passes:
-                    if any(p[0] == render_pass.name for p in PASSES):
-                        values = pass_values(picture, render_pass.name, bounds)
-                        if values is not None:
-                            render_pass.rect.foreach_set(values)
-            if not last:
-                self.update_result(result)
+                    if values.get(render_pass.name) is not None:
+                        render_pass.rect.foreach_set(values[render_pass.name])
+            self.update_result(result)
         finally:
             self.end_result(result)
 

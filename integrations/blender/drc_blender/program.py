@@ -55,9 +55,10 @@ class Child:
 
     def _reader(self, stream, lines):
         def read():
-            for line in stream:
-                lines.append(line.rstrip("\n"))
-                del lines[:-self.MOST_LINES]
+            with stream:
+                for line in stream:
+                    lines.append(line.rstrip("\n"))
+                    del lines[:-self.MOST_LINES]
 
         thread = threading.Thread(target=read, name="drc messages", daemon=True)
         thread.start()

@@ -13,6 +13,8 @@ PASSES = (
     ("Sample Count", "X", "VALUE", ("samples.X",)),
 )
 BUILT_IN = {"Combined"}
+# Which the integrator that the engine uses does not keep apart.
+OF_OTHER_INTEGRATORS = {"Direct", "Indirect"}
 
 
 def pass_values(picture, name, bounds):

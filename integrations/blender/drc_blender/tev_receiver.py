@@ -67,7 +67,7 @@ class TevReceiver:
         self.port = self._listener.getsockname()[1]
         self._lock = threading.Lock()
         self._picture, self._version, self._taken = None, 0, 0
-        self._connections = self._ended = 0
+        self._last = False  # whether nobody will connect any more
         self.error = None
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self._serve, name="drc picture", daemon=True)
@@ -86,10 +86,15 @@ class TevReceiver:
             self._taken = self._version
             return Picture(list(self._picture.channels), self._picture.values.copy())
 
-    def drained(self):
-        """Whether every connection that there was has been read to its end."""
+    def has_picture(self):
+        """Whether any part of a picture has ever come."""
         with self._lock:
-            return self._connections == self._ended
+            return self._version > 0
+
+    def finish(self, seconds):
+        """After the sender's end: reads what it has sent, for so long at most."""
+        self._last = True
+        self._thread.join(timeout=seconds)
 
     # On the thread
 
@@ -99,18 +104,16 @@ class TevReceiver:
             try:
                 connection, _ = self._listener.accept()
             except (TimeoutError, socket.timeout):
+                if self._last:
+                    return
                 continue
             except OSError:
                 return
-            with self._lock:
-                self._connections += 1
             try:
                 with connection:
                     self._read(connection)
             except (OSError, ProtocolError) as error:
                 self.error = str(error)
-            with self._lock:
-                self._ended += 1
 
     def _read(self, connection):
         connection.settimeout(0.05)

@@ -1,4 +1,5 @@
 """Panels and operators."""
+import atexit
 import os
 
 import bpy
@@ -141,6 +142,7 @@ CLASSES = (DRC_OT_export, DRC_OT_show_in_browser, DRC_PT_sampling, DRC_PT_paths,
 
 
 def register():
+    atexit.register(stop_browser)
     for made in CLASSES:
         bpy.utils.register_class(made)
     bpy.types.TOPBAR_MT_file_export.append(export_entry)
@@ -149,7 +151,11 @@ def register():
 
 
 def unregister():
+    atexit.unregister(stop_browser)
     stop_browser()
+    if not bpy.app.background:
+        from .viewport import close_all
+        close_all()
     for panel in shared_panels():
         panel.COMPAT_ENGINES.discard(DrcRenderEngine.bl_idname)
     bpy.types.TOPBAR_MT_file_export.remove(export_entry)

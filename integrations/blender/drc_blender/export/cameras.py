@@ -55,6 +55,14 @@ def camera_lines(object_, matrices, width, height, pixel_aspect, report):
     return lines + [statement("Camera", "orthographic" if lens.orthographic else "perspective", params=params)]
 
 
+def view_lines(view):
+    """The camera of the viewport, a View."""
+    params = {"float screenwindow": view.window}
+    if not view.orthographic:
+        params["float fov"] = 90
+    return [*transforms([world_to_camera(view.matrix())]), statement("Camera", "orthographic" if view.orthographic else "perspective", params=params)]
+
+
 def transforms(matrices):
     """The transformation, at both ends of the shutter if there are two."""
     if len(matrices) == 1 or np.allclose(matrices[0], matrices[-1], rtol=0, atol=1e-7):
@@ -63,9 +71,10 @@ def transforms(matrices):
 
 
 def film_lines(scene, width, height, filter_kind, filter_width):
+    """scene: has the region to render; None: all of it."""
     params = {"integer xresolution": width, "integer yresolution": height, "string filename": "drc.exr"}
-    render = scene.render
-    if render.use_border:
+    render = scene.render if scene is not None else None
+    if render is not None and render.use_border:
         border = (render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y)
         params["integer pixelbounds"] = pixel_bounds(border, width, height)
     lines = [statement("Film", "rgb", params=params)]

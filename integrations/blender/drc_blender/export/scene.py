@@ -9,7 +9,7 @@ from ..materials.material_writer import MaterialWriter
 from ..materials.reader import Reader
 from ..materials.textures import TextureWriter
 from .cache import FileCache, digest
-from .cameras import camera_lines, film_lines, transforms
+from .cameras import camera_lines, film_lines, transforms, view_lines
 from .lights import lamp_lines
 from .mesh_data import MeshData
 from .objects import MESHES, key_of, matrices_at, visible
@@ -57,13 +57,14 @@ class SceneExporter:
         self.folder, self.settings = folder, settings or Settings()
         os.makedirs(folder, exist_ok=True)
 
-    def export(self, depsgraph, size=None, set_frame=None, camera=None, name="scene.pbrt"):
+    def export(self, depsgraph, size=None, set_frame=None, camera=None, name="scene.pbrt", view=None):
         """size: of the picture, None for the scene's; set_frame(frame, subframe): moves the depsgraph in time, None
-        without motion; camera: an object, None for the scene's. Returns Exported. Raises OSError, or ValueError with
+        without motion; camera: an object, None for the scene's; view: the viewport's View, which is rendered in place
+        of a camera, without a region. Returns Exported. Raises OSError, or ValueError with
         one line for the user."""
         scene = depsgraph.scene_eval if hasattr(depsgraph, "scene_eval") else depsgraph.scene
         camera = camera or scene.camera
-        if camera is None:
+        if camera is None and view is None:
             raise ValueError("the scene has no camera: add one, and make it the active camera")
         self.report = Report()
         self.meshes = FileCache(self.folder, "meshes")
@@ -83,8 +84,11 @@ class SceneExporter:
         self.materials = MaterialWriter(definitions, textures, self.reader, self.names, self.settings.atlas_side)
         self._place(depsgraph, moving, definitions, shapes, lamps, bounds)
         head = ["# Written by DRC's add-on for Blender. World space is Blender's: z is up.", ""]
-        head += camera_lines(camera, moving.get("camera") or [np.array(camera.matrix_world)], width, height, aspect, self.report)
-        head += film_lines(scene, width, height, self.settings.filter_kind, self.settings.filter_width)
+        if view is not None:
+            head += view_lines(view)
+        else:
+            head += camera_lines(camera, moving.get("camera") or [np.array(camera.matrix_world)], width, height, aspect, self.report)
+        head += film_lines(None if view is not None else scene, width, height, self.settings.filter_kind, self.settings.filter_width)
         head += [statement("Sampler", "zsobol", params={"integer pixelsamples": 128}),
                  statement("Integrator", "path", params={"integer maxdepth": self.settings.max_depth}), "", "WorldBegin", ""]
         sphere = sphere_around(bounds)
