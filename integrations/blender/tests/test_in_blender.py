@@ -12,6 +12,7 @@ import stat
 import sys
 import tempfile
 import time
+import types
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -275,6 +276,79 @@ class Exports(InBlender):
         print(f"\n{made.triangles} triangles: first export {seconds[0]:.2f} s, second {seconds[1]:.2f} s", flush=True)
         self.assertGreater(made.triangles, 249_000)
         self.assertLess(seconds[1], 1)
+
+
+class StandInEngine:
+    """What the viewport needs of an engine and of its window, which there is none of in the background."""
+
+    def __init__(self):
+        self.stats, self.redraws = "", 0
+
+    def update_stats(self, _stats, info):
+        self.stats = info
+
+    def tag_redraw(self):
+        self.redraws += 1
+
+
+class Viewports(InBlender):
+    """All but the drawing."""
+
+    def setUp(self):
+        super().setUp()
+        from drc_blender import viewport
+        self.engine = StandInEngine()
+        self.viewport = viewport.viewport_of(self.engine)
+        self.addCleanup(self.viewport.close)
+        self.shown = []
+        self.viewport._draw_frame = lambda *_: self.shown.append(self.viewport._frame)
+        self.region = types.SimpleNamespace(width=96, height=64)
+        self.place = self.stage.camera.matrix_world.copy()
+
+    def draw(self):
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        projection = self.stage.camera.calc_matrix_camera(depsgraph, x=self.region.width, y=self.region.height)
+        data = types.SimpleNamespace(view_matrix=self.place.inverted(), window_matrix=projection)
+        self.viewport.draw(types.SimpleNamespace(region=self.region, region_data=data), depsgraph)
+        return self.viewport._frame
+
+    def until(self, condition, seconds=60):
+        end = time.monotonic() + seconds
+        while not condition():
+            self.assertLess(time.monotonic(), end, self.engine.stats)
+            self.viewport._look()
+            time.sleep(0.01)
+
+    def test_it_shows_what_the_camera_sees(self):
+        began = time.monotonic()
+        self.until(lambda: self.draw() is not None and self.viewport._frame.shape == (64, 96, 3) and time.monotonic() > began + 3)
+        self.assertGreater(self.engine.redraws, 0)
+        render = self.scene.render
+        render.resolution_x, render.resolution_y = self.region.width, self.region.height
+        self.scene.drc.samples, self.scene.drc.filter_kind, self.scene.drc.filter_width = 64, "BOX", 1.0
+        self.render()
+        rendered, shown = self.picture(), self.viewport._frame.astype(np.float32)
+        np.testing.assert_allclose(shown.mean(axis=(0, 1)), rendered.mean(axis=(0, 1)), rtol=0.03)
+        # Turned or mirrored it would not be the same.
+        self.assertGreater(np.corrcoef(shown.ravel(), rendered.ravel())[0, 1], 0.98)
+
+    def test_the_camera_moves_and_the_scene_changes(self):
+        self.until(lambda: self.draw() is not None)
+        before, client = self.viewport._frame.astype(np.float32).mean(), self.viewport._client
+        self.place.translation.z += 6
+        self.place.translation.y -= 4
+        self.until(lambda: self.draw() is not None and abs(self.viewport._frame.astype(np.float32).mean() / before - 1) > 0.02)
+        self.assertIs(self.viewport._client, client)  # told, not started again
+        self.scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 5
+        self.viewport.update(None, None)
+        self.until(lambda: self.draw() is not None and self.viewport._frame.astype(np.float32).mean() > 2 * before)
+        self.assertIsNot(self.viewport._client, client)
+        self.until(lambda: not client.child.running())
+
+    def test_a_failure_is_told(self):
+        Defaults.program = "/nowhere/drc"
+        self.draw()
+        self.assertIn("there is no program /nowhere/drc", self.engine.stats)
 
 
 if __name__ == "__main__":

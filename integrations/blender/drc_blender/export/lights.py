@@ -3,6 +3,8 @@ import math
 
 import numpy as np
 
+from ..materials.closures import ClosureReader, emitted
+from ..materials.node_links import active_output, tree_of
 from .pbrt_text import statement, transform
 
 ELLIPSE_CORNERS = 128
@@ -16,7 +18,7 @@ def colour_of(light, reader, report, place):
     if getattr(light, "use_temperature", False):
         colour = colour * np.array(light.temperature_color)
     strength = light.energy * 2.0 ** getattr(light, "exposure", 0.0)
-    tree = light.node_tree if getattr(light, "use_nodes", False) else None
+    tree = tree_of(light)
     if tree is not None:
         strength_of_nodes = node_emission(tree, reader, report, place)
         colour = colour * strength_of_nodes
@@ -24,15 +26,10 @@ def colour_of(light, reader, report, place):
 
 
 def node_emission(tree, reader, report, place):
-    from ..materials.closures import ClosureReader, Surface, emitted
-    from ..materials.expressions import ONE
-    from ..materials.node_links import Socket, active_output
     output = active_output(tree, "OUTPUT_LIGHT")
     if output is None:
         return np.ones(3)
-    surface = Surface()
-    ClosureReader(reader.at(*place))._add(Socket(output.inputs["Surface"]), ONE, surface)
-    radiance = emitted(surface)
+    radiance = emitted(ClosureReader(reader.at(*place)).surface_of(output))
     if not radiance.is_constant:
         report.add("textures of lamps have no equal; they are as at their middle", *place)
     return np.broadcast_to(radiance.constant(), 3).astype(float)

@@ -2,6 +2,7 @@
 import numpy as np
 
 from ..materials.closures import ClosureReader, emitted
+from ..materials.node_links import tree_of
 from ..materials.points import Points
 from ..materials.textures import evaluated
 from ..materials.tree_key import tree_key
@@ -16,8 +17,8 @@ def world_lines(world, reader, cache, side, sphere):
     """side: pixels of the picture's side; sphere: centre and radius of all that is seen."""
     if world is None:
         return []
-    tree = world.node_tree
-    if tree is None or not getattr(world, "use_nodes", True):
+    tree = tree_of(world)
+    if tree is None:
         return constant_lines(np.array(world.color, dtype=float))
     reader = reader.at(world.name)
     radiance = emitted(ClosureReader(reader).background(tree))

@@ -57,15 +57,14 @@ class ClosureReader:
         }
 
     def surface(self, tree):
-        made = Surface()
-        output = active_output(tree, "OUTPUT_MATERIAL")
-        if output is not None:
-            self._add(Socket(output.inputs["Surface"]), ONE, made)
-        return made
+        return self.surface_of(active_output(tree, "OUTPUT_MATERIAL"))
 
     def background(self, tree):
+        return self.surface_of(active_output(tree, "OUTPUT_WORLD"))
+
+    def surface_of(self, output):
+        """output: an output node, or None, which has no surface."""
         made = Surface()
-        output = active_output(tree, "OUTPUT_WORLD")
         if output is not None:
             self._add(Socket(output.inputs["Surface"]), ONE, made)
         return made

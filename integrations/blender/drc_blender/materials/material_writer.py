@@ -6,9 +6,9 @@ import numpy as np
 from ..export.cache import digest
 from ..export.pbrt_text import quoted, statement
 from .atlas import Atlas, points_of
-from .closures import ClosureReader
+from .closures import Closure, ClosureReader
 from .expressions import Expression, constant
-from .node_links import Socket, active_output
+from .node_links import Socket, active_output, tree_of
 from .plan import MaterialPlan, add_relief, plan_of
 from .textures import Window, evaluated, texture, value_at_nowhere
 from .tree_key import tree_key
@@ -44,12 +44,10 @@ class MaterialWriter:
 
     def _make_plan(self, material):
         if material is None:
-            from .closures import Closure
             return MaterialPlan([Closure("diffuse", {"rgb reflectance": constant(0.8, 0.8, 0.8)})], []), "none"
         reader = self.reader.at(material.name)
-        tree = material.node_tree
-        if tree is None or not getattr(material, "use_nodes", True):
-            from .closures import Closure
+        tree = tree_of(material)
+        if tree is None:
             colour = tuple(material.diffuse_color)[:3]
             return MaterialPlan([Closure("diffuse", {"rgb reflectance": constant(*colour)})], []), digest(colour)
         plan = plan_of(ClosureReader(reader).surface(tree), reader)

@@ -1,4 +1,13 @@
 """Walks node trees: through groups, reroutes and muted nodes, to the socket that gives a value."""
+import warnings
+
+
+def tree_of(owner):
+    """The node tree of a material, world or lamp; None if its own colour counts."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # from Blender 6 on there are always nodes
+        used = getattr(owner, "use_nodes", True)
+    return owner.node_tree if used else None
 
 
 class Socket:
