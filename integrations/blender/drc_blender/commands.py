@@ -2,8 +2,22 @@
 
 
 def render_command(program, scene_file, output, settings, port=None, threads=0):
-    command = [program, "render", scene_file, "-o", output, "--aovs", "--integrator", "drc", "--cells", "on" if settings.cells else "off",
-               "--max-depth", str(max(1, settings.max_bounces)), "--seed", str(settings.seed)]
+    command = [
+        program,
+        "render",
+        scene_file,
+        "-o",
+        output,
+        "--aovs",
+        "--integrator",
+        "drc",
+        "--cells",
+        "on" if settings.cells else "off",
+        "--max-depth",
+        str(max(1, settings.max_bounces)),
+        "--seed",
+        str(settings.seed),
+    ]
     if settings.stop == "TIME":
         command += ["--time", f"{settings.time:g}"]
     elif settings.stop == "SAMPLES":
@@ -21,7 +35,15 @@ def render_command(program, scene_file, output, settings, port=None, threads=0):
 
 
 def view_command(program, scene_file, width, height, settings, threads=0, open_page=False):
-    command = [program, "view", scene_file, "--resolution", f"{width}x{height}", "--integrator", "drc" if settings.cells else "path"]
+    command = [
+        program,
+        "view",
+        scene_file,
+        "--resolution",
+        f"{width}x{height}",
+        "--integrator",
+        "drc" if settings.cells else "path",
+    ]
     if threads:
         command += ["--nthreads", str(threads)]
     return command + (["--open"] if open_page else [])

@@ -2,6 +2,7 @@
 
 The renderer is a child process: whatever happens to it, Blender goes on, and its message is Blender's report.
 """
+
 import os
 import tempfile
 import time
@@ -21,8 +22,14 @@ DRAIN = 15.0  # seconds that the last picture may take to come
 
 
 def exporter_settings(drc):
-    return Settings(max_depth=drc.max_bounces, filter_kind=drc.filter_kind, filter_width=drc.filter_width,
-                    texture_side=drc.texture_side, atlas_side=2 * drc.texture_side, world_side=drc.world_side)
+    return Settings(
+        max_depth=drc.max_bounces,
+        filter_kind=drc.filter_kind,
+        filter_width=drc.filter_width,
+        texture_side=drc.texture_side,
+        atlas_side=2 * drc.texture_side,
+        world_side=drc.world_side,
+    )
 
 
 def export_folder(scene, use):
@@ -59,7 +66,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         except UserError as error:
             self.tell("ERROR", str(error))
         except OSError as error:
-            self.tell("ERROR", f"cannot write the scene: {error.strerror or error}" + (f": {error.filename}" if error.filename else ""))
+            self.tell("ERROR", f"cannot write the scene to {self._folder(depsgraph.scene)}: {error.strerror or error}")
         except ValueError as error:
             self.tell("ERROR", str(error))
 
@@ -70,15 +77,17 @@ class DrcRenderEngine(bpy.types.RenderEngine):
     def is_cancelled(self):
         return self.test_break()
 
+    @staticmethod
+    def _folder(scene):
+        chosen = DrcRenderEngine.export_only
+        return os.path.dirname(chosen) if chosen is not None else export_folder(scene, "render")
+
     def _export(self, depsgraph):
         self.update_stats("", "DRC: exporting")
         scene = depsgraph.scene
-        if DrcRenderEngine.export_only is not None:
-            folder, name = os.path.split(DrcRenderEngine.export_only)
-        else:
-            folder, name = export_folder(scene, "render"), "scene.pbrt"
+        name = os.path.basename(DrcRenderEngine.export_only or "scene.pbrt")
         began = time.monotonic()
-        exporter = SceneExporter(folder, exporter_settings(scene.drc))
+        exporter = SceneExporter(self._folder(scene), exporter_settings(scene.drc))
         exported = exporter.export(depsgraph, set_frame=self.frame_set, camera=self.camera_override, name=name)
         exported.seconds["export"] = time.monotonic() - began
         for line in exported.report.lines():
@@ -89,7 +98,9 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         output = os.path.join(os.path.dirname(exported.path), "picture.exr")
         receiver, child = TevReceiver(), None
         try:
-            child = Child(render_command(program(), exported.path, output, scene.drc, receiver.port, preferences().threads))
+            child = Child(
+                render_command(program(), exported.path, output, scene.drc, receiver.port, preferences().threads)
+            )
             bounds = self._bounds(scene)
             began = time.monotonic()
             while child.running():
@@ -117,32 +128,36 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         render = scene.render
         if not render.use_border:
             return 0, width, 0, height
-        return pixel_bounds((render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y), width, height)
+        return pixel_bounds(
+            (render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y), width, height
+        )
 
     def _show(self, receiver, scene, bounds, began, last=False):
         passed = time.monotonic() - began
         drc = scene.drc
         if drc.stop == "TIME":
             self.update_progress(min(1.0, passed / drc.time))
-        picture = receiver.changed()
+        # While it refines, one pass is enough: all of them take a second of a core at 1920 x 1080.
+        picture = receiver.last() if last else receiver.changed("R", "G", "B", "samples.X")
         if picture is None:
-            if last and not receiver.has_picture():
+            if last:
                 raise UserError("the renderer has sent no picture" + (f" ({receiver.error})" if receiver.error else ""))
             return
         samples = picture.layer("samples.X")
-        count = float(samples[bounds[2]:bounds[3], bounds[0]:bounds[1]].mean()) if samples is not None else 0
+        count = float(samples[bounds[2] : bounds[3], bounds[0] : bounds[1]].mean()) if samples is not None else 0
         if drc.stop == "SAMPLES":
             self.update_progress(min(1.0, count / drc.samples))
         self.update_stats("", f"DRC: {count:.1f} samples a pixel, {passed:.1f} s")
-        values = {name: pass_values(picture, name, bounds) for name, *_ in PASSES}
+        values = {name: pass_values(picture, name, bounds) for name, *_ in (PASSES if last else PASSES[:1])}
+        values = {name: found for name, found in values.items() if found is not None}
         for name, channels, _, _ in PASSES:
-            if name not in BUILT_IN and values[name] is not None:
+            if name in values and name not in BUILT_IN:
                 self.add_pass(name, len(channels), channels)
         result = self.begin_result(0, 0, bounds[1] - bounds[0], bounds[3] - bounds[2])
         try:
             for layer in result.layers:
                 for render_pass in layer.passes:
-                    if values.get(render_pass.name) is not None:
+                    if render_pass.name in values:
                         render_pass.rect.foreach_set(values[render_pass.name])
             self.update_result(result)
         finally:
@@ -152,10 +167,12 @@ class DrcRenderEngine(bpy.types.RenderEngine):
 
     def view_update(self, context, depsgraph):
         from .viewport import viewport_of
+
         viewport_of(self).update(context, depsgraph)
 
     def view_draw(self, context, depsgraph):
         from .viewport import viewport_of
+
         viewport_of(self).draw(context, depsgraph)
 
 

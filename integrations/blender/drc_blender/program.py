@@ -1,4 +1,5 @@
 """The renderer as a child process: where its program is, how it is started, what it says, how it ends."""
+
 import os
 import shutil
 import signal
@@ -42,10 +43,19 @@ class Child:
 
     def __init__(self, command, keep_output=False):
         # A group of its own: Ctrl-C in Blender's console is Blender's.
-        options = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP} if os.name == "nt" else {"start_new_session": True}
+        options = (
+            {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP} if os.name == "nt" else {"start_new_session": True}
+        )
         try:
-            self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace",
-                                            stdout=subprocess.PIPE if keep_output else subprocess.DEVNULL, **options)
+            self.process = subprocess.Popen(
+                command,
+                stdin=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+                errors="replace",
+                stdout=subprocess.PIPE if keep_output else subprocess.DEVNULL,
+                **options,
+            )
         except OSError as error:
             raise UserError(f"cannot start {command[0]}: {error.strerror or error}") from error
         self.lines, self.output = [], []
@@ -58,7 +68,7 @@ class Child:
             with stream:
                 for line in stream:
                     lines.append(line.rstrip("\n"))
-                    del lines[:-self.MOST_LINES]
+                    del lines[: -self.MOST_LINES]
 
         thread = threading.Thread(target=read, name="drc messages", daemon=True)
         thread.start()
@@ -102,6 +112,10 @@ class Child:
                 name = signal.Signals(-status).name
             except ValueError:
                 name = f"signal {-status}"
-            return f"the renderer was ended from outside ({name})" if name in ("SIGKILL", "SIGTERM", "SIGINT") else f"the renderer crashed ({name})"
+            return (
+                f"the renderer was ended from outside ({name})"
+                if name in ("SIGKILL", "SIGTERM", "SIGINT")
+                else f"the renderer crashed ({name})"
+            )
         said = [line for line in self.lines if line.strip()]
         return said[-1] if said else f"the renderer ended with status {status}"

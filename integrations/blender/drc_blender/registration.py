@@ -1,4 +1,5 @@
 """Registers all parts of the add-on with Blender."""
+
 from . import engine, properties, ui
 
 PARTS = (properties, engine, ui)

@@ -1,4 +1,5 @@
 """The layers of a render as Blender's passes."""
+
 import numpy as np
 
 # Blender's name, its channels, its kind, and the renderer's channels.

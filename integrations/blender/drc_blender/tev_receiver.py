@@ -3,6 +3,7 @@
 A thread of its own reads packets into one numpy array; it touches nothing of Blender. Packets are their own length, a
 type and a payload, all little-endian; see https://github.com/Tom94/tev.
 """
+
 import socket
 import struct
 import threading
@@ -28,7 +29,7 @@ class _Fields:
         size = struct.calcsize(kind)
         if self.at + size > len(self.data):
             raise ProtocolError("a packet ends too early")
-        value, = struct.unpack_from(kind, self.data, self.at)
+        (value,) = struct.unpack_from(kind, self.data, self.at)
         self.at += size
         return value
 
@@ -36,7 +37,7 @@ class _Fields:
         end = self.data.find(b"\0", self.at)
         if end < 0:
             raise ProtocolError("a name in a packet has no end")
-        value = bytes(self.data[self.at:end]).decode("utf-8", "replace")
+        value = bytes(self.data[self.at : end]).decode("utf-8", "replace")
         self.at = end + 1
         return value
 
@@ -66,7 +67,7 @@ class TevReceiver:
         self._listener = socket.create_server(("127.0.0.1", 0))
         self.port = self._listener.getsockname()[1]
         self._lock = threading.Lock()
-        self._picture, self._version, self._taken = None, 0, 0
+        self._picture, self._planes, self._version, self._taken = None, None, 0, 0
         self._last = False  # whether nobody will connect any more
         self.error = None
         self._closing = threading.Event()
@@ -78,18 +79,23 @@ class TevReceiver:
         self._thread.join(timeout=5)
         self._listener.close()
 
-    def changed(self):
-        """A copy of the picture, if there is a new one since the last call."""
+    def changed(self, *channels):
+        """A copy of these channels of the picture, or of all, if there is a new one since the last call."""
         with self._lock:
             if self._picture is None or self._version == self._taken:
                 return None
             self._taken = self._version
-            return Picture(list(self._picture.channels), self._picture.values.copy())
+            return self._copy(channels)
 
-    def has_picture(self):
-        """Whether any part of a picture has ever come."""
+    def last(self):
+        """A copy of all channels, whether they have been taken before or not; None if no part of a picture has come."""
         with self._lock:
-            return self._version > 0
+            return self._copy(()) if self._version else None
+
+    def _copy(self, names):
+        channels = self._picture.channels
+        kept = [i for i, name in enumerate(channels) if not names or name in names]
+        return Picture([channels[i] for i in kept], np.stack([self._planes[i] for i in kept], axis=-1))
 
     def finish(self, seconds):
         """After the sender's end: reads what it has sent, for so long at most."""
@@ -121,7 +127,7 @@ class TevReceiver:
             head = self._exactly(connection, 4)
             if head is None:
                 return
-            length, = struct.unpack("<I", head)
+            (length,) = struct.unpack("<I", head)
             if not 5 <= length <= MOST_BYTES:
                 raise ProtocolError(f"a packet of {length} bytes")
             body = self._exactly(connection, length - 4)
@@ -152,11 +158,17 @@ class TevReceiver:
             fields.number("<b")  # whether to select the image
             fields.text()
             width, height, count = fields.number(), fields.number(), fields.number()
-            if not (0 < width <= 1 << 16 and 0 < height <= 1 << 16 and 0 < count <= 256 and width * height * count <= MOST_BYTES):
+            if not (
+                0 < width <= 1 << 16
+                and 0 < height <= 1 << 16
+                and 0 < count <= 256
+                and width * height * count <= MOST_BYTES
+            ):
                 raise ProtocolError(f"an image of {width} x {height} pixels with {count} channels")
             channels = [fields.text() for _ in range(count)]
             with self._lock:
-                self._picture = Picture(channels, np.zeros((height, width, count), dtype=np.float32))
+                self._picture = Picture(channels, None)
+                self._planes = np.zeros((count, height, width), dtype=np.float32)  # each channel by itself
         elif kind == UPDATE_V3:
             fields.number("<b")
             fields.text()
@@ -174,13 +186,14 @@ class TevReceiver:
             picture = self._picture
             if picture is None:
                 raise ProtocolError("an update before there is an image")
-            rows, columns = picture.values.shape[:2]
+            rows, columns = self._planes.shape[1:]
             if x < 0 or y < 0 or width <= 0 or height <= 0 or x + width > columns or y + height > rows:
                 raise ProtocolError("an update outside of the image")
             for name, begin, stride in zip(names, begins, strides):
                 last = begin + stride * (width * height - 1)
                 if begin < 0 or stride < 1 or last >= len(values) or name not in picture.channels:
                     raise ProtocolError(f"an update of the channel '{name}' that does not fit")
-                picture.values[y:y + height, x:x + width, picture.channels.index(name)] = \
-                    values[begin:last + 1:stride].reshape(height, width)
+                self._planes[picture.channels.index(name), y : y + height, x : x + width] = values[
+                    begin : last + 1 : stride
+                ].reshape(height, width)
             self._version += 1

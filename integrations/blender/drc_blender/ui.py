@@ -1,4 +1,5 @@
 """Panels and operators."""
+
 import atexit
 import os
 
@@ -114,7 +115,9 @@ class DRC_OT_show_in_browser(bpy.types.Operator):
         size = [max(16, int(n * scale)) for n in (scene.render.resolution_x, scene.render.resolution_y)]
         stop_browser()
         try:
-            DRC_OT_show_in_browser.child = Child(view_command(program(), path, *size, scene.drc, preferences().threads, open_page=True))
+            DRC_OT_show_in_browser.child = Child(
+                view_command(program(), path, *size, scene.drc, preferences().threads, open_page=True)
+            )
         except UserError as error:
             self.report({"ERROR"}, f"DRC: {error}")
             return {"CANCELLED"}
@@ -134,7 +137,12 @@ def export_entry(self, _context):
 def shared_panels():
     for panel in bpy.types.Panel.__subclasses__():
         engines = getattr(panel, "COMPAT_ENGINES", None)
-        if engines and engines & ENGINES and getattr(panel, "bl_context", "") in SHARED_CONTEXTS and panel.__name__ not in FOREIGN:
+        if (
+            engines
+            and engines & ENGINES
+            and getattr(panel, "bl_context", "") in SHARED_CONTEXTS
+            and panel.__name__ not in FOREIGN
+        ):
             yield panel
 
 
@@ -155,6 +163,7 @@ def unregister():
     stop_browser()
     if not bpy.app.background:
         from .viewport import close_all
+
         close_all()
     for panel in shared_panels():
         panel.COMPAT_ENGINES.discard(DrcRenderEngine.bl_idname)

@@ -1,4 +1,5 @@
 """What Blender's viewport sees, in the terms of `drc view`."""
+
 from dataclasses import dataclass
 
 import numpy as np

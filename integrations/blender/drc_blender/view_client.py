@@ -3,6 +3,7 @@
 All requests are made on one thread, so that Blender never waits for the renderer: the latest camera counts, and the
 latest frame is kept.
 """
+
 import contextlib
 import http.client
 import json
@@ -32,7 +33,7 @@ def frame_of(data):
 def origin_of(camera):
     """Where the renderer's world space has its origin, in that of the scene file. camera: of `state`."""
     words = camera["pbrt"].split()
-    eye = [float(word) for word in words[words.index("LookAt") + 1:][:3]]
+    eye = [float(word) for word in words[words.index("LookAt") + 1 :][:3]]
     return tuple(e - c for e, c in zip(eye, camera["eye"]))
 
 
@@ -130,8 +131,20 @@ class ViewClient:
             return
         view, width, height, moving = wanted
         eye, look, up = view.eye_look_up(origin)
-        self._request("POST", "camera", json.dumps({"eye": list(eye), "look": list(look), "up": list(up), "width": width,
-                                                    "height": height, "moving": moving}))
+        self._request(
+            "POST",
+            "camera",
+            json.dumps(
+                {
+                    "eye": list(eye),
+                    "look": list(look),
+                    "up": list(up),
+                    "width": width,
+                    "height": height,
+                    "moving": moving,
+                }
+            ),
+        )
         self._sent = wanted
 
     def _ask_for_frame(self):

@@ -3,6 +3,7 @@
 A scene that has changed is exported again, a moment after its last change, and given to a new renderer; the old one's
 picture stays until then. A camera that moves is only told. All of Blender is touched in its own callbacks and timers.
 """
+
 import time
 import weakref
 

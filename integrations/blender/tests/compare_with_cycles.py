@@ -8,6 +8,7 @@ each channel must be within 2 per cent, and the mean over squares of 8 x 8 pixel
 within 1e-3, unless the scene has a reason (features.py). Prints a Markdown table. Ends with 1 if a scene is too far
 apart.
 """
+
 import argparse
 import os
 import shutil
@@ -51,6 +52,7 @@ def read(path):
     """height x width x 3, from the top."""
     import bpy
     import numpy as np
+
     image = bpy.data.images.load(path)
     image.colorspace_settings.name = "Non-Color"
     width, height = image.size
@@ -78,6 +80,7 @@ def render_both(drc, feature, folder, spp):
     import bpy
 
     from drc_blender.export.scene import SceneExporter, Settings
+
     stage = feature["build"]()
     scene = stage.scene
     spp = spp or feature["spp"]
@@ -89,8 +92,24 @@ def render_both(drc, feature, folder, spp):
     exporter = SceneExporter(os.path.join(folder, "scene"), Settings(max_depth=32, filter_kind="BOX", filter_width=1.0))
     depsgraph = bpy.context.evaluated_depsgraph_get()
     made = exporter.export(depsgraph, set_frame=lambda f, s: scene.frame_set(f, subframe=s))
-    done = subprocess.run([drc, "render", made.path, "--integrator", "path", "--spp", str(spp), "--denoise", "off", "--quiet", "-o", ours],
-                          capture_output=True, text=True)
+    done = subprocess.run(
+        [
+            drc,
+            "render",
+            made.path,
+            "--integrator",
+            "path",
+            "--spp",
+            str(spp),
+            "--denoise",
+            "off",
+            "--quiet",
+            "-o",
+            ours,
+        ],
+        capture_output=True,
+        text=True,
+    )
     if done.returncode:
         raise RuntimeError(done.stderr.strip() or f"drc ended with {done.returncode}")
     return read(ours), read(theirs), made.report.lines() + done.stderr.strip().splitlines()
@@ -109,7 +128,10 @@ def main():
     except ImportError:
         print("skipped: this Python has no bpy")
         return SKIPPED
+    import rooms  # registers its scenes as well
     from features import FEATURES
+
+    assert rooms
     chosen = {n: f for n, f in FEATURES.items() if not args.names or any(part in n for part in args.names)}
     wrong = 0
     print(f"Blender {bpy.app.version_string}, {len(chosen)} scenes\n")
@@ -127,12 +149,18 @@ def main():
                 bad = not (abs(means).max() <= feature["mean"] and square <= feature["block"])
                 note = feature["reason"] or "" if bad else ""
                 failed = bad and not feature["reason"]
-                print(f"| {name} | " + " | ".join(f"{m:+.1%}" for m in means) + f" | {square:.1e} | {'**too far apart**' if failed else note} |", flush=True)
+                print(
+                    f"| {name} | "
+                    + " | ".join(f"{m:+.1%}" for m in means)
+                    + f" | {square:.1e} | {'**too far apart**' if failed else note} |",
+                    flush=True,
+                )
             except Exception as error:  # the next scenes are rendered all the same
                 failed, report = True, []
                 print(f"| {name} | | | | | **{type(error).__name__}: {error}** |", flush=True)
                 if args.verbose:
                     import traceback
+
                     traceback.print_exc()
         wrong += failed
         if args.verbose:

@@ -1,5 +1,6 @@
 """The feature scenes that are compared with Cycles: a name, a function that builds the scene, and, where the two
 pictures cannot agree, the reason."""
+
 import math
 
 import bpy
@@ -24,6 +25,7 @@ def feature(name, lit=True, reason=None, spp=256, mean=0.02, block=1e-3):
 
 
 # Lamps
+
 
 @feature("point, no radius", lit=False)
 def _(s):
@@ -118,6 +120,7 @@ def _(s):
 
 # Worlds
 
+
 @feature("world, constant", lit=False)
 def _(s):
     s.background.inputs["Color"].default_value = (0.5, 0.7, 1.0, 1)
@@ -125,9 +128,18 @@ def _(s):
 
 
 def sky_image(s):
-    return s.image("sky", 256, 128, lambda u, v: (
-        0.3 + 0.2 * math.sin(2 * math.pi * u) + (8 if abs(u - 0.3) < 0.03 and abs(v - 0.8) < 0.05 else 0), 0.4 + 0.3 * v, 0.2 + 0.8 * v),
-        "Non-Color", True)
+    return s.image(
+        "sky",
+        256,
+        128,
+        lambda u, v: (
+            0.3 + 0.2 * math.sin(2 * math.pi * u) + (8 if abs(u - 0.3) < 0.03 and abs(v - 0.8) < 0.05 else 0),
+            0.4 + 0.3 * v,
+            0.2 + 0.8 * v,
+        ),
+        "Non-Color",
+        True,
+    )
 
 
 @feature("world, environment image", lit=False)
@@ -166,6 +178,7 @@ def add_sky(s, disc):
 
 # Materials
 
+
 def on_ball(name, kind, settings=(), **inputs):
     options = {k: inputs.pop(k) for k in ("reason", "block", "mean") if k in inputs}
 
@@ -180,14 +193,27 @@ on_ball("Principled, glass", "BsdfPrincipled", Base_Color=(0.9, 0.95, 1.0), Tran
 on_ball("Principled, coat", "BsdfPrincipled", Base_Color=(0.6, 0.05, 0.05), Coat_Weight=1.0, Roughness=0.5)
 on_ball("Principled, sheen", "BsdfPrincipled", Base_Color=(0.2, 0.2, 0.3), Sheen_Weight=1.0, Roughness=0.8)
 on_ball("Principled, alpha 0.4", "BsdfPrincipled", Base_Color=(0.2, 0.6, 0.3), Alpha=0.4)
-on_ball("Principled, emission", "BsdfPrincipled", Base_Color=(0.2, 0.2, 0.2), Emission_Color=(0.3, 0.6, 1.0), Emission_Strength=2.0)
+on_ball(
+    "Principled, emission",
+    "BsdfPrincipled",
+    Base_Color=(0.2, 0.2, 0.2),
+    Emission_Color=(0.3, 0.6, 1.0),
+    Emission_Strength=2.0,
+)
 on_ball("Diffuse", "BsdfDiffuse", Color=(0.3, 0.7, 0.4))
 on_ball("Diffuse, rough", "BsdfDiffuse", reason="it is as smooth as Lambert's", Color=(0.3, 0.7, 0.4), Roughness=0.8)
 on_ball("Glossy, sharp", "BsdfAnisotropic", Color=(0.8, 0.7, 0.5), Roughness=0.0)
 on_ball("Glossy, rough 0.4", "BsdfAnisotropic", Color=(0.8, 0.5, 0.3), Roughness=0.4)
 on_ball("Metallic", "BsdfMetallic", Base_Color=(0.9, 0.6, 0.4), Edge_Tint=(0.7, 0.8, 1.0), Roughness=0.3)
 on_ball("Glass, clear", "BsdfGlass", Color=(1.0, 1.0, 1.0), Roughness=0.0, IOR=1.5)
-on_ball("Glass, coloured, rough", "BsdfGlass", reason="reflections at its rim are not tinted", Color=(0.7, 0.9, 0.8), Roughness=0.3, IOR=1.4)
+on_ball(
+    "Glass, coloured, rough",
+    "BsdfGlass",
+    reason="reflections at its rim are not tinted",
+    Color=(0.7, 0.9, 0.8),
+    Roughness=0.3,
+    IOR=1.4,
+)
 on_ball("Transparent, grey", "BsdfTransparent", Color=(0.6, 0.6, 0.6))
 on_ball("Transparent, coloured", "BsdfTransparent", Color=(0.4, 0.8, 0.6))
 on_ball("Translucent", "BsdfTranslucent", Color=(0.7, 0.6, 0.3))
@@ -213,20 +239,44 @@ def _(s):
 @feature("Mix Shader: cut-out by an image")
 def _(s):
     m = s.box.data.materials[0]
-    image = s.node(m, "TexImage", {"image": s.image("holes", 64, 64, lambda u, v: [1.0 if math.sin(12 * u) * math.sin(12 * v) > 0 else 0.0] * 3, "Non-Color")})
-    s.shader(m, "MixShader", i0=image.outputs[0], i1=s.node(m, "BsdfTransparent").outputs[0], i2=s.node(m, "BsdfDiffuse", Color=(0.7, 0.6, 0.2)).outputs[0])
+    image = s.node(
+        m,
+        "TexImage",
+        {
+            "image": s.image(
+                "holes", 64, 64, lambda u, v: [1.0 if math.sin(12 * u) * math.sin(12 * v) > 0 else 0.0] * 3, "Non-Color"
+            )
+        },
+    )
+    s.shader(
+        m,
+        "MixShader",
+        i0=image.outputs[0],
+        i1=s.node(m, "BsdfTransparent").outputs[0],
+        i2=s.node(m, "BsdfDiffuse", Color=(0.7, 0.6, 0.2)).outputs[0],
+    )
 
 
 @feature("Add Shader: Diffuse and Emission")
 def _(s):
     m = s.ball.data.materials[0]
-    s.shader(m, "AddShader", i0=s.node(m, "BsdfDiffuse", Color=(0.5, 0.2, 0.2)).outputs[0], i1=s.node(m, "Emission", Color=(0.1, 0.3, 0.8), Strength=0.5).outputs[0])
+    s.shader(
+        m,
+        "AddShader",
+        i0=s.node(m, "BsdfDiffuse", Color=(0.5, 0.2, 0.2)).outputs[0],
+        i1=s.node(m, "Emission", Color=(0.1, 0.3, 0.8), Strength=0.5).outputs[0],
+    )
 
 
 @feature("Add Shader: Diffuse and Glossy")
 def _(s):
     m = s.ball.data.materials[0]
-    s.shader(m, "AddShader", i0=s.node(m, "BsdfDiffuse", Color=(0.4, 0.2, 0.2)).outputs[0], i1=s.node(m, "BsdfAnisotropic", Color=(0.3, 0.3, 0.3), Roughness=0.2).outputs[0])
+    s.shader(
+        m,
+        "AddShader",
+        i0=s.node(m, "BsdfDiffuse", Color=(0.4, 0.2, 0.2)).outputs[0],
+        i1=s.node(m, "BsdfAnisotropic", Color=(0.3, 0.3, 0.3), Roughness=0.2).outputs[0],
+    )
 
 
 @feature("group of nodes")
@@ -247,6 +297,7 @@ def _(s):
 
 # Textures
 
+
 def textured(name, make, target="floor", **options):
     @feature(name, **options)
     def _(s):
@@ -258,18 +309,54 @@ def uv(s, m):
     return s.node(m, "TexCoord").outputs["UV"]
 
 
-textured("Image Texture", lambda s, m: s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}).outputs[0])
-textured("Image Texture, Non-Color", lambda s, m: s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes, "Non-Color")}).outputs[0])
-textured("Mapping: moved, scaled", lambda s, m: s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}, Vector=s.node(
-    m, "Mapping", Vector=uv(s, m), Location=(0.3, 0.1, 0), Scale=(3, 2, 1)).outputs[0]).outputs[0])
-textured("Mapping: turned", lambda s, m: s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}, Vector=s.node(
-    m, "Mapping", Vector=uv(s, m), Rotation=(0, 0, 0.7), Scale=(1.5, 1.5, 1)).outputs[0]).outputs[0])
+textured(
+    "Image Texture", lambda s, m: s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}).outputs[0]
+)
+textured(
+    "Image Texture, Non-Color",
+    lambda s, m: s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes, "Non-Color")}).outputs[0],
+)
+textured(
+    "Mapping: moved, scaled",
+    lambda s, m: s.node(
+        m,
+        "TexImage",
+        {"image": s.image("stripes", 128, 128, stripes)},
+        Vector=s.node(m, "Mapping", Vector=uv(s, m), Location=(0.3, 0.1, 0), Scale=(3, 2, 1)).outputs[0],
+    ).outputs[0],
+)
+textured(
+    "Mapping: turned",
+    lambda s, m: s.node(
+        m,
+        "TexImage",
+        {"image": s.image("stripes", 128, 128, stripes)},
+        Vector=s.node(m, "Mapping", Vector=uv(s, m), Rotation=(0, 0, 0.7), Scale=(1.5, 1.5, 1)).outputs[0],
+    ).outputs[0],
+)
 textured("Noise Texture, generated", lambda s, m: s.node(m, "TexNoise", Scale=4.0).outputs[0], "ball")
-textured("Noise Texture, colours, UV", lambda s, m: s.node(m, "TexNoise", Vector=uv(s, m), Scale=8.0, Detail=3.5, Distortion=0.4).outputs["Color"])
-textured("Checker Texture", lambda s, m: s.node(m, "TexChecker", Vector=uv(s, m), Color1=(0.8, 0.7, 0.1), Color2=(0.1, 0.2, 0.5), Scale=9.0).outputs[0])
+textured(
+    "Noise Texture, colours, UV",
+    lambda s, m: s.node(m, "TexNoise", Vector=uv(s, m), Scale=8.0, Detail=3.5, Distortion=0.4).outputs["Color"],
+)
+textured(
+    "Checker Texture",
+    lambda s, m: s.node(
+        m, "TexChecker", Vector=uv(s, m), Color1=(0.8, 0.7, 0.1), Color2=(0.1, 0.2, 0.5), Scale=9.0
+    ).outputs[0],
+)
 textured("Gradient Texture", lambda s, m: s.node(m, "TexGradient", {"gradient_type": "EASING"}).outputs[0])
-textured("Brick Texture", lambda s, m: s.node(m, "TexBrick", Vector=uv(s, m), Color1=(0.7, 0.25, 0.15), Color2=(0.4, 0.15, 0.1), Scale=6.0).outputs[0])
-textured("Object coordinates", lambda s, m: s.node(m, "TexChecker", Vector=s.node(m, "TexCoord").outputs["Object"], Scale=2.13).outputs[0], "box")
+textured(
+    "Brick Texture",
+    lambda s, m: s.node(
+        m, "TexBrick", Vector=uv(s, m), Color1=(0.7, 0.25, 0.15), Color2=(0.4, 0.15, 0.1), Scale=6.0
+    ).outputs[0],
+)
+textured(
+    "Object coordinates",
+    lambda s, m: s.node(m, "TexChecker", Vector=s.node(m, "TexCoord").outputs["Object"], Scale=2.13).outputs[0],
+    "box",
+)
 
 
 def ramp(s, m):
@@ -283,17 +370,37 @@ textured("Color Ramp", ramp)
 
 
 def curves(s, m):
-    node = s.node(m, "RGBCurve", Color=s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}).outputs[0])
+    node = s.node(
+        m, "RGBCurve", Color=s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}).outputs[0]
+    )
     node.mapping.curves[3].points.new(0.4, 0.7)
     node.mapping.update()
     return node.outputs[0]
 
 
 textured("RGB Curves", curves)
-textured("Mix, Multiply", lambda s, m: s.node(m, "Mix", {"data_type": "RGBA", "blend_type": "MULTIPLY"}, Factor=0.8, A=s.node(
-    m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}).outputs[0], B=(0.9, 0.5, 0.3)).outputs[2])
-textured("Math, Hue/Saturation", lambda s, m: s.node(m, "HueSaturation", Hue=0.6, Saturation=1.2, Value=s.node(
-    m, "Math", {"operation": "MULTIPLY"}, i0=0.8, i1=1.1).outputs[0], Color=s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}).outputs[0]).outputs[0])
+textured(
+    "Mix, Multiply",
+    lambda s, m: s.node(
+        m,
+        "Mix",
+        {"data_type": "RGBA", "blend_type": "MULTIPLY"},
+        Factor=0.8,
+        A=s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}).outputs[0],
+        B=(0.9, 0.5, 0.3),
+    ).outputs[2],
+)
+textured(
+    "Math, Hue/Saturation",
+    lambda s, m: s.node(
+        m,
+        "HueSaturation",
+        Hue=0.6,
+        Saturation=1.2,
+        Value=s.node(m, "Math", {"operation": "MULTIPLY"}, i0=0.8, i1=1.1).outputs[0],
+        Color=s.node(m, "TexImage", {"image": s.image("stripes", 128, 128, stripes)}).outputs[0],
+    ).outputs[0],
+)
 
 
 def painted(s, m):
@@ -309,7 +416,15 @@ textured("Color Attribute", painted, "ball")
 @feature("Image Texture on roughness and metallic")
 def _(s):
     m = s.floor.data.materials[0]
-    image = s.node(m, "TexImage", {"image": s.image("mask", 128, 128, lambda u, v: [0.5 + 0.4 * math.sin(10 * u) * math.sin(14 * v)] * 3, "Non-Color")})
+    image = s.node(
+        m,
+        "TexImage",
+        {
+            "image": s.image(
+                "mask", 128, 128, lambda u, v: [0.5 + 0.4 * math.sin(10 * u) * math.sin(14 * v)] * 3, "Non-Color"
+            )
+        },
+    )
     s.shader(m, "BsdfPrincipled", Base_Color=(0.6, 0.5, 0.3), Roughness=image.outputs[0], Metallic=image.outputs[0])
 
 
@@ -322,17 +437,43 @@ def wave_normals(u, v):
 def _(s):
     m = s.floor.data.materials[0]
     image = s.node(m, "TexImage", {"image": s.image("normals", 256, 256, wave_normals, "Non-Color", True)})
-    s.shader(m, "BsdfPrincipled", Base_Color=(0.5, 0.5, 0.5), Roughness=0.3, Normal=s.node(m, "NormalMap", Color=image.outputs[0]).outputs[0])
+    s.shader(
+        m,
+        "BsdfPrincipled",
+        Base_Color=(0.5, 0.5, 0.5),
+        Roughness=0.3,
+        Normal=s.node(m, "NormalMap", Color=image.outputs[0]).outputs[0],
+    )
 
 
 @feature("Bump")
 def _(s):
     m = s.floor.data.materials[0]
-    image = s.node(m, "TexImage", {"image": s.image("heights", 512, 512, lambda u, v: [0.5 + 0.25 * math.sin(20 * math.pi * u) + 0.25 * math.sin(14 * math.pi * v)] * 3, "Non-Color", True)})
-    s.shader(m, "BsdfPrincipled", Base_Color=(0.5, 0.5, 0.5), Roughness=0.3, Normal=s.node(m, "Bump", Height=image.outputs[0], Strength=1.0, Distance=0.15).outputs[0])
+    image = s.node(
+        m,
+        "TexImage",
+        {
+            "image": s.image(
+                "heights",
+                512,
+                512,
+                lambda u, v: [0.5 + 0.25 * math.sin(20 * math.pi * u) + 0.25 * math.sin(14 * math.pi * v)] * 3,
+                "Non-Color",
+                True,
+            )
+        },
+    )
+    s.shader(
+        m,
+        "BsdfPrincipled",
+        Base_Color=(0.5, 0.5, 0.5),
+        Roughness=0.3,
+        Normal=s.node(m, "Bump", Height=image.outputs[0], Strength=1.0, Distance=0.15).outputs[0],
+    )
 
 
 # Geometry
+
 
 @feature("modifiers: Subdivision, Bevel")
 def _(s):
@@ -377,6 +518,7 @@ def _(s):
 
 
 # Cameras
+
 
 @feature("camera: wide, vertical fit, shifted")
 def _(s):

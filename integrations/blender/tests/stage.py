@@ -1,4 +1,5 @@
 """Small Blender scenes for tests: a floor, a ball and a box before a camera, and helpers to change them."""
+
 import math
 
 import bpy
@@ -92,7 +93,9 @@ class Stage:
     @staticmethod
     def surface(material, output):
         tree = material.node_tree
-        end = next((n for n in tree.nodes if n.type == "OUTPUT_MATERIAL"), None) or tree.nodes.new("ShaderNodeOutputMaterial")
+        end = next((n for n in tree.nodes if n.type == "OUTPUT_MATERIAL"), None) or tree.nodes.new(
+            "ShaderNodeOutputMaterial"
+        )
         tree.links.new(output, end.inputs["Surface"])
 
     # Shapes
@@ -109,8 +112,14 @@ class Stage:
 
     def plane(self, name, size, location, material):
         h = size / 2
-        return self.mesh(name, [(-h, -h, 0), (h, -h, 0), (h, h, 0), (-h, h, 0)], [(0, 1, 2, 3)], material, location,
-                         [(0, 0), (1, 0), (1, 1), (0, 1)])
+        return self.mesh(
+            name,
+            [(-h, -h, 0), (h, -h, 0), (h, h, 0), (-h, h, 0)],
+            [(0, 1, 2, 3)],
+            material,
+            location,
+            [(0, 0), (1, 0), (1, 1), (0, 1)],
+        )
 
     def _primitive(self, name, location, material, smooth):
         made = bpy.context.object
@@ -148,4 +157,8 @@ class Stage:
 
 def stripes(u, v):
     """Smooth enough that ways to interpolate and filter do not matter."""
-    return (0.5 + 0.35 * math.sin(8 * math.pi * u), 0.5 + 0.35 * math.sin(6 * math.pi * v), 0.3 + 0.2 * math.cos(4 * math.pi * (u + v)))
+    return (
+        0.5 + 0.35 * math.sin(8 * math.pi * u),
+        0.5 + 0.35 * math.sin(6 * math.pi * v),
+        0.3 + 0.2 * math.cos(4 * math.pi * (u + v)),
+    )

@@ -6,6 +6,7 @@ renderer as a child, the client of the live view.
 
 Without the program, the tests that need it are skipped; without numpy all are: it ends with status 77.
 """
+
 import math
 import os
 import socket
@@ -59,10 +60,22 @@ def wait_for(condition, seconds=PATIENCE):
 
 class SceneText(unittest.TestCase):
     def test_statement(self):
-        self.assertEqual(statement("Shape", "sphere", params={"float radius": 2.5, "rgb L": (1, 0.5, 0), "bool twosided": True,
-                                                              "string filename": "a.ply", "texture alpha": "t", "integer n": [1, 2]}),
-                         'Shape "sphere" "float radius" [2.5] "rgb L" [1 0.5 0] "bool twosided" [true] '
-                         '"string filename" ["a.ply"] "texture alpha" ["t"] "integer n" [1 2]')
+        self.assertEqual(
+            statement(
+                "Shape",
+                "sphere",
+                params={
+                    "float radius": 2.5,
+                    "rgb L": (1, 0.5, 0),
+                    "bool twosided": True,
+                    "string filename": "a.ply",
+                    "texture alpha": "t",
+                    "integer n": [1, 2],
+                },
+            ),
+            'Shape "sphere" "float radius" [2.5] "rgb L" [1 0.5 0] "bool twosided" [true] '
+            '"string filename" ["a.ply"] "texture alpha" ["t"] "integer n" [1 2]',
+        )
 
     def test_numbers_keep_their_float(self):
         for value in np.random.default_rng(1).standard_normal(1000).astype(np.float32) * np.float32(1e10):
@@ -96,7 +109,9 @@ class Files(unittest.TestCase):
         head, body = data.split(b"end_header\n")
         self.assertIn(b"element vertex 3\n", head)
         self.assertIn(b"property float u\nproperty float v\nelement face 1\n", head)
-        self.assertEqual(body, struct.pack("<15f", 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1) + struct.pack("<B3i", 3, 0, 1, 2))
+        self.assertEqual(
+            body, struct.pack("<15f", 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1) + struct.pack("<B3i", 3, 0, 1, 2)
+        )
 
     def test_equal_corners_become_one_vertex(self):
         rows = np.random.default_rng(2).integers(0, 50, (5000, 3)).astype(np.uint32)
@@ -126,7 +141,14 @@ class Files(unittest.TestCase):
 
     def test_digests_tell_apart(self):
         a = np.arange(4, dtype=np.float32)
-        keys = [digest(a), digest(a.astype(np.float64)), digest(a.reshape(2, 2)), digest("ab", "c"), digest("a", "bc"), digest(a[::2])]
+        keys = [
+            digest(a),
+            digest(a.astype(np.float64)),
+            digest(a.reshape(2, 2)),
+            digest("ab", "c"),
+            digest("a", "bc"),
+            digest(a[::2]),
+        ]
         self.assertEqual(len(set(keys)), len(keys))
         self.assertEqual(digest(a[::2]), digest(a[::2].copy()))
 
@@ -190,7 +212,7 @@ class Cameras(unittest.TestCase):
         w = (-3, 5, -2, 4)
         p = np.eye(4)
         for axis in (0, 1):
-            low, high = w[2 * axis:2 * axis + 2]
+            low, high = w[2 * axis : 2 * axis + 2]
             p[axis, axis], p[axis, 3] = 2 / (high - low), -(high + low) / (high - low)
         view = view_of(np.eye(4), p)
         np.testing.assert_allclose(view.window, w)
@@ -207,7 +229,7 @@ class Pictures(unittest.TestCase):
         np.testing.assert_allclose(np.linalg.norm(d, axis=-1), 1, atol=1e-12)
         np.testing.assert_allclose(d.mean(axis=(0, 1)), 0, atol=1e-3)
         # The mean of the squares of coordinates over the sphere is a third.
-        np.testing.assert_allclose((d ** 2).mean(axis=(0, 1)), 1 / 3, atol=1e-3)
+        np.testing.assert_allclose((d**2).mean(axis=(0, 1)), 1 / 3, atol=1e-3)
         self.assertGreater(d[32, 32, 2], 0.99)  # the middle is up
         self.assertGreater(d[32, 40, 0], 0)
         self.assertGreater(d[40, 32, 1], 0)
@@ -239,7 +261,7 @@ class Pictures(unittest.TestCase):
         atlas = Atlas(7, 256)
         owner, weights = atlas.texels()
         corners = atlas.corners()
-        y, x = np.divmod(np.arange(atlas.size ** 2), atlas.size)
+        y, x = np.divmod(np.arange(atlas.size**2), atlas.size)
         inside = (owner >= 0) & (weights > 0).all(axis=1)
         self.assertEqual(set(owner[inside]), set(range(7)))
         np.testing.assert_allclose(weights.sum(axis=1), 1, atol=1e-5)
@@ -266,8 +288,16 @@ def create(width, height, *channels):
 def update(channels, x, y, width, height, values):
     count = len(channels)
     names = b"".join(c.encode() + b"\0" for c in channels)
-    return packet(6, b"\0image\0" + struct.pack("<i", count) + names + struct.pack("<4i", x, y, width, height) +
-                  struct.pack(f"<{count}q", *range(count)) + struct.pack(f"<{count}q", *[count] * count) + np.asarray(values, "<f4").tobytes())
+    return packet(
+        6,
+        b"\0image\0"
+        + struct.pack("<i", count)
+        + names
+        + struct.pack("<4i", x, y, width, height)
+        + struct.pack(f"<{count}q", *range(count))
+        + struct.pack(f"<{count}q", *[count] * count)
+        + np.asarray(values, "<f4").tobytes(),
+    )
 
 
 class Receiver(unittest.TestCase):
@@ -296,9 +326,16 @@ class Receiver(unittest.TestCase):
         self.assertIsNone(self.receiver.changed())
 
     def test_nonsense_ends_a_connection_and_no_more(self):
-        bad = [b"\xff\xff\xff\xff", struct.pack("<I", 3), create(0, 2, "R"), create(1 << 20, 1 << 20, "R"), packet(6, b"\0im"),
-               create(2, 2, "R") + update(["R"], 1, 1, 2, 1, [0, 0]), create(2, 2, "R") + update(["X"], 0, 0, 1, 1, [0]),
-               create(2, 2, "R") + update(["R"], 0, 0, 2, 2, [0])]
+        bad = [
+            b"\xff\xff\xff\xff",
+            struct.pack("<I", 3),
+            create(0, 2, "R"),
+            create(1 << 20, 1 << 20, "R"),
+            packet(6, b"\0im"),
+            create(2, 2, "R") + update(["R"], 1, 1, 2, 1, [0, 0]),
+            create(2, 2, "R") + update(["X"], 0, 0, 1, 1, [0]),
+            create(2, 2, "R") + update(["R"], 0, 0, 2, 2, [0]),
+        ]
         for data in bad:
             with self.subTest(data[:40]):
                 self.receiver.error = None
@@ -331,7 +368,14 @@ class Programs(unittest.TestCase):
         time.sleep(0.2)
         child.stop()
         self.assertFalse(child.running())
-        stubborn = Child([sys.executable, "-c", "import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); print(1, flush=True); time.sleep(100)"], True)
+        stubborn = Child(
+            [
+                sys.executable,
+                "-c",
+                "import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); print(1, flush=True); time.sleep(100)",
+            ],
+            True,
+        )
         wait_for(lambda: stubborn.output)
         began = time.monotonic()
         stubborn.stop(grace=0.3)
@@ -340,12 +384,31 @@ class Programs(unittest.TestCase):
 
     def test_commands(self):
         class Drc:
-            stop, time, noise, most_time, samples, cells, denoise, max_bounces, seed = "NOISE", 1, 0.05, 9, 4, False, False, 8, 3
+            stop, time, noise, most_time, samples, cells, denoise, max_bounces, seed = (
+                "NOISE",
+                1,
+                0.05,
+                9,
+                4,
+                False,
+                False,
+                8,
+                3,
+            )
 
         command = render_command("drc", "s.pbrt", "o.exr", Drc, 5, 2)
-        for words in (["--noise-threshold", "0.05", "--time", "9"], ["--cells", "off"], ["--denoise", "off"], ["--nthreads", "2"], ["--display-server", "127.0.0.1:5"]):
+        for words in (
+            ["--noise-threshold", "0.05", "--time", "9"],
+            ["--cells", "off"],
+            ["--denoise", "off"],
+            ["--nthreads", "2"],
+            ["--display-server", "127.0.0.1:5"],
+        ):
             self.assertIn(" ".join(words), " ".join(command))
-        self.assertEqual(view_command("drc", "s.pbrt", 32, 16, Drc, 0, True), ["drc", "view", "s.pbrt", "--resolution", "32x16", "--integrator", "path", "--open"])
+        self.assertEqual(
+            view_command("drc", "s.pbrt", 32, 16, Drc, 0, True),
+            ["drc", "view", "s.pbrt", "--resolution", "32x16", "--integrator", "path", "--open"],
+        )
 
 
 class WithTheProgram(unittest.TestCase):
@@ -358,12 +421,31 @@ class WithTheProgram(unittest.TestCase):
         self.addCleanup(receiver.close)
         with tempfile.TemporaryDirectory() as folder:
             output = os.path.join(folder, "o.exr")
-            child = Child([DRC, "render", CORNELL, "-o", output, "--aovs", "--spp", "4", "--resolution", "64x48", "--quiet", "--display-server", f"127.0.0.1:{receiver.port}"])
+            child = Child(
+                [
+                    DRC,
+                    "render",
+                    CORNELL,
+                    "-o",
+                    output,
+                    "--aovs",
+                    "--spp",
+                    "4",
+                    "--resolution",
+                    "64x48",
+                    "--quiet",
+                    "--display-server",
+                    f"127.0.0.1:{receiver.port}",
+                ]
+            )
             self.assertEqual(child.finish(), 0, child.lines)
             receiver.finish(PATIENCE)
             picture = receiver.changed()
             self.assertEqual(picture.values.shape[:2], (48, 64))
-            self.assertTrue({"R", "albedo.R", "normal.X", "depth.Z", "variance.R", "samples.X"} <= set(picture.channels), picture.channels)
+            self.assertTrue(
+                {"R", "albedo.R", "normal.X", "depth.Z", "variance.R", "samples.X"} <= set(picture.channels),
+                picture.channels,
+            )
             self.assertGreater(picture.layer("R", "G", "B").mean(), 0.01)
             self.assertAlmostEqual(float(picture.layer("samples.X").mean()), 4, delta=0.5)
 
@@ -378,7 +460,9 @@ class WithTheProgram(unittest.TestCase):
         first = client.frame().astype(np.float32)
         self.assertEqual(first.shape, (64, 64, 3))
         # The camera turned to the light's surroundings, from where the scene's own is.
-        state = view_of(np.linalg.inv(np.diag([1.0, 1, 1, 1])), np.diag([1.0, 1, 1, 0]) - np.eye(4)[[0, 1, 3, 2]] * [0, 0, 1, 1])
+        state = view_of(
+            np.linalg.inv(np.diag([1.0, 1, 1, 1])), np.diag([1.0, 1, 1, 0]) - np.eye(4)[[0, 1, 3, 2]] * [0, 0, 1, 1]
+        )
         client.move(state, 48, 32, True)
 
         def moved():
@@ -392,7 +476,7 @@ class WithTheProgram(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             scene = os.path.join(folder, "bad.pbrt")
             with open(scene, "w") as f:
-                f.write("WorldBegin\nShape \"sphere\" \"float radius\" [-1]\n")
+                f.write('WorldBegin\nShape "sphere" "float radius" [-1]\n')
 
             class Drc:
                 cells = True
@@ -424,12 +508,14 @@ class Frames(unittest.TestCase):
                 frame_of(data)
 
     def test_origin(self):
-        self.assertEqual(origin_of({"eye": [1, 2, 3], "pbrt": "Scale -1 1 1\nLookAt 101 2 3  0 0 0  0 0 1\n"}), (100, 0, 0))
+        self.assertEqual(
+            origin_of({"eye": [1, 2, 3], "pbrt": "Scale -1 1 1\nLookAt 101 2 3  0 0 0  0 0 1\n"}), (100, 0, 0)
+        )
 
 
 if __name__ == "__main__":
     if "--drc" in sys.argv:
         at = sys.argv.index("--drc")
         DRC = os.path.abspath(sys.argv[at + 1])
-        del sys.argv[at:at + 2]
+        del sys.argv[at : at + 2]
     unittest.main()

@@ -1,7 +1,7 @@
 """Files named by what they are made from: those that are there already are not written again."""
+
 import hashlib
 import os
-
 
 VERSION = b"1"  # of what this add-on makes of the same input; a new one makes all files anew
 

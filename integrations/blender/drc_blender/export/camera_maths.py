@@ -1,4 +1,5 @@
 """What a Blender camera sees, as pbrt's screen window, lens and crop window."""
+
 from dataclasses import dataclass
 
 

@@ -1,4 +1,5 @@
 """The camera of a scene: what it sees, its lens, and how it moves while the shutter is open."""
+
 import numpy as np
 
 from .camera_maths import Lens, lens_radius, pixel_bounds, screen_window
@@ -7,8 +8,16 @@ from .spaces import world_to_camera, world_to_panorama
 
 
 def lens_of(camera):
-    return Lens(camera.type == "ORTHO", camera.lens, camera.ortho_scale, camera.sensor_width, camera.sensor_height,
-                camera.sensor_fit, camera.shift_x, camera.shift_y)
+    return Lens(
+        camera.type == "ORTHO",
+        camera.lens,
+        camera.ortho_scale,
+        camera.sensor_width,
+        camera.sensor_height,
+        camera.sensor_fit,
+        camera.shift_x,
+        camera.shift_y,
+    )
 
 
 def focus_distance(object_, camera):
@@ -60,14 +69,23 @@ def view_lines(view):
     params = {"float screenwindow": view.window}
     if not view.orthographic:
         params["float fov"] = 90
-    return [*transforms([world_to_camera(view.matrix())]), statement("Camera", "orthographic" if view.orthographic else "perspective", params=params)]
+    return [
+        *transforms([world_to_camera(view.matrix())]),
+        statement("Camera", "orthographic" if view.orthographic else "perspective", params=params),
+    ]
 
 
 def transforms(matrices):
     """The transformation, at both ends of the shutter if there are two."""
     if len(matrices) == 1 or np.allclose(matrices[0], matrices[-1], rtol=0, atol=1e-7):
         return [transform(matrices[0])]
-    return ["ActiveTransform StartTime", transform(matrices[0]), "ActiveTransform EndTime", transform(matrices[-1]), "ActiveTransform All"]
+    return [
+        "ActiveTransform StartTime",
+        transform(matrices[0]),
+        "ActiveTransform EndTime",
+        transform(matrices[-1]),
+        "ActiveTransform All",
+    ]
 
 
 def film_lines(scene, width, height, filter_kind, filter_width):
@@ -82,5 +100,12 @@ def film_lines(scene, width, height, filter_kind, filter_width):
         half = filter_width / 2
         return lines + [statement("PixelFilter", "box", params={"float xradius": half, "float yradius": half})]
     from .camera_maths import filter_sigma
+
     sigma = filter_sigma(filter_width)
-    return lines + [statement("PixelFilter", "gaussian", params={"float xradius": filter_width / 2, "float yradius": filter_width / 2, "float sigma": sigma})]
+    return lines + [
+        statement(
+            "PixelFilter",
+            "gaussian",
+            params={"float xradius": filter_width / 2, "float yradius": filter_width / 2, "float sigma": sigma},
+        )
+    ]

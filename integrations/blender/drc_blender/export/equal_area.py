@@ -1,4 +1,5 @@
 """pbrt-v4's picture of all directions: a square in which areas are solid angles (Clarberg 2008)."""
+
 import numpy as np
 
 
@@ -12,5 +13,7 @@ def directions(size):
         turn = np.where(r == 0, 1.0, (np.abs(v) - np.abs(u)) / r + 1)
     phi = turn * (np.pi / 4)
     sine = r * np.sqrt(np.maximum(0, 2 - r * r))
-    return np.stack([sine * np.copysign(np.cos(phi), u), sine * np.copysign(np.sin(phi), v),
-                     np.copysign(1 - r * r, inside)], axis=-1)
+    return np.stack(
+        [sine * np.copysign(np.cos(phi), u), sine * np.copysign(np.sin(phi), v), np.copysign(1 - r * r, inside)],
+        axis=-1,
+    )

@@ -1,4 +1,5 @@
 """Images as files that DRC reads: floats as PFM, bytes as PNG."""
+
 import struct
 import zlib
 
@@ -23,10 +24,14 @@ def png_bytes(pixels):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
     header = struct.pack(">IIBBBBB", width, height, 8, {1: 0, 3: 2, 4: 6}[channels], 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows.tobytes(), 3))
-            + chunk(b"IEND", b""))
+    return (
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", header)
+        + chunk(b"IDAT", zlib.compress(rows.tobytes(), 3))
+        + chunk(b"IEND", b"")
+    )
 
 
 def srgb_to_linear(values):
     values = np.asarray(values, dtype=np.float32)
-    return np.where(values <= 0.04045, values / 12.92, (np.maximum(values, 0.04045) + 0.055) ** 2.4 / 1.055 ** 2.4)
+    return np.where(values <= 0.04045, values / 12.92, (np.maximum(values, 0.04045) + 0.055) ** 2.4 / 1.055**2.4)

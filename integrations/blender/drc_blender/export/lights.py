@@ -1,4 +1,5 @@
 """Blender's lamps as pbrt lights, with the same radiometry."""
+
 import math
 
 import numpy as np
@@ -63,13 +64,20 @@ def seen_by_the_camera(object_, report, place):
 def point(light, matrix, colour, _sphere, report, place, object_):
     radius = light.shadow_soft_size
     if radius <= 1e-6:
-        return [statement("LightSource", "point", params={"rgb I": colour / (4 * math.pi), "point3 from": matrix[:3, 3]})]
+        return [
+            statement("LightSource", "point", params={"rgb I": colour / (4 * math.pi), "point3 from": matrix[:3, 3]})
+        ]
     seen_by_the_camera(object_, report, place)
     radiance = colour / (4 * math.pi)
-    radiance = radiance / (math.pi * radius ** 2) if is_normalized(light) else radiance
-    return ["AttributeBegin", "Translate " + " ".join(f"{v:.9g}" for v in matrix[:3, 3]),
-            statement("AreaLightSource", "diffuse", params={"rgb L": radiance}), 'Material "diffuse" "rgb reflectance" [0 0 0]',
-            statement("Shape", "sphere", params={"float radius": radius}), "AttributeEnd"]
+    radiance = radiance / (math.pi * radius**2) if is_normalized(light) else radiance
+    return [
+        "AttributeBegin",
+        "Translate " + " ".join(f"{v:.9g}" for v in matrix[:3, 3]),
+        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
+        'Material "diffuse" "rgb reflectance" [0 0 0]',
+        statement("Shape", "sphere", params={"float radius": radius}),
+        "AttributeEnd",
+    ]
 
 
 def direction_of(matrix):
@@ -82,7 +90,11 @@ def sun(light, matrix, colour, sphere, report, place, object_):
     towards = -direction_of(matrix)
     half = min(light.angle, math.radians(170)) / 2
     if light.angle < LEAST_SUN_ANGLE:
-        return [statement("LightSource", "distant", params={"rgb L": colour, "point3 from": towards, "point3 to": (0, 0, 0)})]
+        return [
+            statement(
+                "LightSource", "distant", params={"rgb L": colour, "point3 from": towards, "point3 to": (0, 0, 0)}
+            )
+        ]
     radiance = colour / (math.pi * math.sin(half) ** 2) if is_normalized(light) else colour
     report.add("a sun with an angle is a far disk, which the camera sees (Blender hides it)", *place)
     return disk_of_sun(radiance, towards, half, sphere)
@@ -93,9 +105,14 @@ def disk_of_sun(radiance, towards, half, sphere):
     centre, radius = sphere
     distance = SUN_AT_RADII * max(radius, 1e-3)
     towards = np.asarray(towards, dtype=float)
-    return ["AttributeBegin", transform(frame(-towards, np.asarray(centre) + distance * towards)),
-            statement("AreaLightSource", "diffuse", params={"rgb L": radiance}), 'Material "diffuse" "rgb reflectance" [0 0 0]',
-            statement("Shape", "disk", params={"float radius": distance * math.tan(half)}), "AttributeEnd"]
+    return [
+        "AttributeBegin",
+        transform(frame(-towards, np.asarray(centre) + distance * towards)),
+        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
+        'Material "diffuse" "rgb reflectance" [0 0 0]',
+        statement("Shape", "disk", params={"float radius": distance * math.tan(half)}),
+        "AttributeEnd",
+    ]
 
 
 def frame(z, origin):
@@ -119,9 +136,19 @@ def spot(light, matrix, colour, _sphere, report, place, object_):
     cone = math.degrees(light.spot_size / 2)
     fade = cone - math.degrees(math.acos(min(1.0, full)))
     position = matrix[:3, 3]
-    return [statement("LightSource", "spot", params={
-        "rgb I": colour / (4 * math.pi), "point3 from": position, "point3 to": position + direction_of(matrix),
-        "float coneangle": max(cone, 1e-3), "float conedeltaangle": max(fade, 1e-3)})]
+    return [
+        statement(
+            "LightSource",
+            "spot",
+            params={
+                "rgb I": colour / (4 * math.pi),
+                "point3 from": position,
+                "point3 to": position + direction_of(matrix),
+                "float coneangle": max(cone, 1e-3),
+                "float conedeltaangle": max(fade, 1e-3),
+            },
+        )
+    ]
 
 
 def area(light, matrix, colour, _sphere, report, place, object_):
@@ -149,7 +176,14 @@ def area(light, matrix, colour, _sphere, report, place, object_):
         triangles = [(0, 2, 1), (0, 3, 2)]
     if np.linalg.det(matrix[:3, :3]) < 0:  # mirrored: it still shines along its -z
         triangles = [t[::-1] for t in triangles]
-    return ["AttributeBegin", statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
-            'Material "diffuse" "rgb reflectance" [0 0 0]',
-            statement("Shape", "trianglemesh", params={"point3 P": corners.reshape(-1), "integer indices": np.array(triangles).reshape(-1)}),
-            "AttributeEnd"]
+    return [
+        "AttributeBegin",
+        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
+        'Material "diffuse" "rgb reflectance" [0 0 0]',
+        statement(
+            "Shape",
+            "trianglemesh",
+            params={"point3 P": corners.reshape(-1), "integer indices": np.array(triangles).reshape(-1)},
+        ),
+        "AttributeEnd",
+    ]

@@ -1,4 +1,5 @@
 """The arrays of an evaluated mesh, and the PLY files of its parts, one for each material."""
+
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -36,7 +37,8 @@ class MeshData:
             positions=_read(mesh.attributes["position"].data, "vector", vertices, 3),
             corner_vertex=_read(mesh.loops, "vertex_index", corners, 1, np.int32),
             triangles=_read(mesh.loop_triangles, "loops", triangles, 3, np.int32),
-            material=_read(mesh.loop_triangles, "material_index", triangles, 1, np.int32))
+            material=_read(mesh.loop_triangles, "material_index", triangles, 1, np.int32),
+        )
         if mesh.normals_domain == "POINT":
             made.normals = _read(mesh.vertex_normals, "vector", vertices, 3)
         elif mesh.normals_domain == "CORNER":
@@ -47,9 +49,17 @@ class MeshData:
                 made.uvs[""] = made.uvs[layer.name]
         for attribute in mesh.color_attributes:
             made._read_colours(attribute)
-        made.key = digest(made.positions, made.corner_vertex, made.triangles, made.material,
-                          "flat" if made.normals is None else made.normals, sorted(made.uvs), *made.uvs.values(),
-                          sorted(made.colours), *made.colours.values())
+        made.key = digest(
+            made.positions,
+            made.corner_vertex,
+            made.triangles,
+            made.material,
+            "flat" if made.normals is None else made.normals,
+            sorted(made.uvs),
+            *made.uvs.values(),
+            sorted(made.colours),
+            *made.colours.values()
+        )
         return made
 
     def _read_colours(self, attribute):
@@ -87,11 +97,19 @@ class MeshData:
             if self.normals_of_corners:
                 keys.append(np.ascontiguousarray(normals).view(np.uint32))
         first, index = merged_corners(np.hstack(keys))
-        return ply_bytes(self.positions[vertex[first]], index.reshape(-1, 3), None if normals is None else normals[first],
-                         None if uv is None else uv[first])
+        return ply_bytes(
+            self.positions[vertex[first]],
+            index.reshape(-1, 3),
+            None if normals is None else normals[first],
+            None if uv is None else uv[first],
+        )
 
     def atlas_ply(self, triangles, uvs):
         """With texture coordinates of its own: n x 3 x 2."""
         normals = None if self.normals is None else self.corner_normals(triangles).reshape(-1, 3)
-        return ply_bytes(self.positions[self.corner_vertex[triangles.reshape(-1)]],
-                         np.arange(3 * len(triangles), dtype=np.int32).reshape(-1, 3), normals, uvs.reshape(-1, 2))
+        return ply_bytes(
+            self.positions[self.corner_vertex[triangles.reshape(-1)]],
+            np.arange(3 * len(triangles), dtype=np.int32).reshape(-1, 3),
+            normals,
+            uvs.reshape(-1, 2),
+        )

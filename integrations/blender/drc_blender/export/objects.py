@@ -1,4 +1,5 @@
 """What a depsgraph shows: each visible mesh or lamp with its matrices, read while the depsgraph stands at one time."""
+
 import numpy as np
 
 MESHES = {"MESH", "CURVE", "SURFACE", "META", "FONT"}  # what can be made a mesh
@@ -16,5 +17,8 @@ def visible(instance):
 
 def matrices_at(depsgraph):
     """Of all that is shown, by key, as 4 x 4 arrays."""
-    return {key_of(i): np.array(i.matrix_world) for i in depsgraph.object_instances
-            if visible(i) and i.object.type in MESHES | {"LIGHT"}}
+    return {
+        key_of(i): np.array(i.matrix_world)
+        for i in depsgraph.object_instances
+        if visible(i) and i.object.type in MESHES | {"LIGHT"}
+    }

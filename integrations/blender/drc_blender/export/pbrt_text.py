@@ -1,4 +1,5 @@
 """The words of a pbrt-v4 scene file."""
+
 import math
 
 

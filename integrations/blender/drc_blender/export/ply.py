@@ -1,4 +1,5 @@
 """Triangle meshes as binary little-endian PLY files, with one numpy array written as it is."""
+
 import numpy as np
 
 

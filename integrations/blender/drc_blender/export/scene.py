@@ -1,4 +1,5 @@
 """The whole scene: one file of text, with meshes and images beside it."""
+
 import os
 from dataclasses import dataclass, field
 
@@ -72,7 +73,10 @@ class SceneExporter:
         images = Images()
         self.reader = Reader(self.report, images)
         scale = scene.render.resolution_percentage / 100
-        width, height = size or (max(1, int(scene.render.resolution_x * scale)), max(1, int(scene.render.resolution_y * scale)))
+        width, height = size or (
+            max(1, int(scene.render.resolution_x * scale)),
+            max(1, int(scene.render.resolution_y * scale)),
+        )
         aspect = scene.render.pixel_aspect_y / scene.render.pixel_aspect_x
         self._check(scene)
 
@@ -87,10 +91,19 @@ class SceneExporter:
         if view is not None:
             head += view_lines(view)
         else:
-            head += camera_lines(camera, moving.get("camera") or [np.array(camera.matrix_world)], width, height, aspect, self.report)
-        head += film_lines(None if view is not None else scene, width, height, self.settings.filter_kind, self.settings.filter_width)
-        head += [statement("Sampler", "zsobol", params={"integer pixelsamples": 128}),
-                 statement("Integrator", "path", params={"integer maxdepth": self.settings.max_depth}), "", "WorldBegin", ""]
+            head += camera_lines(
+                camera, moving.get("camera") or [np.array(camera.matrix_world)], width, height, aspect, self.report
+            )
+        head += film_lines(
+            None if view is not None else scene, width, height, self.settings.filter_kind, self.settings.filter_width
+        )
+        head += [
+            statement("Sampler", "zsobol", params={"integer pixelsamples": 128}),
+            statement("Integrator", "path", params={"integer maxdepth": self.settings.max_depth}),
+            "",
+            "WorldBegin",
+            "",
+        ]
         sphere = sphere_around(bounds)
         world = world_lines(scene.world, self.reader, self.files, self.settings.world_side, sphere)
         lamp_text = [line for object_lines in lamps for line in object_lines(sphere)]
@@ -116,7 +129,9 @@ class SceneExporter:
         if not blur or set_frame is None or scene.render.motion_blur_shutter <= 0:
             return {}
         shutter, frame = scene.render.motion_blur_shutter, scene.frame_current + scene.frame_subframe
-        position = getattr(scene.render, "motion_blur_position", None) or getattr(scene.cycles, "motion_blur_position", "CENTER")
+        position = getattr(scene.render, "motion_blur_position", None) or getattr(
+            scene.cycles, "motion_blur_position", "CENTER"
+        )
         first = {"START": 0.0, "CENTER": -0.5, "END": -1.0}[position] * shutter
         found = {}
         name = camera.name
@@ -125,7 +140,13 @@ class SceneExporter:
             set_frame(whole, time - whole)
             for key, matrix in matrices_at(depsgraph).items():
                 found.setdefault(key, []).append(matrix)
-            found.setdefault("camera", []).append(np.array(depsgraph.scene_eval.objects[name].matrix_world if name in depsgraph.scene_eval.objects else camera.matrix_world))
+            found.setdefault("camera", []).append(
+                np.array(
+                    depsgraph.scene_eval.objects[name].matrix_world
+                    if name in depsgraph.scene_eval.objects
+                    else camera.matrix_world
+                )
+            )
         whole = int(np.floor(frame))
         set_frame(whole, frame - whole)
         return {key: matrices for key, matrices in found.items() if len(matrices) == 2}
@@ -145,7 +166,11 @@ class SceneExporter:
                 if object_.type in ("CURVES", "POINTCLOUD", "VOLUME"):
                     self.report.add(f"objects of the kind {object_.type.lower()} are not exported", object_.name)
                 continue
-            mesh_key = (object_.original.name_full if not instance.is_instance else object_.name_full, object_.data.name_full, instance.is_instance)
+            mesh_key = (
+                object_.original.name_full if not instance.is_instance else object_.name_full,
+                object_.data.name_full,
+                instance.is_instance,
+            )
             if mesh_key not in read:
                 read[mesh_key] = self._mesh(object_)
                 self._visibility(object_)
@@ -182,8 +207,13 @@ class SceneExporter:
         return lambda sphere: lamp_lines(original, matrix, sphere, self.reader, self.report)
 
     def _visibility(self, object_):
-        rays = {"visible_camera": "the camera", "visible_diffuse": "diffuse rays", "visible_glossy": "glossy rays",
-                "visible_transmission": "refracted rays", "visible_shadow": "shadows"}
+        rays = {
+            "visible_camera": "the camera",
+            "visible_diffuse": "diffuse rays",
+            "visible_glossy": "glossy rays",
+            "visible_transmission": "refracted rays",
+            "visible_shadow": "shadows",
+        }
         hidden = [what for name, what in rays.items() if not getattr(object_, name, True)]
         if hidden:
             self.report.add(f"objects are seen by all rays; this one is hidden from {', '.join(hidden)}", object_.name)

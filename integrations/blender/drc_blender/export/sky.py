@@ -1,4 +1,5 @@
 """Sky textures as pictures, which a second Blender renders; kept by their settings."""
+
 import json
 import math
 import os
@@ -18,9 +19,12 @@ _baked = {}
 
 def settings_of(node):
     """What decides how the sky looks; sun: the direction of the sun's middle, where there is a disk."""
-    names = [p.identifier for p in node.bl_rna.properties
-             if p.identifier.startswith(("sun_", "air_", "dust_", "ozone_", "aerosol_")) or
-             p.identifier in ("sky_type", "altitude", "turbidity", "ground_albedo", "sun_direction")]
+    names = [
+        p.identifier
+        for p in node.bl_rna.properties
+        if p.identifier.startswith(("sun_", "air_", "dust_", "ozone_", "aerosol_"))
+        or p.identifier in ("sky_type", "altitude", "turbidity", "ground_albedo", "sun_direction")
+    ]
     values = {}
     for name in sorted(names):
         value = getattr(node, name)
@@ -31,7 +35,12 @@ def settings_of(node):
     # Blender turns the sun clockwise from +y.
     sun = [math.cos(up) * math.sin(turn), math.cos(up) * math.cos(turn), math.sin(up)]
     # sun_view: the angle of the picture of the sun, which is 10 degrees at least.
-    return {"node": values, "sun": sun, "sun_view": max(math.radians(10), 1.2 * values.get("sun_size", 0.0)), "width": WIDTH}
+    return {
+        "node": values,
+        "sun": sun,
+        "sun_view": max(math.radians(10), 1.2 * values.get("sun_size", 0.0)),
+        "width": WIDTH,
+    }
 
 
 class Sky:
@@ -53,6 +62,7 @@ def bake(node):
 
 def _bake(settings):
     import bpy
+
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "sky_bake.py")
     with tempfile.TemporaryDirectory() as folder:
         files = [os.path.join(folder, name) for name in ("settings.json", "sky.npy", "sun.npy")]
@@ -62,7 +72,9 @@ def _bake(settings):
             command = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script, "--", *files]
         else:
             command = [sys.executable, script, *files]
-        done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=PATIENCE, stdin=subprocess.DEVNULL)
+        done = subprocess.run(
+            command, capture_output=True, text=True, errors="replace", timeout=PATIENCE, stdin=subprocess.DEVNULL
+        )
         if not os.path.exists(files[1]):
             said = [line for line in (done.stderr + done.stdout).splitlines() if line.strip()]
             raise RuntimeError("the sky could not be rendered: " + (said[-1] if said else f"status {done.returncode}"))

@@ -6,6 +6,7 @@
 SKY: all directions by longitude and latitude, without the sun's disk. SUN: a part of the sky around the middle of the disk,
 if there is one. Both are linear RGBA, with rows from the bottom.
 """
+
 import json
 import math
 import os
@@ -15,6 +16,7 @@ import sys
 def main(settings_file, sky_file, sun_file):
     import bpy
     import numpy as np
+
     bpy.ops.wm.read_factory_settings(use_empty=True)
     with open(settings_file, encoding="utf-8") as f:
         settings = json.load(f)
@@ -61,12 +63,13 @@ def main(settings_file, sky_file, sun_file):
         panorama.panorama_type = "FISHEYE_EQUIDISTANT"
         panorama.fisheye_fov = settings["sun_view"]
         from mathutils import Vector
+
         camera.rotation_euler = Vector(settings["sun"]).to_track_quat("-Z", "Y").to_euler()
         render(1024, 1024, 4, sun_file)
 
 
 if __name__ == "__main__":
-    arguments = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else sys.argv[1:]
+    arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else sys.argv[1:]
     main(*arguments)
     sys.stdout.flush()
     os._exit(0)  # the module of Blender 4.5 does not end by itself

@@ -3,6 +3,7 @@
 World space is Blender's own: z is up, units are Blender's. A Blender camera looks along its -z, a pbrt camera along its
 +z, with x to the right and y up in both, so that pbrt's camera space is left-handed.
 """
+
 import numpy as np
 
 

@@ -1,4 +1,5 @@
 """The world as an infinite light: constant, or a picture of all directions."""
+
 import numpy as np
 
 from ..materials.closures import ClosureReader, emitted

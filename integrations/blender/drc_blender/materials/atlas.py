@@ -1,5 +1,6 @@
 """Texture coordinates of an exporter's own, for textures that depend on more than those of the mesh: each triangle has
 a place of its own in the picture, two in a square cell."""
+
 import numpy as np
 
 from .points import Points
@@ -55,7 +56,12 @@ def points_of(mesh, triangles, atlas, to_world, bounds):
     normal = np.einsum("nk,nkc->nc", weights, mesh.corner_normals(triangles)[np.maximum(owner, 0)])
     normal = normal @ np.linalg.inv(to_world[:3, :3])
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
-    return Points(len(owner), {name: spread(uv) for name, uv in mesh.uvs.items()},
-                  (position - low) / np.where(high > low, high - low, 1), position,
-                  position @ to_world[:3, :3].T + to_world[:3, 3], normal.astype(np.float32),
-                  {name: spread(c) for name, c in mesh.colours.items()})
+    return Points(
+        len(owner),
+        {name: spread(uv) for name, uv in mesh.uvs.items()},
+        (position - low) / np.where(high > low, high - low, 1),
+        position,
+        position @ to_world[:3, :3].T + to_world[:3, 3],
+        normal.astype(np.float32),
+        {name: spread(c) for name, c in mesh.colours.items()},
+    )

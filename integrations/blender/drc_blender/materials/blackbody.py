@@ -1,4 +1,5 @@
 """The colour of a black body, linear Rec. 709 with a luminance of one."""
+
 import numpy as np
 
 # Matching functions as sums of Gaussians, by Wyman, Sloan and Shirley, "Simple Analytic Approximations to the CIE XYZ
@@ -8,14 +9,15 @@ _LOBES = (
     ((0.821, 568.8, 0.0213, 0.0247), (0.286, 530.9, 0.0613, 0.0322)),
     ((1.217, 437.0, 0.0845, 0.0278), (0.681, 459.0, 0.0385, 0.0725)),
 )
-_TO_RGB = np.array([[3.2404542, -1.5371385, -0.4985314], [-0.9692660, 1.8760108, 0.0415560],
-                    [0.0556434, -0.2040259, 1.0572252]])
+_TO_RGB = np.array(
+    [[3.2404542, -1.5371385, -0.4985314], [-0.9692660, 1.8760108, 0.0415560], [0.0556434, -0.2040259, 1.0572252]]
+)
 
 
 def blackbody(kelvin):
     wavelength = np.arange(380.0, 781.0)
     metres = wavelength * 1e-9
-    radiance = 1 / (metres ** 5 * np.expm1(1.438776877e-2 / (metres * max(kelvin, 800.0))))
+    radiance = 1 / (metres**5 * np.expm1(1.438776877e-2 / (metres * max(kelvin, 800.0))))
     xyz = []
     for lobes in _LOBES:
         curve = 0

@@ -1,4 +1,5 @@
 """Shader nodes as a weighted sum of closures: what scatters, what emits, what lets light pass."""
+
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -26,12 +27,22 @@ class Surface:
 
 
 PRINCIPLED = {  # parameter: sockets, of which the first that a version has counts
-    "rgb basecolor": ("Base Color",), "float metallic": ("Metallic",), "float roughness": ("Roughness",),
-    "float ior": ("IOR",), "float specularlevel": ("Specular IOR Level",), "rgb speculartint": ("Specular Tint",),
-    "float anisotropic": ("Anisotropic",), "float anisotropicrotation": ("Anisotropic Rotation",),
-    "float transmission": ("Transmission Weight",), "float coat": ("Coat Weight",),
-    "float coatroughness": ("Coat Roughness",), "float coatior": ("Coat IOR",), "rgb coattint": ("Coat Tint",),
-    "float sheen": ("Sheen Weight",), "float sheenroughness": ("Sheen Roughness",), "rgb sheentint": ("Sheen Tint",),
+    "rgb basecolor": ("Base Color",),
+    "float metallic": ("Metallic",),
+    "float roughness": ("Roughness",),
+    "float ior": ("IOR",),
+    "float specularlevel": ("Specular IOR Level",),
+    "rgb speculartint": ("Specular Tint",),
+    "float anisotropic": ("Anisotropic",),
+    "float anisotropicrotation": ("Anisotropic Rotation",),
+    "float transmission": ("Transmission Weight",),
+    "float coat": ("Coat Weight",),
+    "float coatroughness": ("Coat Roughness",),
+    "float coatior": ("Coat IOR",),
+    "rgb coattint": ("Coat Tint",),
+    "float sheen": ("Sheen Weight",),
+    "float sheenroughness": ("Sheen Roughness",),
+    "rgb sheentint": ("Sheen Tint",),
     "float subsurface": ("Subsurface Weight",),
 }
 PRINCIPLED_ABSENT = (("Diffuse Roughness", 0.0), ("Thin Film Thickness", 0.0), ("Transmission Dispersion Scale", 0.0))
@@ -49,11 +60,20 @@ class ClosureReader:
     def __init__(self, reader):
         self.reader = reader
         self.kinds = {
-            "BSDF_PRINCIPLED": self._principled, "BSDF_DIFFUSE": self._diffuse, "BSDF_GLOSSY": self._glossy,
-            "BSDF_ANISOTROPIC": self._glossy, "BSDF_METALLIC": self._metallic, "BSDF_GLASS": self._glass,
-            "BSDF_REFRACTION": self._refraction, "BSDF_TRANSPARENT": self._transparent,
-            "BSDF_TRANSLUCENT": self._translucent, "EMISSION": self._emission, "BACKGROUND": self._emission,
-            "BSDF_SHEEN": self._sheen, "SUBSURFACE_SCATTERING": self._subsurface, "HOLDOUT": self._holdout,
+            "BSDF_PRINCIPLED": self._principled,
+            "BSDF_DIFFUSE": self._diffuse,
+            "BSDF_GLOSSY": self._glossy,
+            "BSDF_ANISOTROPIC": self._glossy,
+            "BSDF_METALLIC": self._metallic,
+            "BSDF_GLASS": self._glass,
+            "BSDF_REFRACTION": self._refraction,
+            "BSDF_TRANSPARENT": self._transparent,
+            "BSDF_TRANSLUCENT": self._translucent,
+            "EMISSION": self._emission,
+            "BACKGROUND": self._emission,
+            "BSDF_SHEEN": self._sheen,
+            "SUBSURFACE_SCATTERING": self._subsurface,
+            "HOLDOUT": self._holdout,
         }
 
     def surface(self, tree):
@@ -109,13 +129,27 @@ class ClosureReader:
 
     def _is_plastic(self, factor, first, second):
         kinds = [s.source().node.type if s.source().socket.is_output else "" for s in (first, second)]
-        return factor.socket.is_output and factor.node.type == "FRESNEL" and kinds in (["BSDF_DIFFUSE", "BSDF_GLOSSY"], ["BSDF_DIFFUSE", "BSDF_ANISOTROPIC"])
+        return (
+            factor.socket.is_output
+            and factor.node.type == "FRESNEL"
+            and kinds in (["BSDF_DIFFUSE", "BSDF_GLOSSY"], ["BSDF_DIFFUSE", "BSDF_ANISOTROPIC"])
+        )
 
     def _plastic(self, at, factor, first, second, weight, made):
         diffuse, glossy = first.source(), second.source()
-        made.scattering.append(self._closure(diffuse, "principled", {
-            "rgb basecolor": self._value(diffuse, "Color"), "float roughness": self._value(glossy, "Roughness"),
-            "rgb speculartint": self._value(glossy, "Color"), "float ior": self._value(factor, "IOR")}, weight))
+        made.scattering.append(
+            self._closure(
+                diffuse,
+                "principled",
+                {
+                    "rgb basecolor": self._value(diffuse, "Color"),
+                    "float roughness": self._value(glossy, "Roughness"),
+                    "rgb speculartint": self._value(glossy, "Color"),
+                    "float ior": self._value(factor, "IOR"),
+                },
+                weight,
+            )
+        )
 
     # Single nodes
 
@@ -152,8 +186,12 @@ class ClosureReader:
 
     def _glossy(self, at, weight, made):
         colour = self._value(at, "Color")
-        parameters = {"rgb basecolor": colour, "float metallic": ONE, "float roughness": self._value(at, "Roughness"),
-                      "rgb speculartint": constant_reflectance_tint(colour)}
+        parameters = {
+            "rgb basecolor": colour,
+            "float metallic": ONE,
+            "float roughness": self._value(at, "Roughness"),
+            "rgb speculartint": constant_reflectance_tint(colour),
+        }
         self._anisotropy(at, parameters)
         if getattr(at.node, "distribution", "GGX") in ("BECKMANN", "ASHIKHMIN_SHIRLEY"):
             self.reader.unsupported(at, f"the distribution {at.node.distribution} has no equal; it is GGX")
@@ -165,9 +203,14 @@ class ClosureReader:
                 parameters[declared] = self._value(at, name)
 
     def _metallic(self, at, weight, made):
-        parameters = {"rgb basecolor": self._value(at, "Base Color"), "float metallic": ONE,
-                      "float roughness": self._value(at, "Roughness"), "rgb speculartint": self._value(at, "Edge Tint")}
+        parameters = {
+            "rgb basecolor": self._value(at, "Base Color"),
+            "float metallic": ONE,
+            "float roughness": self._value(at, "Roughness"),
+            "rgb speculartint": self._value(at, "Edge Tint"),
+        }
         if at.node.fresnel_type != "F82":
+
             def head_on(n, k):
                 return ((n - 1) ** 2 + k * k) / ((n + 1) ** 2 + k * k)
 
@@ -180,16 +223,29 @@ class ClosureReader:
             n, k = (as_colour(self._value(at, name)) for name in ("IOR", "Extinction"))
             base, edge = combined(head_on, n, k), combined(at_82, n, k)
             parameters["rgb basecolor"] = base
-            parameters["rgb speculartint"] = combined(lambda b, e: np.clip(e / (b + (1 - b) * SCHLICK_AT_82), 0, 1), base, edge)
+            parameters["rgb speculartint"] = combined(
+                lambda b, e: np.clip(e / (b + (1 - b) * SCHLICK_AT_82), 0, 1), base, edge
+            )
         self._anisotropy(at, parameters)
         made.scattering.append(self._closure(at, "principled", parameters, weight))
 
     def _glass(self, at, weight, made):
         colour = self._value(at, "Color")
-        made.scattering.append(self._closure(at, "principled", {
-            # The principled glass tints by the root of its colour at each surface, Glass by the colour itself.
-            "rgb basecolor": combined(lambda c: np.clip(c, 0, 1) ** 2, colour), "rgb speculartint": colour,
-            "float transmission": ONE, "float roughness": self._value(at, "Roughness"), "float ior": self._value(at, "IOR")}, weight))
+        made.scattering.append(
+            self._closure(
+                at,
+                "principled",
+                {
+                    # The principled glass tints by the root of its colour at each surface, Glass by the colour itself.
+                    "rgb basecolor": combined(lambda c: np.clip(c, 0, 1) ** 2, colour),
+                    "rgb speculartint": colour,
+                    "float transmission": ONE,
+                    "float roughness": self._value(at, "Roughness"),
+                    "float ior": self._value(at, "IOR"),
+                },
+                weight,
+            )
+        )
 
     def _refraction(self, at, weight, made):
         self.reader.unsupported(at, "a surface that refracts without reflecting has no equal; it is glass")
@@ -199,16 +255,33 @@ class ClosureReader:
         made.passing.append((weight, as_colour(self._value(at, "Color"))))
 
     def _translucent(self, at, weight, made):
-        made.scattering.append(self._closure(at, "diffusetransmission", {
-            "rgb reflectance": constant(0.0, 0.0, 0.0), "rgb transmittance": self._value(at, "Color")}, weight))
+        made.scattering.append(
+            self._closure(
+                at,
+                "diffusetransmission",
+                {"rgb reflectance": constant(0.0, 0.0, 0.0), "rgb transmittance": self._value(at, "Color")},
+                weight,
+            )
+        )
 
     def _emission(self, at, weight, made):
         made.emission.append(product(weight, product(self._value(at, "Strength"), as_colour(self._value(at, "Color")))))
 
     def _sheen(self, at, weight, made):
-        made.scattering.append(self._closure(at, "principled", {
-            "rgb basecolor": constant(0.0, 0.0, 0.0), "float specularlevel": ZERO, "float sheen": ONE,
-            "rgb sheentint": self._value(at, "Color"), "float sheenroughness": self._value(at, "Roughness")}, weight))
+        made.scattering.append(
+            self._closure(
+                at,
+                "principled",
+                {
+                    "rgb basecolor": constant(0.0, 0.0, 0.0),
+                    "float specularlevel": ZERO,
+                    "float sheen": ONE,
+                    "rgb sheentint": self._value(at, "Color"),
+                    "float sheenroughness": self._value(at, "Roughness"),
+                },
+                weight,
+            )
+        )
 
     def _subsurface(self, at, weight, made):
         self.reader.unsupported(at, "light does not spread below surfaces; it is diffuse there and then")

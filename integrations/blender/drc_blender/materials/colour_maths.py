@@ -1,4 +1,5 @@
 """The arithmetic of Blender's colour and converter nodes on arrays."""
+
 import numpy as np
 
 
@@ -6,9 +7,11 @@ def rotation(angles):
     """n x 3 Euler angles, applied about x, then y, then z: n x 3 x 3."""
     cx, cy, cz = np.cos(angles).T
     sx, sy, sz = np.sin(angles).T
-    rows = [[cy * cz, sx * sy * cz - cx * sz, cx * sy * cz + sx * sz],
-            [cy * sz, sx * sy * sz + cx * cz, cx * sy * sz - sx * cz],
-            [-sy, sx * cy, cx * cy]]
+    rows = [
+        [cy * cz, sx * sy * cz - cx * sz, cx * sy * cz + sx * sz],
+        [cy * sz, sx * sy * sz + cx * cz, cx * sy * sz - sx * cz],
+        [-sy, sx * cy, cx * cy],
+    ]
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=1)
 
 
@@ -29,7 +32,9 @@ NUMBERS = {
     "DIVIDE": _safe_divide,
     "MULTIPLY_ADD": lambda a, b, c: a * b + c,
     "POWER": _power,
-    "LOGARITHM": lambda a, b: np.where((a > 0) & (b > 0) & (b != 1), _safe_divide(np.log(np.maximum(a, 1e-37)), np.log(np.maximum(b, 1e-37))), 0),
+    "LOGARITHM": lambda a, b: np.where(
+        (a > 0) & (b > 0) & (b != 1), _safe_divide(np.log(np.maximum(a, 1e-37)), np.log(np.maximum(b, 1e-37))), 0
+    ),
     "SQRT": lambda a: np.sqrt(np.maximum(a, 0)),
     "INVERSE_SQRT": lambda a: np.where(a > 0, 1 / np.sqrt(np.maximum(a, 1e-37)), 0),
     "ABSOLUTE": lambda a: np.abs(a),
@@ -81,7 +86,9 @@ BLENDS = {
     "BURN": lambda t, a, b: np.where(a >= 1, 1, np.clip(1 - _safe_divide(1 - a, 1 - t + t * b), 0, 1)),
     "LIGHTEN": _between(np.maximum),
     "SCREEN": lambda t, a, b: 1 - (1 - t + t * (1 - b)) * (1 - a),
-    "DODGE": lambda t, a, b: np.where(a == 0, 0, np.where(1 - t * b <= 0, 1, np.minimum(1, a / np.maximum(1 - t * b, 1e-20)))),
+    "DODGE": lambda t, a, b: np.where(
+        a == 0, 0, np.where(1 - t * b <= 0, 1, np.minimum(1, a / np.maximum(1 - t * b, 1e-20)))
+    ),
     "ADD": lambda t, a, b: a + t * b,
     "OVERLAY": lambda t, a, b: np.where(a < 0.5, a * (1 - t + 2 * t * b), 1 - (1 - t + 2 * t * (1 - b)) * (1 - a)),
     "SOFT_LIGHT": lambda t, a, b: (1 - t) * a + t * ((1 - a) * b * a + a * (1 - (1 - b) * (1 - a))),
@@ -114,6 +121,6 @@ def mapped_range(kind, clamp, value, from_low, from_high, to_low, to_high):
     t = _safe_divide(value - from_low, from_high - from_low)
     if kind in ("SMOOTHSTEP", "SMOOTHERSTEP"):
         t = np.clip(t, 0, 1)
-        t = t * t * (3 - 2 * t) if kind == "SMOOTHSTEP" else t ** 3 * (t * (6 * t - 15) + 10)
+        t = t * t * (3 - 2 * t) if kind == "SMOOTHSTEP" else t**3 * (t * (6 * t - 15) + 10)
     found = to_low + t * (to_high - to_low)
     return np.clip(found, np.minimum(to_low, to_high), np.maximum(to_low, to_high)) if clamp else found

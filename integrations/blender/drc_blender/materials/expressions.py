@@ -2,6 +2,7 @@
 
 An expression is evaluated on many points at once: an array of 1 or n rows, and of 1 or 3 columns.
 """
+
 import numpy as np
 
 UV, SPACE = "uv", "space"  # what an expression depends on: texture coordinates, or other properties of the place
@@ -25,6 +26,7 @@ class Expression:
     def constant(self):
         """The row of values of a constant; elsewhere that at no place in particular."""
         from .points import NOWHERE
+
         return self(NOWHERE)[0]
 
     def is_always(self, value):
@@ -38,7 +40,9 @@ def constant(*values):
 
 def combined(function, *parts):
     """function on the arrays of the parts."""
-    made = Expression(lambda points: function(*(p(points) for p in parts)), frozenset().union(*(p.needs for p in parts)))
+    made = Expression(
+        lambda points: function(*(p(points) for p in parts)), frozenset().union(*(p.needs for p in parts))
+    )
     if made.is_constant:
         value = made.constant()
         return constant(*value)

@@ -1,4 +1,5 @@
 """Pixels of Blender's images, linear, and lookups in them."""
+
 import numpy as np
 
 from ..export.image_files import srgb_to_linear
@@ -71,7 +72,7 @@ class Images:
             if image.channels == 2:
                 full[..., 3] = values[..., 1]
         else:
-            full[..., :image.channels] = values
+            full[..., : image.channels] = values
         return Pixels(full, is_encoded(image))
 
 
@@ -90,4 +91,6 @@ def mirror_ball(directions):
     x, y, z = directions.T
     d = np.stack([x, y - 1, z], axis=1)
     length = np.linalg.norm(d, axis=1)
-    return np.stack([0.5 * (1 + d[:, 0] / np.maximum(length, 1e-9)), 0.5 * (1 + d[:, 2] / np.maximum(length, 1e-9))], axis=1)
+    return np.stack(
+        [0.5 * (1 + d[:, 0] / np.maximum(length, 1e-9)), 0.5 * (1 + d[:, 2] / np.maximum(length, 1e-9))], axis=1
+    )

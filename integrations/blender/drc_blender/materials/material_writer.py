@@ -1,4 +1,5 @@
 """Materials of a scene file, as they are needed: one for each Blender material and way to place its textures."""
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -108,8 +109,11 @@ class MaterialWriter:
         for i, closure in enumerate(plan.closures):
             params = {"string type": closure.kind}
             for declared, value in closure.parameters.items():
-                params.update(values.parameter(declared, value, f"{name}.{i}" if i else name) if isinstance(value, Expression)
-                              else {declared: value})
+                params.update(
+                    values.parameter(declared, value, f"{name}.{i}" if i else name)
+                    if isinstance(value, Expression)
+                    else {declared: value}
+                )
             part = name if len(plan.closures) == 1 else f"{name}.part{i + 1}"
             # A mix has its own relief, if any: that of its parts does not count.
             self.out.append(statement("MakeNamedMaterial", part, params={**params, **relief}))
@@ -117,8 +121,11 @@ class MaterialWriter:
         whole = named[0] if named else None
         for i, share in enumerate(plan.shares):
             mixed = name if i == len(plan.shares) - 1 else f"{name}.mix{i + 1}"
-            params = {"string type": "mix", "string materials": [whole, named[i + 1]],
-                      **values.parameter("float amount", share, f"{mixed}.amount")}
+            params = {
+                "string type": "mix",
+                "string materials": [whole, named[i + 1]],
+                **values.parameter("float amount", share, f"{mixed}.amount"),
+            }
             self.out.append(statement("MakeNamedMaterial", mixed, params=params))
             whole = mixed
         lines = [f"NamedMaterial {quoted(whole)}"] if whole else ['Material "diffuse" "rgb reflectance" [0 0 0]']

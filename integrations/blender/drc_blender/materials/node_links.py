@@ -1,4 +1,5 @@
 """Walks node trees: through groups, reroutes and muted nodes, to the socket that gives a value."""
+
 import warnings
 
 
@@ -31,8 +32,9 @@ class Socket:
         return Socket(found, self.groups) if found is not None else None
 
     def inputs(self):
-        return [Socket(s, self.groups) for s in self.node.inputs
-                if s.enabled and not getattr(s, "is_unavailable", False)]
+        return [
+            Socket(s, self.groups) for s in self.node.inputs if s.enabled and not getattr(s, "is_unavailable", False)
+        ]
 
     def source(self):
         """The output that an input is linked to, or the input itself if its own value counts."""

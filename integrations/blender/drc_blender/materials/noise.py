@@ -3,6 +3,7 @@
 They follow the definitions of Blender's nodes, so that a baked texture has every blob where Cycles has it; the tests
 compare them.
 """
+
 import numpy as np
 
 _SEED = 0xDEADBEEF
@@ -10,6 +11,7 @@ _SEED = 0xDEADBEEF
 
 def _final_mix(a, b, c):
     """Bob Jenkins' final mixing of three 32-bit words (lookup3, 2006)."""
+
     def turned(x, k):
         return (x << np.uint32(k)) | (x >> np.uint32(32 - k))
 
@@ -32,6 +34,7 @@ def _hash(*words):
 
 def _offset(seed):
     """Where the noise that displaces or colours other noise is taken from."""
+
     def unit(i):
         bits = np.array([seed, i], dtype=np.float32).view(np.uint32)
         return float(_hash(bits[:1], bits[1:])[0]) / 0xFFFFFFFF
@@ -44,7 +47,7 @@ def perlin(points):
     whole = np.floor(points)
     part = (points - whole).astype(np.float32)
     cell = whole.astype(np.int64)
-    smooth = part ** 3 * (part * (part * 6 - 15) + 10)
+    smooth = part**3 * (part * (part * 6 - 15) + 10)
     total = np.zeros(len(points), dtype=np.float32)
     for corner in range(8):
         step = np.array([corner & 1, corner >> 1 & 1, corner >> 2], dtype=np.int64)

@@ -1,10 +1,24 @@
 """A material as DRC has it: one scattering material or a mix, an alpha, an emission, a relief; all as expressions."""
+
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from .closures import Closure, emitted
-from .expressions import (ONE, SPACE, UV, ZERO, Expression, as_colour, as_number, combined, constant, product, rest, total)
+from .expressions import (
+    ONE,
+    SPACE,
+    UV,
+    ZERO,
+    Expression,
+    as_colour,
+    as_number,
+    combined,
+    constant,
+    product,
+    rest,
+    total,
+)
 
 RELIEF_NODES = ("BUMP", "NORMAL_MAP", "DISPLACEMENT")
 
@@ -52,11 +66,25 @@ def plan_of(surface, reader):
     closures, clear = list(surface.scattering), ZERO
     for share, colour in surface.passing:
         if colour.is_constant and np.ptp(colour.constant()) > 1e-3:
-            reader.report.add("a coloured Transparent BSDF is a thin pane without reflections: shadows of point lamps and "
-                              "suns are full behind it", *reader.place)
-            closures.append(Closure("principled", {
-                "rgb basecolor": combined(lambda c: np.clip(c, 0, 1), colour), "float transmission": ONE, "float ior": ONE, "float roughness": ZERO,
-                "float specularlevel": ZERO, "bool thinwall": True}, share))
+            reader.report.add(
+                "a coloured Transparent BSDF is a thin pane without reflections: shadows of point lamps and "
+                "suns are full behind it",
+                *reader.place
+            )
+            closures.append(
+                Closure(
+                    "principled",
+                    {
+                        "rgb basecolor": combined(lambda c: np.clip(c, 0, 1), colour),
+                        "float transmission": ONE,
+                        "float ior": ONE,
+                        "float roughness": ZERO,
+                        "float specularlevel": ZERO,
+                        "bool thinwall": True,
+                    },
+                    share,
+                )
+            )
             continue
         if not colour.is_constant:
             reader.report.add("a textured Transparent BSDF passes grey light", *reader.place)
@@ -64,7 +92,9 @@ def plan_of(surface, reader):
         # What a grey one does not let pass, it absorbs.
         clear = total([clear, product(share, grey)]) if clear is not ZERO else product(share, grey)
         if not grey.is_always(1):
-            closures.append(Closure("diffuse", {"rgb reflectance": constant(0.0, 0.0, 0.0)}, product(share, rest(grey))))
+            closures.append(
+                Closure("diffuse", {"rgb reflectance": constant(0.0, 0.0, 0.0)}, product(share, rest(grey)))
+            )
     weights = [c.weight for c in closures]
     sum_ = total(weights) if weights else ZERO
     alpha = rest(clear)
@@ -75,7 +105,9 @@ def plan_of(surface, reader):
         _scale_to_sum(closures, sum_, alpha, reader)
     shares = []
     for i in range(1, len(closures)):
-        shares.append(combined(lambda w, s: np.where(s > 0, w / np.where(s > 0, s, 1), 0), weights[i], total(weights[:i + 1])))
+        shares.append(
+            combined(lambda w, s: np.where(s > 0, w / np.where(s > 0, s, 1), 0), weights[i], total(weights[: i + 1]))
+        )
     plan = MaterialPlan(closures, shares, alpha)
     plan.emission = _divided(emitted(surface), alpha) if surface.emission else ZERO
     return plan
@@ -93,8 +125,10 @@ def _scale_to_sum(closures, sum_, alpha, reader):
                 continue
             scaled = product(closure.parameters[name], constant(value))
             if scaled.is_constant and np.any(scaled.constant() > 1):
-                reader.report.add("the shaders that are added reflect more than they receive; their colours are limited to 1",
-                                  *reader.place)
+                reader.report.add(
+                    "the shaders that are added reflect more than they receive; their colours are limited to 1",
+                    *reader.place
+                )
             closure.parameters[name] = combined(lambda c: np.clip(c, 0, 1), scaled)
 
 
@@ -148,6 +182,8 @@ def _add_normal_map(plan, reader, at):
         n = n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-20)
         return 0.5 * n + 0.5
 
-    plan.normal_map = combined(encoded, as_colour(colour), as_number(strength)) if not strength.is_always(1) else as_colour(colour)
+    plan.normal_map = (
+        combined(encoded, as_colour(colour), as_number(strength)) if not strength.is_always(1) else as_colour(colour)
+    )
     if strength.is_always(1):
         plan.normal_map.image = getattr(colour, "image", None)

@@ -1,4 +1,5 @@
 """The points at which nodes are evaluated, and what is known there."""
+
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -24,9 +25,15 @@ class Points:
         def cut(array):
             return None if array is None else array[begin:end]
 
-        return Points(min(end, self.count) - begin, {k: cut(v) for k, v in self.uvs.items()}, cut(self.generated),
-                      cut(self.object), cut(self.position), cut(self.normal),
-                      {k: cut(v) for k, v in self.attributes.items()})
+        return Points(
+            min(end, self.count) - begin,
+            {k: cut(v) for k, v in self.uvs.items()},
+            cut(self.generated),
+            cut(self.object),
+            cut(self.position),
+            cut(self.normal),
+            {k: cut(v) for k, v in self.attributes.items()},
+        )
 
 
 NOWHERE = Points(1)

@@ -1,9 +1,12 @@
 """Reads values of node trees as expressions, and reports the nodes that have no equal."""
+
 import subprocess
 
+from . import colour_nodes, coordinate_nodes, number_nodes, texture_nodes
 from .expressions import as_colour, as_number, constant
 from .image_lookup import Images
-from .value_nodes import NODES
+
+NODES = {**coordinate_nodes.NODES, **texture_nodes.NODES, **number_nodes.NODES, **colour_nodes.NODES}
 
 
 class Reader:
@@ -20,6 +23,7 @@ class Reader:
     def sky(self, node):
         """The rendered sky of a Sky Texture, or why there is none."""
         from ..export.sky import bake
+
         try:
             self.skies.append(bake(node))
         except (OSError, RuntimeError, subprocess.SubprocessError) as error:
@@ -41,8 +45,11 @@ class Reader:
             if function is not None:
                 made = function(self, source)
             else:
-                made = self.unsupported(source, f"the node {source.node.bl_label} has no equal; the socket's own value is used",
-                                        self._own_value(socket.socket))
+                made = self.unsupported(
+                    source,
+                    f"the node {source.node.bl_label} has no equal; the socket's own value is used",
+                    self._own_value(socket.socket),
+                )
         if socket.socket.type in ("VALUE", "INT", "BOOLEAN"):
             return as_number(made)
         return as_colour(made) if socket.socket.type in ("RGBA", "VECTOR") else made

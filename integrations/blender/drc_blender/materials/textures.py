@@ -1,4 +1,5 @@
 """Expressions as pbrt textures: constants as numbers, images that stand alone as they are, all else baked."""
+
 import os
 
 import numpy as np
@@ -38,8 +39,13 @@ class Window:
 
     def parameters(self):
         wide, tall = self.tiles
-        return {"float uscale": 1 / wide, "float vscale": 1 / tall, "float udelta": -self.low[0] / wide,
-                "float vdelta": -self.low[1] / tall, "string wrap": "repeat"}
+        return {
+            "float uscale": 1 / wide,
+            "float vscale": 1 / tall,
+            "float udelta": -self.low[0] / wide,
+            "float vdelta": -self.low[1] / tall,
+            "string wrap": "repeat",
+        }
 
     def size(self, side, most=4096):
         return tuple(min(most, side * n) for n in self.tiles)
@@ -80,8 +86,11 @@ class TextureWriter:
 
     def bake_points(self, expression, columns, points, size, key):
         """points(): the Points of a picture of size x size, row by row from below."""
-        return self.cache.file(digest(key, size, columns), "pfm",
-                               lambda: self._pfm(evaluated(expression, points(), columns), size, size, columns))
+        return self.cache.file(
+            digest(key, size, columns),
+            "pfm",
+            lambda: self._pfm(evaluated(expression, points(), columns), size, size, columns),
+        )
 
     @staticmethod
     def _pfm(values, width, height, columns):
@@ -97,7 +106,12 @@ class TextureWriter:
         if at is None:
             return None
         node, placed = at.node, placement(at)
-        if placed is None or node.projection != "FLAT" or node.extension not in WRAPS or node.interpolation == "Closest":
+        if (
+            placed is None
+            or node.projection != "FLAT"
+            or node.extension not in WRAPS
+            or node.interpolation == "Closest"
+        ):
             return None
         file, encoding = self.file_of(node.image)
         if file is None:
@@ -111,11 +125,23 @@ class TextureWriter:
             return None, None
         encoding = "sRGB" if space == "sRGB" else "linear"
         import bpy
+
         path = os.path.realpath(bpy.path.abspath(image.filepath, library=image.library)) if image.filepath else ""
         # Floats of EXR files are linear, whatever Blender is told of them.
         fits = not (image.is_float and space == "sRGB")
-        if image.source == "FILE" and not image.packed_file and not image.is_dirty and image.file_format in READABLE and fits:
-            if os.path.isfile(path) and '"' not in path and image.channels != 2 and image.depth in (8, 24, 32, 48, 64, 96, 128):
+        if (
+            image.source == "FILE"
+            and not image.packed_file
+            and not image.is_dirty
+            and image.file_format in READABLE
+            and fits
+        ):
+            if (
+                os.path.isfile(path)
+                and '"' not in path
+                and image.channels != 2
+                and image.depth in (8, 24, 32, 48, 64, 96, 128)
+            ):
                 return path, encoding
         pixels = self.images.pixels(image)
         if pixels is None:
@@ -147,8 +173,12 @@ def placement(at):
         numbers[name] = tuple(source.socket.default_value)
     if any(numbers["Rotation"]):
         return None
-    return {"float uscale": numbers["Scale"][0], "float vscale": numbers["Scale"][1],
-            "float udelta": numbers["Location"][0], "float vdelta": numbers["Location"][1]}
+    return {
+        "float uscale": numbers["Scale"][0],
+        "float vscale": numbers["Scale"][1],
+        "float udelta": numbers["Location"][0],
+        "float vdelta": numbers["Location"][1],
+    }
 
 
 def is_uv(at):
@@ -156,8 +186,13 @@ def is_uv(at):
 
 
 def texture(name, columns, file, parameters):
-    return statement("Texture", name, "spectrum" if columns == 3 else "float", "imagemap",
-                     params={"string filename": file, **parameters})
+    return statement(
+        "Texture",
+        name,
+        "spectrum" if columns == 3 else "float",
+        "imagemap",
+        params={"string filename": file, **parameters},
+    )
 
 
 def value_at_nowhere(expression):
