@@ -80,7 +80,9 @@ class Stage:
             if name[0] == "i" and name[1:].isdigit():
                 socket = made.inputs[int(name[1:])]
             else:
-                socket = next(s for s in made.inputs if s.name == name.replace("_", " ") and s.enabled)
+                # Blender 5 calls factors Factor that were Fac before.
+                names = {"Fac", "Factor"} if name == "Fac" else {name.replace("_", " ")}
+                socket = next(s for s in made.inputs if s.name in names and s.enabled)
             self.set(tree, socket, value)
         return made
 

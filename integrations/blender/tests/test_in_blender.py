@@ -30,7 +30,7 @@ from compare_with_cycles import quietly, read
 from drc_blender.engine import DrcRenderEngine
 from drc_blender.export.camera_maths import screen_window
 from drc_blender.export.cameras import lens_of
-from drc_blender.export.scene import SceneExporter, Settings
+from drc_blender.export.scene import SceneExporter
 from drc_blender.properties import Defaults
 from stage import HEIGHT, WIDTH, Stage, stripes
 

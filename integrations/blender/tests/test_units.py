@@ -11,7 +11,6 @@ import math
 import os
 import socket
 import struct
-import subprocess
 import sys
 import tempfile
 import time

@@ -69,7 +69,7 @@ def _attribute(reader, at):
     colour = Expression(values, [(SPACE,)])
     if at.socket.name == "Alpha":
         return constant(1.0)
-    return as_number(colour) if at.socket.name == "Fac" else colour
+    return as_number(colour) if at.socket.name in ("Fac", "Factor") else colour
 
 
 def _mapping(reader, at):

@@ -11,7 +11,7 @@ from .closures import Closure, ClosureReader
 from .expressions import Expression, constant
 from .node_links import Socket, active_output, tree_of
 from .plan import MaterialPlan, add_relief, plan_of
-from .textures import Window, evaluated, texture, value_at_nowhere
+from .textures import Window, texture, value_at_nowhere
 from .tree_key import tree_key
 
 
