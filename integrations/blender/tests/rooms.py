@@ -103,9 +103,7 @@ def _(s):
     room.table((-0.6, 1.2), room.principled("steel", Base_Color=(0.7, 0.7, 0.72), Metallic=1.0, Roughness=0.35))
 
 
-@feature(
-    "bathroom", lit=False, spp=1024, reason="plastic is 1 % brighter (see principled.md), which white walls multiply"
-)
+@feature("bathroom", lit=False, spp=1024)
 def _(s):
     room = Room(s, (0.8, 0.8, 0.8))
     bricks = s.node(
