@@ -1,0 +1,184 @@
+"""The render engine: F12 exports the scene, starts the renderer, shows its picture as it refines, and keeps its passes.
+
+The renderer is a child process: whatever happens to it, Blender goes on, and its message is Blender's report.
+"""
+
+import os
+import tempfile
+import time
+
+import bpy
+
+from .commands import render_command
+from .export.camera_maths import pixel_bounds
+from .export.scene import SceneExporter, Settings
+from .program import Child, UserError
+from .properties import preferences, program
+from .render_passes import BUILT_IN, OF_OTHER_INTEGRATORS, PASSES, pass_values
+from .tev_receiver import TevReceiver
+
+LOOK_EVERY = 0.05  # seconds
+DRAIN = 15.0  # seconds that the last picture may take to come
+
+
+def exporter_settings(drc):
+    return Settings(
+        max_depth=drc.max_bounces,
+        filter_kind=drc.filter_kind,
+        filter_width=drc.filter_width,
+        texture_side=drc.texture_side,
+        atlas_side=2 * drc.texture_side,
+        world_side=drc.world_side,
+    )
+
+
+def export_folder(scene, use):
+    """use: "render" or "view", which may run at once."""
+    chosen = bpy.path.abspath(scene.drc.keep_files) if scene.drc.keep_files else ""
+    return os.path.join(chosen or bpy.app.tempdir or tempfile.gettempdir(), f"drc-{use}")
+
+
+class DrcRenderEngine(bpy.types.RenderEngine):
+    bl_idname = "DRC"
+    bl_label = "DRC"
+    bl_use_preview = False
+    bl_use_postprocess = True
+    bl_use_shading_nodes_custom = False
+    bl_use_eevee_viewport = True
+
+    export_only = None  # a file: the next render writes the scene there, and renders nothing
+
+    # Passes
+
+    def update_render_passes(self, scene, renderlayer):
+        for name, channels, kind, _ in PASSES:
+            if name in OF_OTHER_INTEGRATORS:
+                continue
+            self.register_pass(scene, renderlayer, name, len(channels), channels, kind)
+
+    # F12
+
+    def render(self, depsgraph):
+        try:
+            exported = self._export(depsgraph)
+            if DrcRenderEngine.export_only is None:
+                self._render(depsgraph.scene, exported)
+        except UserError as error:
+            self.tell("ERROR", str(error))
+        except OSError as error:
+            self.tell("ERROR", f"cannot write the scene to {self._folder(depsgraph.scene)}: {error.strerror or error}")
+        except ValueError as error:
+            self.tell("ERROR", str(error))
+
+    def tell(self, kind, message):
+        """kind: ERROR or WARNING. One line in Blender's reports."""
+        self.report({kind}, f"DRC: {message}")
+
+    def is_cancelled(self):
+        return self.test_break()
+
+    @staticmethod
+    def _folder(scene):
+        chosen = DrcRenderEngine.export_only
+        return os.path.dirname(chosen) if chosen is not None else export_folder(scene, "render")
+
+    def _export(self, depsgraph):
+        self.update_stats("", "DRC: exporting")
+        scene = depsgraph.scene
+        name = os.path.basename(DrcRenderEngine.export_only or "scene.pbrt")
+        began = time.monotonic()
+        exporter = SceneExporter(self._folder(scene), exporter_settings(scene.drc))
+        exported = exporter.export(depsgraph, set_frame=self.frame_set, camera=self.camera_override, name=name)
+        exported.seconds["export"] = time.monotonic() - began
+        for line in exported.report.lines():
+            self.tell("WARNING", line)
+        return exported
+
+    def _render(self, scene, exported):
+        output = os.path.join(os.path.dirname(exported.path), "picture.exr")
+        receiver, child = TevReceiver(), None
+        try:
+            child = Child(
+                render_command(program(), exported.path, output, scene.drc, receiver.port, preferences().threads)
+            )
+            bounds = self._bounds(scene)
+            began = time.monotonic()
+            while child.running():
+                if self.is_cancelled():
+                    child.stop()
+                    return
+                self._show(receiver, scene, bounds, began)
+                time.sleep(LOOK_EVERY)
+            if child.finish():
+                raise UserError(child.failure())
+            for line in child.warnings():
+                self.tell("WARNING", line)
+            receiver.finish(DRAIN)
+            self._show(receiver, scene, bounds, began, last=True)
+        finally:
+            if child is not None:
+                child.stop()
+            receiver.close()
+            if os.path.exists(output):
+                os.remove(output)
+
+    def _bounds(self, scene):
+        """(x0, x1, y0, y1) of what is rendered, from the top left of the film."""
+        width, height = self.resolution_x, self.resolution_y
+        render = scene.render
+        if not render.use_border:
+            return 0, width, 0, height
+        return pixel_bounds(
+            (render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y), width, height
+        )
+
+    def _show(self, receiver, scene, bounds, began, last=False):
+        passed = time.monotonic() - began
+        drc = scene.drc
+        if drc.stop == "TIME":
+            self.update_progress(min(1.0, passed / drc.time))
+        # While it refines, one pass is enough: all of them take a second of a core at 1920 x 1080.
+        picture = receiver.last() if last else receiver.changed("R", "G", "B", "samples.X")
+        if picture is None:
+            if last:
+                raise UserError("the renderer has sent no picture" + (f" ({receiver.error})" if receiver.error else ""))
+            return
+        samples = picture.layer("samples.X")
+        count = float(samples[bounds[2] : bounds[3], bounds[0] : bounds[1]].mean()) if samples is not None else 0
+        if drc.stop == "SAMPLES":
+            self.update_progress(min(1.0, count / drc.samples))
+        self.update_stats("", f"DRC: {count:.1f} samples a pixel, {passed:.1f} s")
+        values = {name: pass_values(picture, name, bounds) for name, *_ in (PASSES if last else PASSES[:1])}
+        values = {name: found for name, found in values.items() if found is not None}
+        for name, channels, _, _ in PASSES:
+            if name in values and name not in BUILT_IN:
+                self.add_pass(name, len(channels), channels)
+        result = self.begin_result(0, 0, bounds[1] - bounds[0], bounds[3] - bounds[2])
+        try:
+            for layer in result.layers:
+                for render_pass in layer.passes:
+                    if render_pass.name in values:
+                        render_pass.rect.foreach_set(values[render_pass.name])
+            self.update_result(result)
+        finally:
+            self.end_result(result)
+
+    # Viewport
+
+    def view_update(self, context, depsgraph):
+        from .viewport import viewport_of
+
+        viewport_of(self).update(context, depsgraph)
+
+    def view_draw(self, context, depsgraph):
+        from .viewport import viewport_of
+
+        viewport_of(self).draw(context, depsgraph)
+
+
+def register():
+    bpy.utils.register_class(DrcRenderEngine)
+
+
+def unregister():
+    bpy.utils.unregister_class(DrcRenderEngine)

@@ -1,0 +1,189 @@
+"""Blender's lamps as pbrt lights, with the same radiometry."""
+
+import math
+
+import numpy as np
+
+from ..materials.closures import ClosureReader, emitted
+from ..materials.node_links import active_output, tree_of
+from .pbrt_text import statement, transform
+
+ELLIPSE_CORNERS = 128
+SUN_AT_RADII = 500  # how many radii of the scene away the disk of a sun stands
+LEAST_SUN_ANGLE = math.radians(0.05)  # below which a sun is a point
+
+
+def colour_of(light, reader, report, place):
+    """The colour with its strength, as Blender has it before the lamp's own geometry counts."""
+    colour = np.array(light.color, dtype=float)
+    if getattr(light, "use_temperature", False):
+        colour = colour * np.array(light.temperature_color)
+    strength = light.energy * 2.0 ** getattr(light, "exposure", 0.0)
+    tree = tree_of(light)
+    if tree is not None:
+        strength_of_nodes = node_emission(tree, reader, report, place)
+        colour = colour * strength_of_nodes
+    return colour * strength
+
+
+def node_emission(tree, reader, report, place):
+    output = active_output(tree, "OUTPUT_LIGHT")
+    if output is None:
+        return np.ones(3)
+    radiance = emitted(ClosureReader(reader.at(*place)).surface_of(output))
+    if not radiance.is_constant:
+        report.add("textures of lamps have no equal; they are as at their middle", *place)
+    return np.broadcast_to(radiance.constant(), 3).astype(float)
+
+
+def lamp_lines(object_, matrix, scene_sphere, reader, report):
+    """scene_sphere: centre and radius of all that is seen."""
+    light, place = object_.data, (object_.name,)
+    colour = colour_of(light, reader, report, place)
+    if not np.any(colour > 0):
+        return []
+    if np.any(colour < 0):
+        report.add("lamps that take light away have no equal; what is negative is black", *place)
+        colour = np.maximum(colour, 0)
+    if not getattr(light, "use_shadow", True):
+        report.add("a lamp without shadows has no equal; it has them", *place)
+    kinds = {"POINT": point, "SUN": sun, "SPOT": spot, "AREA": area}
+    return kinds[light.type](light, np.array(matrix, dtype=float), colour, scene_sphere, report, place, object_)
+
+
+def is_normalized(light):
+    """Whether the energy is that of the whole lamp, whatever its size."""
+    return getattr(light, "normalize", True)
+
+
+def seen_by_the_camera(object_, report, place):
+    if not object_.visible_camera:
+        report.add("the camera sees lamps with an extent (Blender hides them from it)", *place)
+
+
+def point(light, matrix, colour, _sphere, report, place, object_):
+    radius = light.shadow_soft_size
+    if radius <= 1e-6:
+        return [
+            statement("LightSource", "point", params={"rgb I": colour / (4 * math.pi), "point3 from": matrix[:3, 3]})
+        ]
+    seen_by_the_camera(object_, report, place)
+    radiance = colour / (4 * math.pi)
+    radiance = radiance / (math.pi * radius**2) if is_normalized(light) else radiance
+    return [
+        "AttributeBegin",
+        "Translate " + " ".join(f"{v:.9g}" for v in matrix[:3, 3]),
+        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
+        'Material "diffuse" "rgb reflectance" [0 0 0]',
+        statement("Shape", "sphere", params={"float radius": radius}),
+        "AttributeEnd",
+    ]
+
+
+def direction_of(matrix):
+    """Lamps shine along their -z."""
+    return -matrix[:3, 2] / np.linalg.norm(matrix[:3, 2])
+
+
+def sun(light, matrix, colour, sphere, report, place, object_):
+    """Its energy is an irradiance. A sun with an angle is a far disk, since pbrt's distant light has none."""
+    towards = -direction_of(matrix)
+    half = min(light.angle, math.radians(170)) / 2
+    if light.angle < LEAST_SUN_ANGLE:
+        return [
+            statement(
+                "LightSource", "distant", params={"rgb L": colour, "point3 from": towards, "point3 to": (0, 0, 0)}
+            )
+        ]
+    radiance = colour / (math.pi * math.sin(half) ** 2) if is_normalized(light) else colour
+    report.add("a sun with an angle is a far disk, which the camera sees (Blender hides it)", *place)
+    return disk_of_sun(radiance, towards, half, sphere)
+
+
+def disk_of_sun(radiance, towards, half, sphere):
+    """half: of the angle that it is seen under."""
+    centre, radius = sphere
+    distance = SUN_AT_RADII * max(radius, 1e-3)
+    towards = np.asarray(towards, dtype=float)
+    return [
+        "AttributeBegin",
+        transform(frame(-towards, np.asarray(centre) + distance * towards)),
+        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
+        'Material "diffuse" "rgb reflectance" [0 0 0]',
+        statement("Shape", "disk", params={"float radius": distance * math.tan(half)}),
+        "AttributeEnd",
+    ]
+
+
+def frame(z, origin):
+    """A right-handed space with this z and origin."""
+    x = np.cross((0.0, 1.0, 0.0) if abs(z[1]) < 0.9 else (1.0, 0.0, 0.0), z)
+    x /= np.linalg.norm(x)
+    made = np.eye(4)
+    made[:3, 0], made[:3, 1], made[:3, 2], made[:3, 3] = x, np.cross(z, x), z, origin
+    return made
+
+
+def spot(light, matrix, colour, _sphere, report, place, object_):
+    """Its cone does not change its intensity. pbrt's edge is the same curve of the angle's cosine."""
+    if light.shadow_soft_size > 1e-3:
+        report.add("a spot with a radius has no equal; it is a point, with sharp shadows", *place)
+    scale = np.linalg.norm(matrix[:3, :3], axis=0)
+    if np.ptp(scale) > 1e-3 * scale.max():
+        report.add("a spot with unequal scales has no equal; its cone is round", *place)
+    edge = math.cos(light.spot_size / 2)
+    full = edge + (1 - edge) * light.spot_blend
+    cone = math.degrees(light.spot_size / 2)
+    fade = cone - math.degrees(math.acos(min(1.0, full)))
+    position = matrix[:3, 3]
+    return [
+        statement(
+            "LightSource",
+            "spot",
+            params={
+                "rgb I": colour / (4 * math.pi),
+                "point3 from": position,
+                "point3 to": position + direction_of(matrix),
+                "float coneangle": max(cone, 1e-3),
+                "float conedeltaangle": max(fade, 1e-3),
+            },
+        )
+    ]
+
+
+def area(light, matrix, colour, _sphere, report, place, object_):
+    """One-sided. Its energy is that of the whole lamp: Lambert's law makes it pi times area times radiance."""
+    if light.spread < math.pi - 1e-3:
+        report.add("the spread of area lamps has no equal; they shine to all sides", *place)
+    seen_by_the_camera(object_, report, place)
+    wide = light.size
+    tall = light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else light.size
+    x, y, origin = matrix[:3, 0] * wide / 2, matrix[:3, 1] * tall / 2, matrix[:3, 3]
+    round_ = light.shape in ("DISK", "ELLIPSE")
+    size = float(np.linalg.norm(np.cross(x, y))) * (math.pi if round_ else 4)
+    if size <= 0:
+        return []
+    radiance = colour / (math.pi * size) if is_normalized(light) else colour / math.pi
+    if round_:
+        turns = np.arange(ELLIPSE_CORNERS) * (2 * math.pi / ELLIPSE_CORNERS)
+        # The polygon has the ellipse's area.
+        grow = math.sqrt(math.pi / (ELLIPSE_CORNERS / 2 * math.sin(2 * math.pi / ELLIPSE_CORNERS)))
+        ring = origin + grow * (np.cos(turns)[:, None] * x + np.sin(turns)[:, None] * y)
+        corners = np.concatenate([[origin], ring])
+        triangles = [(0, 1 + (i + 1) % ELLIPSE_CORNERS, 1 + i) for i in range(ELLIPSE_CORNERS)]
+    else:
+        corners = np.array([origin - x - y, origin + x - y, origin + x + y, origin - x + y])
+        triangles = [(0, 2, 1), (0, 3, 2)]
+    if np.linalg.det(matrix[:3, :3]) < 0:  # mirrored: it still shines along its -z
+        triangles = [t[::-1] for t in triangles]
+    return [
+        "AttributeBegin",
+        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
+        'Material "diffuse" "rgb reflectance" [0 0 0]',
+        statement(
+            "Shape",
+            "trianglemesh",
+            params={"point3 P": corners.reshape(-1), "integer indices": np.array(triangles).reshape(-1)},
+        ),
+        "AttributeEnd",
+    ]

@@ -1,0 +1,58 @@
+"""The world as an infinite light: constant, or a picture of all directions."""
+
+import numpy as np
+
+from ..materials.closures import ClosureReader, emitted
+from ..materials.node_links import tree_of
+from ..materials.points import Points
+from ..materials.textures import evaluated
+from ..materials.tree_key import tree_key
+from .cache import digest
+from .equal_area import directions
+from .image_files import pfm_bytes
+from .lights import disk_of_sun
+from .pbrt_text import statement
+
+
+def world_lines(world, reader, cache, side, sphere):
+    """side: pixels of the picture's side; sphere: centre and radius of all that is seen."""
+    if world is None:
+        return []
+    tree = tree_of(world)
+    if tree is None:
+        return constant_lines(np.array(world.color, dtype=float))
+    reader = reader.at(world.name)
+    radiance = emitted(ClosureReader(reader).background(tree))
+    if radiance.is_constant:
+        return constant_lines(np.broadcast_to(radiance.constant(), 3))
+
+    def make():
+        # Four directions a pixel, so that small suns keep their energy.
+        way = directions(2 * side).reshape(-1, 3).astype(np.float32)
+        points = Points(len(way), {"": way[:, :2]}, generated=way, object=way, position=way, normal=way)
+        values = np.maximum(evaluated(radiance, points, 3), 0)
+        return pfm_bytes(values.reshape(side, 2, side, 2, 3).mean(axis=(1, 3)))
+
+    file = cache.file(digest("world", tree_key(tree), side), "pfm", make)
+    lines = [statement("LightSource", "infinite", params={"string filename": file})]
+    for sky in reader.skies:
+        if sky.sun_radiance is not None:
+            lines += sun_lines(sky, radiance, reader, sphere)
+    return lines
+
+
+def sun_lines(sky, radiance, reader, sphere):
+    """The sun of a Sky Texture, as bright as the nodes behind it make it."""
+    way = np.asarray(sky.sun_direction, dtype=np.float32)[None]
+    points = Points(1, {"": way[:, :2]}, generated=way, object=way, position=way, normal=way)
+    without = radiance(points)[0]
+    reader.suns_shown = True
+    added = radiance(points)[0] - without
+    reader.suns_shown = False
+    return disk_of_sun(np.maximum(added, 0), sky.sun_direction, sky.sun_angle / 2, sphere) if np.any(added > 0) else []
+
+
+def constant_lines(radiance):
+    if not np.any(radiance > 0):
+        return []
+    return [statement("LightSource", "infinite", params={"rgb L": np.maximum(radiance, 0)})]

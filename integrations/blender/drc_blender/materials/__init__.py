@@ -1,0 +1,1 @@
+"""From Blender's shader nodes to DRC's materials and textures."""

@@ -1,0 +1,296 @@
+"""Shader nodes as a weighted sum of closures: what scatters, what emits, what lets light pass."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .expressions import ONE, ZERO, Expression, as_colour, as_number, combined, constant, product, rest, total
+from .node_links import Socket, active_output
+
+
+@dataclass
+class Closure:
+    """A DRC material, its parameters (declared name: expression), and the share of the surface that it has."""
+
+    kind: str
+    parameters: dict
+    weight: Expression = field(default_factory=lambda: ONE)
+    relief: object = None  # what its Normal input is linked to
+    place: tuple = ()
+
+
+@dataclass
+class Surface:
+    scattering: list = field(default_factory=list)  # Closures
+    emission: list = field(default_factory=list)  # expressions of radiance
+    passing: list = field(default_factory=list)  # (share, colour) of what passes straight through
+
+
+PRINCIPLED = {  # parameter: sockets, of which the first that a version has counts
+    "rgb basecolor": ("Base Color",),
+    "float metallic": ("Metallic",),
+    "float roughness": ("Roughness",),
+    "float ior": ("IOR",),
+    "float specularlevel": ("Specular IOR Level",),
+    "rgb speculartint": ("Specular Tint",),
+    "float anisotropic": ("Anisotropic",),
+    "float anisotropicrotation": ("Anisotropic Rotation",),
+    "float transmission": ("Transmission Weight",),
+    "float coat": ("Coat Weight",),
+    "float coatroughness": ("Coat Roughness",),
+    "float coatior": ("Coat IOR",),
+    "rgb coattint": ("Coat Tint",),
+    "float sheen": ("Sheen Weight",),
+    "float sheenroughness": ("Sheen Roughness",),
+    "rgb sheentint": ("Sheen Tint",),
+    "float subsurface": ("Subsurface Weight",),
+}
+PRINCIPLED_ABSENT = (("Diffuse Roughness", 0.0), ("Thin Film Thickness", 0.0), ("Transmission Dispersion Scale", 0.0))
+SCHLICK_AT_82 = (6 / 7) ** 5  # 1 - cos to the fifth, at the angle at which F82 tints
+
+
+def constant_reflectance_tint(colour):
+    """The tint near the horizon with which Schlick's curve, as bent by F82, keeps the colour that it has head-on."""
+    return combined(lambda c: np.where(c > 0, c / np.maximum(c + (1 - c) * SCHLICK_AT_82, 1e-6), 0), colour)
+
+
+class ClosureReader:
+    """Reads the surface of a material or world tree; the reader's report gets what has no equal."""
+
+    def __init__(self, reader):
+        self.reader = reader
+        self.kinds = {
+            "BSDF_PRINCIPLED": self._principled,
+            "BSDF_DIFFUSE": self._diffuse,
+            "BSDF_GLOSSY": self._glossy,
+            "BSDF_ANISOTROPIC": self._glossy,
+            "BSDF_METALLIC": self._metallic,
+            "BSDF_GLASS": self._glass,
+            "BSDF_REFRACTION": self._refraction,
+            "BSDF_TRANSPARENT": self._transparent,
+            "BSDF_TRANSLUCENT": self._translucent,
+            "EMISSION": self._emission,
+            "BACKGROUND": self._emission,
+            "BSDF_SHEEN": self._sheen,
+            "SUBSURFACE_SCATTERING": self._subsurface,
+            "HOLDOUT": self._holdout,
+        }
+
+    def surface(self, tree):
+        return self.surface_of(active_output(tree, "OUTPUT_MATERIAL"))
+
+    def background(self, tree):
+        return self.surface_of(active_output(tree, "OUTPUT_WORLD"))
+
+    def surface_of(self, output):
+        """output: an output node, or None, which has no surface."""
+        made = Surface()
+        if output is not None:
+            self._add(Socket(output.inputs["Surface"]), ONE, made)
+        return made
+
+    def _add(self, socket, weight, made):
+        at = socket.source()
+        if not at.socket.is_output:
+            return  # nothing is linked: black
+        if weight.is_always(0):
+            return
+        node = at.node
+        if node.type == "MIX_SHADER":
+            # Both shader inputs are called Shader: by position.
+            factor, first, second = at.inputs()[:3]
+            if self._is_plastic(factor.source(), first, second):
+                self._plastic(at, factor.source(), first, second, weight, made)
+                return
+            share = combined(lambda f: np.clip(f, 0, 1), as_number(self.reader.value(factor)))
+            self._add(first, product(weight, rest(share)), made)
+            self._add(second, product(weight, share), made)
+        elif node.type == "ADD_SHADER":
+            for part in at.inputs()[:2]:
+                self._add(part, weight, made)
+        elif node.type in self.kinds:
+            self.kinds[node.type](at, weight, made)
+        elif at.socket.type == "SHADER":
+            self.reader.unsupported(at, f"the node {node.bl_label} has no equal; it is grey and diffuse")
+            made.scattering.append(Closure("diffuse", {"rgb reflectance": constant(0.5, 0.5, 0.5)}, weight))
+        else:  # a colour where a shader is expected is an emission
+            made.emission.append(product(weight, as_colour(self.reader.value(socket))))
+
+    def _value(self, at, name):
+        return self.reader.value(at.input(name))
+
+    def _closure(self, at, kind, parameters, weight, normal="Normal"):
+        relief = at.input(normal)
+        if relief is not None and not relief.source().socket.is_output:
+            relief = None
+        return Closure(kind, parameters, weight, relief.source() if relief is not None else None)
+
+    # Pairs that are one material
+
+    def _is_plastic(self, factor, first, second):
+        kinds = [s.source().node.type if s.source().socket.is_output else "" for s in (first, second)]
+        return (
+            factor.socket.is_output
+            and factor.node.type == "FRESNEL"
+            and kinds in (["BSDF_DIFFUSE", "BSDF_GLOSSY"], ["BSDF_DIFFUSE", "BSDF_ANISOTROPIC"])
+        )
+
+    def _plastic(self, at, factor, first, second, weight, made):
+        diffuse, glossy = first.source(), second.source()
+        made.scattering.append(
+            self._closure(
+                diffuse,
+                "principled",
+                {
+                    "rgb basecolor": self._value(diffuse, "Color"),
+                    "float roughness": self._value(glossy, "Roughness"),
+                    "rgb speculartint": self._value(glossy, "Color"),
+                    "float ior": self._value(factor, "IOR"),
+                },
+                weight,
+            )
+        )
+
+    # Single nodes
+
+    def _principled(self, at, weight, made):
+        parameters = {}
+        for declared, names in PRINCIPLED.items():
+            socket = next((s for s in map(at.input, names) if s is not None), None)
+            if socket is not None:
+                parameters[declared] = self.reader.value(socket)
+        for name, neutral in PRINCIPLED_ABSENT:
+            socket = at.input(name)
+            if socket is not None and not self.reader.value(socket).is_always(neutral):
+                self.reader.unsupported(at, f"{name} has no equal; it is left out")
+        thin = at.input("Thin Wall")
+        if thin is not None and self.reader.value(thin).is_always(1):
+            parameters["bool thinwall"] = True
+        subsurface = parameters.get("float subsurface")
+        if subsurface is not None and not subsurface.is_always(0):
+            self.reader.unsupported(at, "light does not spread below surfaces; it is diffuse there and then")
+        alpha = combined(lambda a: np.clip(a, 0, 1), self._value(at, "Alpha"))
+        if not alpha.is_always(1):
+            made.passing.append((product(weight, rest(alpha)), constant(1.0, 1.0, 1.0)))
+            weight = product(weight, alpha)
+        strength = self._value(at, "Emission Strength")
+        emission = product(strength, self._value(at, "Emission Color"))
+        if not (emission.is_constant and not np.any(emission.constant())):
+            made.emission.append(product(weight, as_colour(emission)))
+        made.scattering.append(self._closure(at, "principled", parameters, weight))
+
+    def _diffuse(self, at, weight, made):
+        if not self._value(at, "Roughness").is_always(0):
+            self.reader.unsupported(at, "a rough Diffuse BSDF has no equal; it is Lambert's")
+        made.scattering.append(self._closure(at, "diffuse", {"rgb reflectance": self._value(at, "Color")}, weight))
+
+    def _glossy(self, at, weight, made):
+        colour = self._value(at, "Color")
+        parameters = {
+            "rgb basecolor": colour,
+            "float metallic": ONE,
+            "float roughness": self._value(at, "Roughness"),
+            "rgb speculartint": constant_reflectance_tint(colour),
+        }
+        self._anisotropy(at, parameters)
+        if getattr(at.node, "distribution", "GGX") in ("BECKMANN", "ASHIKHMIN_SHIRLEY"):
+            self.reader.unsupported(at, f"the distribution {at.node.distribution} has no equal; it is GGX")
+        made.scattering.append(self._closure(at, "principled", parameters, weight))
+
+    def _anisotropy(self, at, parameters):
+        for declared, name in (("float anisotropic", "Anisotropy"), ("float anisotropicrotation", "Rotation")):
+            if at.input(name) is not None:
+                parameters[declared] = self._value(at, name)
+
+    def _metallic(self, at, weight, made):
+        parameters = {
+            "rgb basecolor": self._value(at, "Base Color"),
+            "float metallic": ONE,
+            "float roughness": self._value(at, "Roughness"),
+            "rgb speculartint": self._value(at, "Edge Tint"),
+        }
+        if at.node.fresnel_type != "F82":
+
+            def head_on(n, k):
+                return ((n - 1) ** 2 + k * k) / ((n + 1) ** 2 + k * k)
+
+            def at_82(n, k):  # unpolarised, at a cosine of 1/7
+                c, t = 1 / 7, n * n + k * k
+                s = (t * c * c - 2 * n * c + 1) / (t * c * c + 2 * n * c + 1)
+                p = (t - 2 * n * c + c * c) / (t + 2 * n * c + c * c)
+                return (s + p) / 2
+
+            n, k = (as_colour(self._value(at, name)) for name in ("IOR", "Extinction"))
+            base, edge = combined(head_on, n, k), combined(at_82, n, k)
+            parameters["rgb basecolor"] = base
+            parameters["rgb speculartint"] = combined(
+                lambda b, e: np.clip(e / (b + (1 - b) * SCHLICK_AT_82), 0, 1), base, edge
+            )
+        self._anisotropy(at, parameters)
+        made.scattering.append(self._closure(at, "principled", parameters, weight))
+
+    def _glass(self, at, weight, made):
+        colour = self._value(at, "Color")
+        made.scattering.append(
+            self._closure(
+                at,
+                "principled",
+                {
+                    # The principled glass tints by the root of its colour at each surface, Glass by the colour itself.
+                    "rgb basecolor": combined(lambda c: np.clip(c, 0, 1) ** 2, colour),
+                    "rgb speculartint": colour,
+                    "float transmission": ONE,
+                    "float roughness": self._value(at, "Roughness"),
+                    "float ior": self._value(at, "IOR"),
+                },
+                weight,
+            )
+        )
+
+    def _refraction(self, at, weight, made):
+        self.reader.unsupported(at, "a surface that refracts without reflecting has no equal; it is glass")
+        self._glass(at, weight, made)
+
+    def _transparent(self, at, weight, made):
+        made.passing.append((weight, as_colour(self._value(at, "Color"))))
+
+    def _translucent(self, at, weight, made):
+        made.scattering.append(
+            self._closure(
+                at,
+                "diffusetransmission",
+                {"rgb reflectance": constant(0.0, 0.0, 0.0), "rgb transmittance": self._value(at, "Color")},
+                weight,
+            )
+        )
+
+    def _emission(self, at, weight, made):
+        made.emission.append(product(weight, product(self._value(at, "Strength"), as_colour(self._value(at, "Color")))))
+
+    def _sheen(self, at, weight, made):
+        made.scattering.append(
+            self._closure(
+                at,
+                "principled",
+                {
+                    "rgb basecolor": constant(0.0, 0.0, 0.0),
+                    "float specularlevel": ZERO,
+                    "float sheen": ONE,
+                    "rgb sheentint": self._value(at, "Color"),
+                    "float sheenroughness": self._value(at, "Roughness"),
+                },
+                weight,
+            )
+        )
+
+    def _subsurface(self, at, weight, made):
+        self.reader.unsupported(at, "light does not spread below surfaces; it is diffuse there and then")
+        made.scattering.append(self._closure(at, "diffuse", {"rgb reflectance": self._value(at, "Color")}, weight))
+
+    def _holdout(self, at, weight, made):
+        self.reader.unsupported(at, "holdouts have no equal; the surface is black")
+        made.scattering.append(Closure("diffuse", {"rgb reflectance": constant(0.0, 0.0, 0.0)}, weight))
+
+
+def emitted(surface):
+    return total([as_colour(e) for e in surface.emission])

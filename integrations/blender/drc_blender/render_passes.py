@@ -1,0 +1,32 @@
+"""The layers of a render as Blender's passes."""
+
+import numpy as np
+
+# Blender's name, its channels, its kind, and the renderer's channels.
+PASSES = (
+    ("Combined", "RGBA", "COLOR", ("R", "G", "B")),
+    ("Depth", "Z", "VALUE", ("depth.Z",)),
+    ("Normal", "XYZ", "VECTOR", ("normal.X", "normal.Y", "normal.Z")),
+    ("Denoising Albedo", "RGB", "COLOR", ("albedo.R", "albedo.G", "albedo.B")),
+    ("Direct", "RGB", "COLOR", ("direct.R", "direct.G", "direct.B")),
+    ("Indirect", "RGB", "COLOR", ("indirect.R", "indirect.G", "indirect.B")),
+    ("Variance", "RGB", "COLOR", ("variance.R", "variance.G", "variance.B")),
+    ("Sample Count", "X", "VALUE", ("samples.X",)),
+)
+BUILT_IN = {"Combined"}
+# Which the integrator that the engine uses does not keep apart.
+OF_OTHER_INTEGRATORS = {"Direct", "Indirect"}
+
+
+def pass_values(picture, name, bounds):
+    """Of a Picture of the whole film: the rows of a pass within (x0, x1, y0, y1), from the bottom, flat as Blender's
+    passes are; None if the render has no such layer. The film has no transparency: alpha is 1."""
+    _, kind, _, channels = next(p for p in PASSES if p[0] == name)
+    found = picture.layer(*channels)
+    if found is None:
+        return None
+    x0, x1, y0, y1 = bounds
+    found = found[y0:y1, x0:x1][::-1]
+    if kind == "RGBA":
+        found = np.concatenate([found, np.ones_like(found[..., :1])], axis=-1)
+    return np.ascontiguousarray(found, dtype=np.float32).reshape(-1)

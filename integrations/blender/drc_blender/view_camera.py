@@ -1,0 +1,48 @@
+"""What Blender's viewport sees, in the terms of `drc view`."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class View:
+    """to_world: 4 x 4 rows, from Blender's camera space (along -z) to world space; window: as of camera_maths."""
+
+    to_world: tuple
+    window: tuple
+    orthographic: bool
+
+    def matrix(self):
+        return np.array(self.to_world)
+
+    def eye_look_up(self, origin=(0, 0, 0)):
+        """In the renderer's world space, whose origin may be elsewhere."""
+        m = self.matrix()
+        eye = m[:3, 3] - np.asarray(origin, dtype=float)
+        return eye, eye - m[:3, 2], m[:3, 1]
+
+    def lens(self):
+        """What a renderer that is running cannot change: all but the place. Rounded, since Blender computes it anew
+        for every frame."""
+        return tuple(float(f"{v:.4g}") for v in self.window), self.orthographic
+
+
+def view_of(view_matrix, projection):
+    """view_matrix: from world space to camera space; projection: OpenGL's window matrix. Both rows, as Blender has them."""
+    to_world = np.linalg.inv(np.array(view_matrix, dtype=float))
+    to_world[:3, :3] /= np.linalg.norm(to_world[:3, :3], axis=0)
+    p = np.array(projection, dtype=float)
+    orthographic = p[3, 3] != 0
+    edges = []
+    for axis in (0, 1):
+        # On the plane at distance 1, or anywhere along the axis of an orthographic view.
+        shift = -p[axis, 3] if orthographic else p[axis, 2]
+        edges += [(-1 + shift) / p[axis, axis], (1 + shift) / p[axis, axis]]
+    return View(tuple(map(tuple, to_world)), tuple(edges), bool(orthographic))
+
+
+def frame_size(width, height, most=None):
+    """Whole pixels within what the renderer accepts; most: the longer side."""
+    scale = min(1.0, (most or 4096) / max(width, height))
+    return tuple(min(4096, max(16, int(round(n * scale)))) for n in (width, height))

@@ -1,0 +1,162 @@
+"""The viewport's side of `drc view`: starts it, moves its camera, fetches its frames. Nothing here touches Blender.
+
+All requests are made on one thread, so that Blender never waits for the renderer: the latest camera counts, and the
+latest frame is kept.
+"""
+
+import contextlib
+import http.client
+import json
+import threading
+import time
+from urllib.parse import urlsplit
+
+import numpy as np
+
+from .program import Child, UserError
+
+START = 120.0  # seconds that a renderer may take to read the scene and print its address
+ASK_EVERY = 0.03  # seconds
+MOST_BYTES = 1 << 30
+
+
+def frame_of(data):
+    """(number, height x width x channels of halves, rows from the top) of the answer to `frame`."""
+    if len(data) < 16:
+        raise ValueError("a frame without a head")
+    width, height, channels, number = (int(n) for n in np.frombuffer(data, dtype="<u4", count=4))
+    if len(data) != 16 + 2 * width * height * channels:
+        raise ValueError(f"a frame of {width} x {height} x {channels} values in {len(data)} bytes")
+    return number, np.frombuffer(data, dtype="<f2", offset=16).reshape(height, width, channels)
+
+
+def origin_of(camera):
+    """Where the renderer's world space has its origin, in that of the scene file. camera: of `state`."""
+    words = camera["pbrt"].split()
+    eye = [float(word) for word in words[words.index("LookAt") + 1 :][:3]]
+    return tuple(e - c for e, c in zip(eye, camera["eye"]))
+
+
+class ViewClient:
+    """A running `drc view`. error: a line for the user, once it has failed."""
+
+    def __init__(self, command):
+        self.error = None
+        self._lock = threading.Lock()
+        self._wanted, self._sent = None, None
+        self._frame, self._number, self._taken = None, None, None
+        self._closing = threading.Event()
+        self.child = Child(command, keep_output=True)
+        self._thread = threading.Thread(target=self._run, name="drc view", daemon=True)
+        self._thread.start()
+
+    def move(self, view, width, height, moving):
+        """The camera from now on, and the size of its frames."""
+        with self._lock:
+            self._wanted = view, width, height, bool(moving)
+
+    def frame(self):
+        """The latest frame, if it has not been taken yet, else None."""
+        with self._lock:
+            if self._frame is None or self._taken == self._number:
+                return None
+            self._taken = self._number
+            return self._frame
+
+    def has_news(self):
+        with self._lock:
+            return self.error is not None or (self._frame is not None and self._taken != self._number)
+
+    def close(self):
+        """Does not wait for the renderer: it ends by itself or is ended."""
+        self._closing.set()
+        threading.Thread(target=self.child.stop, kwargs={"grace": 1.0}, name="drc ends", daemon=True).start()
+
+    # On the thread
+
+    def _run(self):
+        try:
+            address = self._address()
+            if address is None:
+                return
+            parts = urlsplit(address)
+            self._connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=30)
+            self._prefix = parts.path
+            with contextlib.closing(self._connection):
+                self._serve()
+        except (OSError, ValueError, KeyError, http.client.HTTPException, UserError) as error:
+            if not self._closing.is_set():
+                if not isinstance(error, UserError) and not self.child.running():
+                    self.child.finish()
+                    error = self.child.failure()
+                self.error = str(error) or type(error).__name__
+
+    def _serve(self):
+        origin = origin_of(json.loads(self._request("GET", "state"))["camera"])
+        while not self._closing.is_set():
+            if not self.child.running():
+                self.child.finish()
+                raise UserError(self.child.failure())
+            self._send_camera(origin)
+            self._ask_for_frame()
+            self._closing.wait(ASK_EVERY)
+
+    def _address(self):
+        end = time.monotonic() + START
+        while time.monotonic() < end and not self._closing.is_set():
+            if self.child.output:
+                return self.child.output[0].strip()
+            if not self.child.running():
+                self.child.finish()
+                raise UserError(self.child.failure())
+            time.sleep(0.02)
+        if self._closing.is_set():
+            return None
+        raise UserError(f"the renderer has not begun within {START:g} seconds")
+
+    def _request(self, method, what, body=None):
+        self._connection.request(method, self._prefix + what, body=body)
+        answer = self._connection.getresponse()
+        data = answer.read(MOST_BYTES)
+        if answer.status == 503:  # no picture yet
+            return None
+        if answer.status != 200:
+            raise UserError(f"the renderer has refused '{what}': {data.decode('utf-8', 'replace').strip()}")
+        return data
+
+    def _send_camera(self, origin):
+        with self._lock:
+            wanted = self._wanted
+        if wanted is None or wanted == self._sent:
+            return
+        view, width, height, moving = wanted
+        eye, look, up = view.eye_look_up(origin)
+        self._request(
+            "POST",
+            "camera",
+            json.dumps(
+                {
+                    "eye": list(eye),
+                    "look": list(look),
+                    "up": list(up),
+                    "width": width,
+                    "height": height,
+                    "moving": moving,
+                }
+            ),
+        )
+        self._sent = wanted
+
+    def _ask_for_frame(self):
+        state = json.loads(self._request("GET", "state"))
+        if state.get("error"):
+            raise UserError(state["error"])
+        # A frame of a camera that has been left is shown until there is one of the new camera.
+        if state.get("number") is None or state["number"] == self._number:
+            return
+        data = self._request("GET", "frame?layer=beauty")
+        if data is None:
+            return
+        number, frame = frame_of(data)
+        with self._lock:
+            self._number, self._frame = number, frame

@@ -1,0 +1,135 @@
+"""Rendered shading in the viewport: the scene is exported for a `drc view`, whose frames are drawn.
+
+A scene that has changed is exported again, a moment after its last change, and given to a new renderer; the old one's
+picture stays until then. A camera that moves is only told. All of Blender is touched in its own callbacks and timers.
+"""
+
+import time
+import weakref
+
+import bpy
+import gpu
+import numpy as np
+from gpu_extras.presets import draw_texture_2d
+
+from .commands import view_command
+from .engine import export_folder, exporter_settings
+from .export.scene import SceneExporter
+from .program import UserError
+from .properties import preferences, program
+from .view_camera import frame_size, view_of
+from .view_client import ViewClient
+
+AFTER_A_CHANGE = 0.4  # seconds without a change before the scene is exported
+MOVING = 0.25  # seconds after which a camera stands still
+WHILE_MOVING = 640  # pixels of a frame's longer side
+LOOK_EVERY = 0.05  # seconds
+
+_all = weakref.WeakSet()
+
+
+def viewport_of(engine):
+    """Kept with the engine, which Blender makes for each viewport that is shaded."""
+    found = getattr(engine, "viewport", None)
+    if found is None:
+        found = engine.viewport = Viewport(engine)
+        _all.add(found)
+    return found
+
+
+def close_all():
+    for viewport in list(_all):
+        viewport.close()
+
+
+class Viewport:
+    def __init__(self, engine):
+        self._engine = weakref.ref(engine)
+        self._client, self._exporter = None, None
+        self._changed_at, self._moved_at, self._view = time.monotonic(), 0.0, None
+        self._lens, self._frame, self._texture = None, None, None
+        # The renderer ends with the engine, which Blender frees when the shading changes or the window closes.
+        weakref.finalize(engine, self.close)
+        bpy.app.timers.register(self._look, first_interval=LOOK_EVERY)
+
+    def close(self):
+        client, self._client = self._client, None
+        if client is not None:
+            client.close()
+
+    # Blender's callbacks
+
+    def update(self, _context, _depsgraph):
+        self._changed_at = time.monotonic()
+
+    def draw(self, context, depsgraph):
+        engine, now = self._engine(), time.monotonic()
+        region, region_data = context.region, context.region_data
+        view = view_of(region_data.view_matrix, region_data.window_matrix)
+        if view != self._view:
+            self._view, self._moved_at = view, now
+        due = self._changed_at is not None and (self._client is None or now - self._changed_at > AFTER_A_CHANGE)
+        zoomed = self._lens is not None and view.lens() != self._lens and now - self._moved_at > MOVING
+        if due or zoomed:
+            self._start(context, depsgraph, view, frame_size(region.width, region.height), engine)
+        if self._client is not None:
+            if self._client.error:
+                engine.update_stats("DRC", self._client.error)
+            moving = now - self._moved_at < MOVING
+            size = frame_size(region.width, region.height, WHILE_MOVING if moving else None)
+            self._client.move(view, *size, moving)
+            frame = self._client.frame()
+            if frame is not None:
+                self._frame, self._texture = frame, None
+        self._draw_frame(engine, context, depsgraph)
+
+    def _start(self, context, depsgraph, view, size, engine):
+        """Exports, and replaces the renderer."""
+        scene = depsgraph.scene
+        self._changed_at, self._lens = None, view.lens()
+        try:
+            if self._exporter is None:
+                self._exporter = SceneExporter(export_folder(scene, "view"), exporter_settings(scene.drc))
+            self._exporter.settings = exporter_settings(scene.drc)
+            exported = self._exporter.export(depsgraph, size=size, view=view)
+            client = ViewClient(view_command(program(), exported.path, *size, scene.drc, preferences().threads))
+        except (UserError, OSError, ValueError) as error:
+            engine.update_stats("DRC", str(error))
+            return
+        engine.update_stats("", "")
+        self.close()
+        self._client = client
+
+    def _draw_frame(self, engine, _context, depsgraph):
+        if self._frame is None:
+            return
+        if self._texture is None:
+            height, width = self._frame.shape[:2]
+            values = np.ones((height, width, 4), dtype=np.float32)
+            values[..., :3] = self._frame[::-1, :, :3]
+            buffer = gpu.types.Buffer("FLOAT", width * height * 4, values.reshape(-1))
+            self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=buffer)
+        region = bpy.context.region
+        gpu.state.blend_set("ALPHA_PREMULT")
+        engine.bind_display_space_shader(depsgraph.scene)
+        draw_texture_2d(self._texture, (0, 0), region.width, region.height)
+        engine.unbind_display_space_shader()
+        gpu.state.blend_set("NONE")
+
+    # A timer of Blender's
+
+    def _look(self):
+        """Asks for a redraw when there is something to draw; ends with the engine."""
+        engine = self._engine()
+        if engine is None:
+            return None
+        now = time.monotonic()
+        client = self._client
+        settles = MOVING < now - self._moved_at < MOVING + 3 * LOOK_EVERY
+        due = self._changed_at is not None and now - self._changed_at > AFTER_A_CHANGE
+        if due or settles or (client is not None and client.has_news()):
+            try:
+                engine.tag_redraw()
+            except ReferenceError:  # freed by Blender before Python noticed
+                return None
+        return LOOK_EVERY

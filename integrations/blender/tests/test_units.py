@@ -1,0 +1,520 @@
+#!/usr/bin/env python3
+"""What of the add-on needs no Blender: scene text, PLY, pictures, camera maths, patterns, the receiver of pictures, the
+renderer as a child, the client of the live view.
+
+    integrations/blender/tests/test_units.py [--drc build/release/drc]
+
+Without the program, the tests that need it are skipped; without numpy all are: it ends with status 77.
+"""
+
+import math
+import os
+import socket
+import struct
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.dirname(HERE))
+try:
+    import numpy as np
+except ImportError:
+    print("skipped: this Python has no numpy")
+    sys.exit(77)
+
+from drc_blender.commands import render_command, view_command
+from drc_blender.export.cache import FileCache, digest
+from drc_blender.export.camera_maths import Lens, lens_radius, pixel_bounds, screen_window
+from drc_blender.export.equal_area import directions
+from drc_blender.export.image_files import pfm_bytes, png_bytes, srgb_to_linear
+from drc_blender.export.pbrt_text import Names, number, quoted, statement, transform
+from drc_blender.export.ply import merged_corners, ply_bytes
+from drc_blender.export.report import Report
+from drc_blender.export.spaces import world_to_camera, world_to_panorama
+from drc_blender.materials.atlas import Atlas
+from drc_blender.materials.blackbody import blackbody
+from drc_blender.materials.image_lookup import Pixels, equirectangular
+from drc_blender.program import Child, UserError, find_program
+from drc_blender.render_passes import pass_values
+from drc_blender.tev_receiver import Picture, TevReceiver
+from drc_blender.view_camera import frame_size, view_of
+from drc_blender.view_client import ViewClient, frame_of, origin_of
+
+DRC = None
+ROOT = os.path.abspath(os.path.join(HERE, *[os.pardir] * 3))
+CORNELL = os.path.join(ROOT, "scenes", "cornell", "scene.pbrt")
+PATIENCE = 60
+
+
+def wait_for(condition, seconds=PATIENCE):
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            raise AssertionError("waited in vain")
+        time.sleep(0.01)
+
+
+class SceneText(unittest.TestCase):
+    def test_statement(self):
+        self.assertEqual(
+            statement(
+                "Shape",
+                "sphere",
+                params={
+                    "float radius": 2.5,
+                    "rgb L": (1, 0.5, 0),
+                    "bool twosided": True,
+                    "string filename": "a.ply",
+                    "texture alpha": "t",
+                    "integer n": [1, 2],
+                },
+            ),
+            'Shape "sphere" "float radius" [2.5] "rgb L" [1 0.5 0] "bool twosided" [true] '
+            '"string filename" ["a.ply"] "texture alpha" ["t"] "integer n" [1 2]',
+        )
+
+    def test_numbers_keep_their_float(self):
+        for value in np.random.default_rng(1).standard_normal(1000).astype(np.float32) * np.float32(1e10):
+            self.assertEqual(np.float32(float(number(value))), value)
+
+    def test_what_a_file_cannot_say(self):
+        for value in (math.inf, math.nan):
+            with self.assertRaisesRegex(ValueError, "cannot have the number"):
+                number(value)
+        self.assertEqual(quoted('a"b\\c\nd'), '"a_b_c_d"')
+
+    def test_transform_is_written_by_columns(self):
+        rows = [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12], [0, 0, 0, 1]]
+        self.assertEqual(transform(rows), "Transform [1 5 9 0 2 6 10 0 3 7 11 0 4 8 12 1]")
+
+    def test_names_differ(self):
+        names = Names()
+        self.assertEqual([names.of(n) for n in ("a b", "a_b", "", "ä")], ["a_b", "a_b.2", "unnamed", "ä"])
+
+    def test_report_has_each_message_once(self):
+        report = Report()
+        for name in "abcde":
+            report.add("no equal", name, "node")
+        report.add("whole")
+        self.assertEqual(report.lines(), ["a > node, b > node, c > node and 2 more: no equal", "whole"])
+
+
+class Files(unittest.TestCase):
+    def test_ply(self):
+        data = ply_bytes([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], uvs=[[0, 0], [1, 0], [0, 1]])
+        head, body = data.split(b"end_header\n")
+        self.assertIn(b"element vertex 3\n", head)
+        self.assertIn(b"property float u\nproperty float v\nelement face 1\n", head)
+        self.assertEqual(
+            body, struct.pack("<15f", 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1) + struct.pack("<B3i", 3, 0, 1, 2)
+        )
+
+    def test_equal_corners_become_one_vertex(self):
+        rows = np.random.default_rng(2).integers(0, 50, (5000, 3)).astype(np.uint32)
+        first, vertex = merged_corners(rows)
+        self.assertTrue(np.array_equal(rows[first][vertex], rows))
+        self.assertEqual(len(first), len(np.unique(rows, axis=0)))
+
+    def test_pfm_and_png(self):
+        self.assertEqual(pfm_bytes(np.array([[1, 2], [3, 4]])), b"Pf\n2 2\n-1.0\n" + struct.pack("<4f", 3, 4, 1, 2))
+        pixels = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
+        data = png_bytes(pixels)
+        start = data.index(b"IDAT") + 4
+        self.assertEqual(zlib.decompress(data[start:-16]), b"\0" + pixels[0].tobytes() + b"\0" + pixels[1].tobytes())
+
+    def test_a_file_is_written_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            cache = FileCache(folder, "meshes")
+            made = []
+            for _ in range(2):
+                cache.file("k", "ply", lambda: made.append(1) or b"data")
+            cache.file("other", "ply", lambda: b"")
+            self.assertEqual((made, cache.written), ([1], 2))
+            again = FileCache(folder, "meshes")
+            again.file("k", "ply", lambda: self.fail("it is there"))
+            again.remove_unused()
+            self.assertEqual(os.listdir(os.path.join(folder, "meshes")), ["k.ply"])
+
+    def test_digests_tell_apart(self):
+        a = np.arange(4, dtype=np.float32)
+        keys = [
+            digest(a),
+            digest(a.astype(np.float64)),
+            digest(a.reshape(2, 2)),
+            digest("ab", "c"),
+            digest("a", "bc"),
+            digest(a[::2]),
+        ]
+        self.assertEqual(len(set(keys)), len(keys))
+        self.assertEqual(digest(a[::2]), digest(a[::2].copy()))
+
+
+class Cameras(unittest.TestCase):
+    def test_window_of_a_wide_picture(self):
+        x = 18 / 50
+        np.testing.assert_allclose(screen_window(Lens(), 1920, 1080), (-x, x, -x * 9 / 16, x * 9 / 16))
+
+    def test_window_of_a_tall_picture(self):
+        y = 18 / 50  # the sensor's width is along the longer side
+        np.testing.assert_allclose(screen_window(Lens(), 600, 800), (-y * 0.75, y * 0.75, -y, y))
+
+    def test_vertical_fit_shift_and_pixel_aspect(self):
+        window = screen_window(Lens(sensor_fit="VERTICAL", shift_x=0.25), 400, 200, 2.0)
+        y = 12 / 50
+        np.testing.assert_allclose(window, (-y + 0.5 * y, y + 0.5 * y, -y, y))
+
+    def test_orthographic(self):
+        np.testing.assert_allclose(screen_window(Lens(orthographic=True, ortho_scale=4), 200, 100), (-2, 2, -1, 1))
+
+    def test_lens(self):
+        self.assertAlmostEqual(lens_radius(False, 50, 2.8), 0.05 / 5.6)
+        self.assertAlmostEqual(lens_radius(True, 50, 2.0), 0.25)
+
+    def test_region(self):
+        self.assertEqual(pixel_bounds((0.25, 0.75, 0.0, 0.5), 100, 40), (25, 75, 20, 40))
+        x0, x1, y0, y1 = pixel_bounds((1, 1, 0.5, 0.5), 10, 10)
+        self.assertTrue(0 <= x0 < x1 <= 10 and 0 <= y0 < y1 <= 10)
+
+    def test_a_blender_camera_looks_along_its_minus_z(self):
+        m = np.eye(4)
+        m[:3, :3] *= 3  # the scale of a camera does not count
+        m[:3, 3] = 1, 2, 3
+        to_camera = world_to_camera(m)
+        np.testing.assert_allclose(to_camera @ (1, 2, 2, 1), (0, 0, 1, 1), atol=1e-12)
+        np.testing.assert_allclose(to_camera @ (2, 3, 3, 1), (1, 1, 0, 1), atol=1e-12)
+
+    def test_a_panorama_has_the_direction_of_view_in_its_middle(self):
+        to_camera = world_to_panorama(np.eye(4))
+        np.testing.assert_allclose(to_camera @ (0, 0, -1, 0), (-1, 0, 0, 0))  # which DRC has in the middle
+        np.testing.assert_allclose(to_camera @ (1, 0, 0, 0), (0, 0, -1, 0))  # and this at three quarters
+        np.testing.assert_allclose(to_camera @ (0, 1, 0, 0), (0, 1, 0, 0))
+
+    def test_view_from_opengl(self):
+        n, f, w = 0.1, 100, (-0.3, 0.5, -0.2, 0.4)
+        p = np.zeros((4, 4))
+        for axis in (0, 1):
+            low, high = n * w[2 * axis], n * w[2 * axis + 1]
+            p[axis, axis], p[axis, 2] = 2 * n / (high - low), (high + low) / (high - low)
+        p[2, 2], p[2, 3], p[3, 2] = -(f + n) / (f - n), -2 * f * n / (f - n), -1
+        to_world = np.eye(4)
+        to_world[:3, 3] = 4, 5, 6
+        view = view_of(np.linalg.inv(to_world), p)
+        np.testing.assert_allclose(view.window, w)
+        self.assertFalse(view.orthographic)
+        eye, look, up = view.eye_look_up((1, 1, 1))
+        np.testing.assert_allclose((eye, look, up), ((3, 4, 5), (3, 4, 4), (0, 1, 0)))
+
+    def test_orthographic_view_from_opengl(self):
+        w = (-3, 5, -2, 4)
+        p = np.eye(4)
+        for axis in (0, 1):
+            low, high = w[2 * axis : 2 * axis + 2]
+            p[axis, axis], p[axis, 3] = 2 / (high - low), -(high + low) / (high - low)
+        view = view_of(np.eye(4), p)
+        np.testing.assert_allclose(view.window, w)
+        self.assertTrue(view.orthographic)
+
+    def test_frame_sizes(self):
+        self.assertEqual(frame_size(1920, 1080, 640), (640, 360))
+        self.assertEqual(frame_size(10000, 5), (4096, 16))
+
+
+class Pictures(unittest.TestCase):
+    def test_equal_areas(self):
+        d = directions(64)
+        np.testing.assert_allclose(np.linalg.norm(d, axis=-1), 1, atol=1e-12)
+        np.testing.assert_allclose(d.mean(axis=(0, 1)), 0, atol=1e-3)
+        # The mean of the squares of coordinates over the sphere is a third.
+        np.testing.assert_allclose((d**2).mean(axis=(0, 1)), 1 / 3, atol=1e-3)
+        self.assertGreater(d[32, 32, 2], 0.99)  # the middle is up
+        self.assertGreater(d[32, 40, 0], 0)
+        self.assertGreater(d[40, 32, 1], 0)
+
+    def test_equirectangular(self):
+        uv = equirectangular(np.array([[1.0, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1]]))
+        np.testing.assert_allclose(uv[:3], [[0.5, 0.5], [0.25, 0.5], [0.75, 0.5]])
+        self.assertAlmostEqual(uv[3, 1], 1)
+
+    def test_lookup(self):
+        values = np.zeros((2, 4, 4), dtype=np.float32)
+        values[:, :, 0] = [[0, 1, 2, 3], [0, 1, 2, 3]]
+        pixels = Pixels(values, False)
+        at = np.array([[0.375, 0.5], [0.5, 0.5], [0.0, 0.5], [-0.125, 0.5], [1.25, 0.5]])
+        np.testing.assert_allclose(pixels.lookup(at, "REPEAT", "Linear")[:, 0], [1, 1.5, 1.5, 3, 0.5])
+        np.testing.assert_allclose(pixels.lookup(at, "EXTEND", "Linear")[:, 0], [1, 1.5, 0, 0, 3])
+        np.testing.assert_allclose(pixels.lookup(at, "CLIP", "Closest")[:, 0], [1, 2, 0, 0, 0])
+
+    def test_srgb(self):
+        np.testing.assert_allclose(srgb_to_linear([0, 0.04045, 0.5, 1]), [0, 0.0031308, 0.2140411, 1], rtol=1e-4)
+
+    def test_blackbody(self):
+        white, warm = blackbody(6500), blackbody(2000)
+        np.testing.assert_allclose(white, (1, 1, 1), atol=0.08)
+        self.assertTrue(warm[0] > warm[1] > warm[2])
+        self.assertAlmostEqual(np.dot(warm, (0.2126, 0.7152, 0.0722)), 1)
+
+    def test_texels_of_an_atlas_are_where_the_mesh_shows_them(self):
+        atlas = Atlas(7, 256)
+        owner, weights = atlas.texels()
+        corners = atlas.corners()
+        y, x = np.divmod(np.arange(atlas.size**2), atlas.size)
+        inside = (owner >= 0) & (weights > 0).all(axis=1)
+        self.assertEqual(set(owner[inside]), set(range(7)))
+        np.testing.assert_allclose(weights.sum(axis=1), 1, atol=1e-5)
+        at = np.einsum("nk,nkc->nc", weights[inside], corners[owner[inside]])
+        np.testing.assert_allclose(at, np.stack([x, y], axis=1)[inside] + 0.5, atol=1e-3)
+
+    def test_passes(self):
+        values = np.arange(2 * 3 * 4, dtype=np.float32).reshape(2, 3, 4)
+        picture = Picture(["R", "G", "B", "depth.Z"], values)
+        np.testing.assert_array_equal(pass_values(picture, "Depth", (1, 3, 0, 2)), [19, 23, 7, 11])
+        np.testing.assert_array_equal(pass_values(picture, "Combined", (0, 1, 1, 2)), [12, 13, 14, 1])
+        self.assertIsNone(pass_values(picture, "Direct", (0, 1, 0, 1)))
+
+
+def packet(kind, payload):
+    return struct.pack("<Ib", len(payload) + 5, kind) + payload
+
+
+def create(width, height, *channels):
+    names = b"".join(c.encode() + b"\0" for c in channels)
+    return packet(4, b"\0image\0" + struct.pack("<3i", width, height, len(channels)) + names)
+
+
+def update(channels, x, y, width, height, values):
+    count = len(channels)
+    names = b"".join(c.encode() + b"\0" for c in channels)
+    return packet(
+        6,
+        b"\0image\0"
+        + struct.pack("<i", count)
+        + names
+        + struct.pack("<4i", x, y, width, height)
+        + struct.pack(f"<{count}q", *range(count))
+        + struct.pack(f"<{count}q", *[count] * count)
+        + np.asarray(values, "<f4").tobytes(),
+    )
+
+
+class Receiver(unittest.TestCase):
+    def setUp(self):
+        self.receiver = TevReceiver()
+        self.addCleanup(self.receiver.close)
+
+    def send(self, *pieces):
+        with socket.create_connection(("127.0.0.1", self.receiver.port)) as connection:
+            for piece in pieces:
+                connection.sendall(piece)
+
+    def wait_for_picture(self):
+        found = []
+        wait_for(lambda: found.append(self.receiver.changed()) or found[-1] is not None)
+        return found[-1]
+
+    def test_tiles(self):
+        data = create(4, 2, "R", "G") + update(["R", "G"], 1, 0, 2, 2, range(8)) + update(["G"], 3, 1, 1, 1, [9])
+        self.send(data[:7], data[7:50], data[50:])
+        self.receiver.finish(PATIENCE)
+        picture = self.receiver.changed()
+        self.assertEqual(picture.channels, ["R", "G"])
+        np.testing.assert_array_equal(picture.values[..., 0], [[0, 0, 2, 0], [0, 4, 6, 0]])
+        np.testing.assert_array_equal(picture.values[..., 1], [[0, 1, 3, 0], [0, 5, 7, 9]])
+        self.assertIsNone(self.receiver.changed())
+
+    def test_nonsense_ends_a_connection_and_no_more(self):
+        bad = [
+            b"\xff\xff\xff\xff",
+            struct.pack("<I", 3),
+            create(0, 2, "R"),
+            create(1 << 20, 1 << 20, "R"),
+            packet(6, b"\0im"),
+            create(2, 2, "R") + update(["R"], 1, 1, 2, 1, [0, 0]),
+            create(2, 2, "R") + update(["X"], 0, 0, 1, 1, [0]),
+            create(2, 2, "R") + update(["R"], 0, 0, 2, 2, [0]),
+        ]
+        for data in bad:
+            with self.subTest(data[:40]):
+                self.receiver.error = None
+                self.send(data)
+                wait_for(lambda: self.receiver.error)
+        self.send(create(1, 1, "R") + update(["R"], 0, 0, 1, 1, [5]))
+        self.assertEqual(self.wait_for_picture().values[0, 0, 0], 5)
+
+
+class Programs(unittest.TestCase):
+    def test_missing_program(self):
+        with self.assertRaisesRegex(UserError, "there is no program /nowhere/drc: choose"):
+            find_program("/nowhere/drc")
+        with self.assertRaisesRegex(UserError, "cannot start /nowhere/drc: No such file"):
+            Child(["/nowhere/drc"])
+
+    def test_failures(self):
+        def ended(code):
+            child = Child([sys.executable, "-c", code])
+            child.finish()
+            return child.failure()
+
+        self.assertEqual(ended("import sys; print('drc: error: no\\n    more', file=sys.stderr); sys.exit(1)"), "no")
+        self.assertIn("ended from outside (SIGKILL)", ended("import os; os.kill(os.getpid(), 9)"))
+        self.assertIn("crashed (SIGSEGV)", ended("import os; os.kill(os.getpid(), 11)"))
+        self.assertIn("status 3", ended("import os; os._exit(3)"))
+
+    def test_stop(self):
+        child = Child([sys.executable, "-c", "import time; time.sleep(100)"])
+        time.sleep(0.2)
+        child.stop()
+        self.assertFalse(child.running())
+        stubborn = Child(
+            [
+                sys.executable,
+                "-c",
+                "import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); print(1, flush=True); time.sleep(100)",
+            ],
+            True,
+        )
+        wait_for(lambda: stubborn.output)
+        began = time.monotonic()
+        stubborn.stop(grace=0.3)
+        self.assertFalse(stubborn.running())
+        self.assertLess(time.monotonic() - began, 10)
+
+    def test_commands(self):
+        class Drc:
+            stop, time, noise, most_time, samples, cells, denoise, max_bounces, seed = (
+                "NOISE",
+                1,
+                0.05,
+                9,
+                4,
+                False,
+                False,
+                8,
+                3,
+            )
+
+        command = render_command("drc", "s.pbrt", "o.exr", Drc, 5, 2)
+        for words in (
+            ["--noise-threshold", "0.05", "--time", "9"],
+            ["--cells", "off"],
+            ["--denoise", "off"],
+            ["--nthreads", "2"],
+            ["--display-server", "127.0.0.1:5"],
+        ):
+            self.assertIn(" ".join(words), " ".join(command))
+        self.assertEqual(
+            view_command("drc", "s.pbrt", 32, 16, Drc, 0, True),
+            ["drc", "view", "s.pbrt", "--resolution", "32x16", "--integrator", "path", "--open"],
+        )
+
+
+class WithTheProgram(unittest.TestCase):
+    def setUp(self):
+        if DRC is None:
+            self.skipTest("no --drc")
+
+    def test_a_render_is_received(self):
+        receiver = TevReceiver()
+        self.addCleanup(receiver.close)
+        with tempfile.TemporaryDirectory() as folder:
+            output = os.path.join(folder, "o.exr")
+            child = Child(
+                [
+                    DRC,
+                    "render",
+                    CORNELL,
+                    "-o",
+                    output,
+                    "--aovs",
+                    "--spp",
+                    "4",
+                    "--resolution",
+                    "64x48",
+                    "--quiet",
+                    "--display-server",
+                    f"127.0.0.1:{receiver.port}",
+                ]
+            )
+            self.assertEqual(child.finish(), 0, child.lines)
+            receiver.finish(PATIENCE)
+            picture = receiver.changed()
+            self.assertEqual(picture.values.shape[:2], (48, 64))
+            self.assertTrue(
+                {"R", "albedo.R", "normal.X", "depth.Z", "variance.R", "samples.X"} <= set(picture.channels),
+                picture.channels,
+            )
+            self.assertGreater(picture.layer("R", "G", "B").mean(), 0.01)
+            self.assertAlmostEqual(float(picture.layer("samples.X").mean()), 4, delta=0.5)
+
+    def test_view(self):
+        class Drc:
+            cells = True
+
+        client = ViewClient(view_command(DRC, CORNELL, 64, 64, Drc))
+        self.addCleanup(client.close)
+        wait_for(lambda: client.has_news())
+        self.assertIsNone(client.error)
+        first = client.frame().astype(np.float32)
+        self.assertEqual(first.shape, (64, 64, 3))
+        # The camera turned to the light's surroundings, from where the scene's own is.
+        state = view_of(
+            np.linalg.inv(np.diag([1.0, 1, 1, 1])), np.diag([1.0, 1, 1, 0]) - np.eye(4)[[0, 1, 3, 2]] * [0, 0, 1, 1]
+        )
+        client.move(state, 48, 32, True)
+
+        def moved():
+            frame = client.frame() if client.has_news() and not client.error else None
+            return client.error or (frame is not None and frame.shape == (32, 48, 3))
+
+        wait_for(moved)
+        self.assertIsNone(client.error)
+
+    def test_view_of_a_broken_scene(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = os.path.join(folder, "bad.pbrt")
+            with open(scene, "w") as f:
+                f.write('WorldBegin\nShape "sphere" "float radius" [-1]\n')
+
+            class Drc:
+                cells = True
+
+            client = ViewClient(view_command(DRC, scene, 64, 64, Drc))
+            wait_for(lambda: client.error)
+            self.assertIn("must be positive", client.error)
+            client.close()
+
+    def test_view_that_is_killed(self):
+        class Drc:
+            cells = False
+
+        client = ViewClient(view_command(DRC, CORNELL, 64, 64, Drc))
+        wait_for(lambda: client.has_news())
+        client.child.process.kill()
+        wait_for(lambda: client.error)
+        self.assertIn("SIGKILL", client.error)
+        client.close()
+
+
+class Frames(unittest.TestCase):
+    def test_frames(self):
+        values = np.arange(6, dtype="<f2")
+        number_, frame = frame_of(struct.pack("<4I", 2, 1, 3, 7) + values.tobytes())
+        self.assertEqual((number_, frame.shape), (7, (1, 2, 3)))
+        for data in (b"", struct.pack("<4I", 2, 1, 3, 7)):
+            with self.assertRaises(ValueError):
+                frame_of(data)
+
+    def test_origin(self):
+        self.assertEqual(
+            origin_of({"eye": [1, 2, 3], "pbrt": "Scale -1 1 1\nLookAt 101 2 3  0 0 0  0 0 1\n"}), (100, 0, 0)
+        )
+
+
+if __name__ == "__main__":
+    if "--drc" in sys.argv:
+        at = sys.argv.index("--drc")
+        DRC = os.path.abspath(sys.argv[at + 1])
+        del sys.argv[at : at + 2]
+    unittest.main()
