@@ -119,7 +119,14 @@ bool step(Session& session, CheckpointWriter* checkpoint) {
     return goesOn;
 }
 
-// Runs passes until the render is done or interrupted.
+// Whether an estimate of the error, which takes two thirds of the time that finishing the picture takes, leaves most of
+// a time budget to samples.
+bool hasTimeToEstimate(const Schedule& schedule) {
+    constexpr double kMostOfBudget = 0.15;
+    return schedule.reserved() <= kMostOfBudget * schedule.budget();
+}
+
+// Runs passes until the render is done or interrupted, or the picture is good enough.
 void run(Session& session, PictureFinisher& finisher, const RenderOptions& o, CheckpointWriter* checkpoint) {
     NoiseThreshold threshold(o.noiseThreshold.value_or(0));
     Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
@@ -127,7 +134,7 @@ void run(Session& session, PictureFinisher& finisher, const RenderOptions& o, Ch
     while (step(session, checkpoint)) {
         if (session.hasPicture()) setSomethingToSave(true);
         progress.set(int64_t(session.progress() * 1000));
-        if (threshold.isDue(session.samplesDone())) {
+        if (threshold.isDue(session.samplesDone()) && hasTimeToEstimate(session.schedule())) {
             const double error = finisher.errorOf(session.picture()).whole;
             threshold.estimated(session.samplesDone(), error);
             logDebug(fmt::format("--noise-threshold {:g}: {:.4f} after {} spp; {:.0f} spp needed", *o.noiseThreshold,
@@ -161,11 +168,11 @@ Checkpoint::Identity othersOf(const RenderOptions& o, const std::string& weights
 }
 
 // Sets what --noise-threshold needs.
-void estimateErrors(RenderParams& params) {
+void estimateErrors(RenderParams& params, double threshold) {
     params.variance = params.independentHalves = true;
     // Enough for any error that can be wanted.
     constexpr int kMostSamples = 1 << 20;
-    if (!params.spp && params.seconds == 0) params.spp = kMostSamples;
+    if (threshold > 0 && !params.spp && params.seconds == 0) params.spp = kMostSamples;
 }
 
 void render(RenderOptions o, const CLI::App& command) {
@@ -190,7 +197,7 @@ void render(RenderOptions o, const CLI::App& command) {
     for (const std::string& path : o.outputs) checkOutput("-o", path);
     if (o.spacing) o.params.firstSpacing = *o.spacing / float(scene->settings.film.height);
     if (o.aovs) o.params.gBuffer = o.params.parts = o.params.variance = true;
-    if (o.noiseThreshold) estimateErrors(o.params);
+    if (o.noiseThreshold) estimateErrors(o.params, *o.noiseThreshold);
     RenderParams params = resolved(o.params, *scene);
     if (o.noiseThreshold && !hasHalves(params.integrator))
         throw Error("--noise-threshold: with --integrator " + params.integrator +

@@ -19,19 +19,14 @@ struct PathSettings {
     float broadAlpha = 0.2f;
 };
 
-// radiance scaled down to the luminance `clamp`; black if it is not finite.
-inline Rgb clampedSample(const Rgb& radiance, float clamp) {
-    if (!isFinite(radiance)) return Rgb(0.f);
-    const float l = luminance(radiance);
-    return l <= clamp ? radiance : radiance * (clamp / l);
-}
-
-// What becomes of a part of that radiance.
+// A part of a sample's radiance when the sample is scaled down to the luminance `clamp`; black if the sample is not
+// finite.
 inline Rgb partOfClamped(const Rgb& part, const Rgb& radiance, float clamp) {
     if (!isFinite(radiance)) return Rgb(0.f);
     const float l = luminance(radiance);
     return l <= clamp ? part : part * (clamp / l);
 }
+inline Rgb clampedSample(const Rgb& radiance, float clamp) { return partOfClamped(radiance, radiance, clamp); }
 
 // The state of a path after its latest vertex.
 struct PathState {

@@ -51,7 +51,7 @@ LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) cons
     picture.layers.push_back(pictureLayer(*picture.film, kBeauty, "", picture.scale));
     fillUnsampled({&picture.layers[0].mean}, samples);
     if (keepsDirect()) {
-        picture.direct = picture.film->layer(kDirect).image(picture.scale);
+        picture.direct = pictureLayer(*picture.film, kDirect, "direct", picture.scale).mean;
         fillUnsampled({&*picture.direct}, samples);
     }
     if (context_.params.variance) picture.samples = sampleCounts(samples);

@@ -221,7 +221,7 @@ bool Session::samplePass(int index, const CancelToken* cancel, const CancelToken
 
 void Session::takeSamples(int x, int y, const PixelSamples& samples) {
     const uint64_t stream = pixelStream(params_.seed, kSampleStream, x, y);
-    const uint64_t odd = pixelStream(params_.seed, kOddSampleStream, x, y);
+    const uint64_t odd = params_.independentHalves ? pixelStream(params_.seed, kOddSampleStream, x, y) : 0;
     for (uint32_t i = samples.first; i < samples.first + uint32_t(samples.count); ++i) {
         CameraSample sample = !params_.independentHalves ? cameraSample(scene_, x, y, stream, i)
                                                          : cameraSample(scene_, x, y, i & 1 ? odd : stream, i / 2);
