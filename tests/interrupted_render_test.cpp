@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "base/atomic_file.h"
@@ -33,7 +34,18 @@ class InterruptedRender : public FolderTest {
   protected:
     InterruptedRender() { folder_.write("room.pbrt", kRoom); }
 
-    // Renders the room without an end, with a signal after so many seconds, and returns the exit status.
+    // Whether the process catches the signal. Until then the signal ends it without a word, as it ends any program.
+    static bool catches(pid_t process, int signal) {
+        std::ifstream status("/proc/" + std::to_string(process) + "/status");
+        const std::string key = "SigCgt:";
+        for (std::string line; std::getline(status, line);)
+            if (line.compare(0, key.size(), key) == 0)
+                return std::stoull(line.substr(key.size()), nullptr, 16) >> (signal - 1) & 1;
+        return false;
+    }
+
+    // Renders the room without an end, with a signal so many seconds after the program began to catch it, and
+    // returns the exit status.
     int interrupted(int signal, double seconds, const std::string& integrator,
                     const std::vector<std::string>& options = {}) const {
         std::vector<std::string> words{DRC_PROGRAM,
@@ -61,9 +73,16 @@ class InterruptedRender : public FolderTest {
             execv(DRC_PROGRAM, arguments.data());
             _exit(99);
         }
+        int status = 0;
+        while (!catches(child, signal)) {
+            if (waitpid(child, &status, WNOHANG) == child) {
+                ADD_FAILURE() << "the program ended before it was interrupted";
+                return -1;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
         kill(child, signal);
-        int status = 0;
         waitpid(child, &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }

@@ -35,11 +35,12 @@ struct ViewOptions {
 // The filters of frames: while the camera moves, the one that takes the least time.
 class FrameFilters {
   public:
-    explicit FrameFilters(const ChosenDenoiser& denoiser) {
+    // cancel: raised when the frame will not be shown.
+    FrameFilters(const ChosenDenoiser& denoiser, const CancelToken& cancel) {
         if (!denoiser.oidn) return;
         const auto filter = [&](OidnQuality quality) {
             return std::make_unique<OidnPictureFilter>(*denoiser.oidn, OidnSettings{quality, OidnAuxiliaries::Raw},
-                                                       true, false);
+                                                       true, false, &cancel);
         };
         moving_ = filter(OidnQuality::Fast);
         still_ = filter(OidnQuality::Balanced);
@@ -94,7 +95,8 @@ void view(ViewOptions o) {
     params.denoise = denoiser.denoise;
 
     Stats stats;
-    const FrameFilters filters(denoiser);
+    CancelToken outdated;
+    const FrameFilters filters(denoiser, outdated);
     const RenderSettings settings = scene->settings;
     Session session(*scene, params, nullptr, &stats);
     // Frames are announced once there is a server to do so.
@@ -108,7 +110,8 @@ void view(ViewOptions o) {
         session, {.finish = [&](LayeredPicture& picture, bool moving) { filters.apply(picture, moving); },
                   .onFrame = announce,
                   .estimate = hasHalves(params.integrator) ? [&](const LayeredPicture& p) { return filters.errorOf(p); }
-                                                           : std::function<DenoisedError(const LayeredPicture&)>()});
+                                                           : std::function<DenoisedError(const LayeredPicture&)>(),
+                  .outdated = &outdated});
     ViewService service(*scene, session.accel(), render,
                         {.title = sceneTitle(o.scene),
                          .token = randomToken(),

@@ -6,8 +6,6 @@
 namespace drc {
 namespace {
 
-// Before it the halves have too few samples to tell anything.
-constexpr int kFirst = 8;
 // The next estimate is made where the threshold is expected to be reached, but after so many times the samples at least
 // and at most: estimates take time, and expectations may fail.
 constexpr double kLeastGrowth = 1.15, kMostGrowth = 3;

@@ -6,6 +6,9 @@ namespace drc {
 
 class NoiseThreshold {
   public:
+    // Samples a pixel before the first estimate: with less, the halves have too few to tell anything.
+    static constexpr int kFirst = 8;
+
     // threshold: of DenoisedError::whole; 0: it is never small enough.
     explicit NoiseThreshold(double threshold);
 

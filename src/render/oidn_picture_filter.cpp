@@ -39,7 +39,7 @@ void OidnPictureFilter::apply(LayeredPicture& picture) const {
                                                                           : "after denoising them"));
     const auto denoise = [&](Image& color) {
         const auto whole = [&](Image& part, const Image& albedo, const Image& normal) {
-            library_.denoise(part, albedo, normal, settings);
+            library_.denoise(part, albedo, normal, settings, cancel_);
         };
         if (picture.takenAsComplete)
             whole(color, g.albedo, g.normal);

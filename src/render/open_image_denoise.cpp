@@ -17,7 +17,7 @@ namespace {
 // The part of its C interface that is used here.
 using Device = void*;
 using Filter = void*;
-constexpr int kCpu = 1, kFloat3 = 3;
+constexpr int kCpu = 1, kFloat3 = 3, kCancelled = 6;
 // The memory that a filter may take in MB; larger pictures are denoised in overlapping parts. At 1280x720, version 2.5
 // takes 310 (high with clean auxiliaries: 380, fast: 280); without a bound it takes 510 (640, 290).
 constexpr int kMemory = 300;
@@ -72,6 +72,7 @@ struct OpenImageDenoise::Library {
         find(setImage, "oidnSetSharedFilterImage");
         find(setBool, "oidnSetFilterBool", "oidnSetFilter1b");
         find(setInt, "oidnSetFilterInt", "oidnSetFilter1i");
+        find(setProgressMonitor, "oidnSetFilterProgressMonitorFunction");
         find(commitFilter, "oidnCommitFilter");
         find(executeFilter, "oidnExecuteFilter");
         find(releaseFilter, "oidnReleaseFilter");
@@ -100,13 +101,16 @@ struct OpenImageDenoise::Library {
 
     void check() const {
         const char* message = nullptr;
-        if (getDeviceError(device, &message) != 0 || !device)
+        const int code = getDeviceError(device, &message);
+        // Whoever has cancelled it knows.
+        if ((code != 0 && code != kCancelled) || !device)
             throw Error(fmt::format("Open Image Denoise: {}", message ? message : "no device for this processor"));
     }
 
     // Filters an image in place, guided by others.
     void run(const char* name, Image& image, std::initializer_list<NamedImage> guides, const QualityName& quality,
-             bool hdr, bool cleanAuxiliaries) const {
+             bool hdr, bool cleanAuxiliaries, const CancelToken* cancel) const {
+        if (cancel && cancel->cancelled()) return;
         const auto width = size_t(image.width()), height = size_t(image.height());
         const std::unique_ptr<void, void (*)(Filter)> filter(newFilter(device, "RT"), releaseFilter);
         const auto bind = [&](const char* as, const Image& bound) {
@@ -119,6 +123,8 @@ struct OpenImageDenoise::Library {
         if (cleanAuxiliaries) setBool(filter.get(), "cleanAux", true);
         if (quality.quality != OidnQuality::High) setInt(filter.get(), "quality", quality.value);
         setInt(filter.get(), "maxMemoryMB", kMemory);
+        const auto goesOn = [](void* token, double) { return !static_cast<const CancelToken*>(token)->cancelled(); };
+        if (cancel) setProgressMonitor(filter.get(), goesOn, const_cast<CancelToken*>(cancel));
         commitFilter(filter.get());
         executeFilter(filter.get());
         check();
@@ -139,6 +145,7 @@ struct OpenImageDenoise::Library {
                      size_t pixelStride, size_t rowStride) = nullptr;
     void (*setBool)(Filter, const char* name, bool value) = nullptr;
     void (*setInt)(Filter, const char* name, int value) = nullptr;
+    void (*setProgressMonitor)(Filter, bool (*goesOn)(void* user, double progress), void* user) = nullptr;
     void (*commitFilter)(Filter) = nullptr;
     void (*executeFilter)(Filter) = nullptr;
     void (*releaseFilter)(Filter) = nullptr;
@@ -166,20 +173,20 @@ int OpenImageDenoise::version() const { return library_->version; }
 
 const std::string& OpenImageDenoise::file() const { return library_->file; }
 
-void OpenImageDenoise::denoise(Image& color, const Image& albedo, const Image& normal,
-                               const OidnSettings& settings) const {
+void OpenImageDenoise::denoise(Image& color, const Image& albedo, const Image& normal, const OidnSettings& settings,
+                               const CancelToken* cancel) const {
     const QualityName& quality = knownQuality(settings.quality, version());
     if (settings.auxiliaries != OidnAuxiliaries::Prefiltered) {
         library_->run("color", color, {{"albedo", &albedo}, {"normal", &normal}}, quality, true,
-                      settings.auxiliaries == OidnAuxiliaries::Clean);
+                      settings.auxiliaries == OidnAuxiliaries::Clean, cancel);
         return;
     }
     // High takes twice the time here too, and makes no better pictures.
     const QualityName& prefilter = knownQuality(std::max(settings.quality, OidnQuality::Balanced), version(), false);
     Image cleanAlbedo = albedo, cleanNormal = normal;
-    library_->run("albedo", cleanAlbedo, {}, prefilter, false, false);
-    library_->run("normal", cleanNormal, {}, prefilter, false, false);
-    library_->run("color", color, {{"albedo", &cleanAlbedo}, {"normal", &cleanNormal}}, quality, true, true);
+    library_->run("albedo", cleanAlbedo, {}, prefilter, false, false, cancel);
+    library_->run("normal", cleanNormal, {}, prefilter, false, false, cancel);
+    library_->run("color", color, {{"albedo", &cleanAlbedo}, {"normal", &cleanNormal}}, quality, true, true, cancel);
 }
 
 }  // namespace drc

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "base/parallel.h"
 #include "image/image.h"
 #include "render/oidn_library.h"
 
@@ -35,8 +36,10 @@ class OpenImageDenoise {
     // Denoises a picture (RGB, linear radiance) in place. albedo and normal: three channels each, of the first surface
     // that is neither a mirror nor smooth glass; zero where there is none. All images have one size. Uses as many
     // threads as parallel loops do. A library older than the wanted quality (balanced: 2.0, fast: 2.3) uses the next
-    // better one that it knows, and a warning says so. Throws Error if the library fails.
-    void denoise(Image& color, const Image& albedo, const Image& normal, const OidnSettings& settings = {}) const;
+    // better one that it knows, and a warning says so. After `cancel` is raised, it ends as soon as the library lets
+    // it, and what is in color then is of no use. Throws Error if the library fails.
+    void denoise(Image& color, const Image& albedo, const Image& normal, const OidnSettings& settings = {},
+                 const CancelToken* cancel = nullptr) const;
 
     // The library's version: 10000 major + 100 minor + patch.
     int version() const;

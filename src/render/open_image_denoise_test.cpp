@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <optional>
+#include <thread>
 
 #include "base/folder_testing.h"
 #include "base/log.h"
@@ -21,7 +22,7 @@ constexpr OidnAuxiliaries kRaw = OidnAuxiliaries::Raw, kClean = OidnAuxiliaries:
                           kPrefiltered = OidnAuxiliaries::Prefiltered;
 
 // A fake library with the C interface of version 1 or 2 and a given version number: its filter writes the parameters
-// that it was given.
+// that it was given. On a picture that begins with -1 it works until it is cancelled.
 class FakeLibrary : public FolderTest {
   protected:
     std::string library(int version, bool oldNames) const {
@@ -29,22 +30,30 @@ class FakeLibrary : public FolderTest {
             folder_.write("fake.c", fmt::format(R"(
 #include <stddef.h>
 #include <string.h>
+#include <unistd.h>
+static _Bool (*monitor)(void*, double); static void* user; static int error;
 static float told[3];   /* of the colour filter: quality, cleanAux, filters before it */
 static int quality, clean, filters;
 static const float* color; static float* output; static size_t count;
 void* oidnNewDevice(int type) {{ return &quality; }}
 void oidnCommitDevice(void* d) {{}}
-int oidnGetDeviceError(void* d, const char** m) {{ return 0; }}
+int oidnGetDeviceError(void* d, const char** m) {{ int e = error; error = 0; return e; }}
 void oidnReleaseDevice(void* d) {{}}
 void {0}(void* d, const char* n, int v) {{}}
 int {1}(void* d, const char* n) {{ return {4}; }}
-void* oidnNewFilter(void* d, const char* t) {{ quality = clean = 0; color = 0; return &filters; }}
+void* oidnNewFilter(void* d, const char* t) {{ quality = clean = 0; color = 0; monitor = 0; return &filters; }}
 void oidnSetSharedFilterImage(void* f, const char* n, void* p, int t, size_t w, size_t h, size_t o, size_t a, size_t b)
 {{ if (!strcmp(n, "color")) color = p; if (!strcmp(n, "output")) output = p; count = 3 * w * h; }}
 void {2}(void* f, const char* n, _Bool v) {{ if (!strcmp(n, "cleanAux")) clean = v; }}
 void {3}(void* f, const char* n, int v) {{ if (!strcmp(n, "quality")) quality = v; }}
 void oidnCommitFilter(void* f) {{}}
+void oidnSetFilterProgressMonitorFunction(void* f, _Bool (*m)(void*, double), void* u) {{ monitor = m; user = u; }}
 void oidnExecuteFilter(void* f) {{
+    if (color && color[0] == -1) {{
+        while (monitor(user, 0.5)) usleep(100);
+        error = 6;  /* OIDN_ERROR_CANCELLED */
+        return;
+    }}
     output[0] = quality; output[1] = clean; output[2] = filters++;
     for (size_t i = 3; i < count; ++i) output[i] = 0;
 }}
@@ -88,6 +97,27 @@ TEST_F(FakeLibrary, IsToldQualityAndWhetherAuxiliariesAreClean) {
     t = told(20503, {OidnQuality::High, kClean});
     EXPECT_EQ(t.clean, 1);
     EXPECT_EQ(t.filtersBefore, 0);
+}
+
+TEST_F(FakeLibrary, EndsWhenItIsCancelled) {
+    const std::string file = library(20500, false);
+    if (file.empty()) GTEST_SKIP() << "no C compiler is called cc";
+    const OpenImageDenoise oidn(OidnLibraries{"", {file}});
+    Image color(4, 4);
+    color.data()[0] = -1;
+    const Image guide(4, 4);
+    CancelToken token;
+    std::thread later([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        token.cancel();
+    });
+    EXPECT_NO_THROW(oidn.denoise(color, guide, guide, {OidnQuality::Fast, kRaw}, &token));
+    later.join();
+    // The next picture is another matter.
+    token.reset();
+    color.data()[0] = 0;
+    oidn.denoise(color, guide, guide, {OidnQuality::Fast, kRaw}, &token);
+    EXPECT_EQ(color.data()[0], 4);
 }
 
 TEST_F(FakeLibrary, OlderOnesDoWhatTheyCanAndAWarningSaysSo) {

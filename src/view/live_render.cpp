@@ -11,21 +11,24 @@ namespace {
 
 // Frames take at most this share of the time, after the first sample of the pixels.
 constexpr double kShareOfFrames = 0.2;
-// The same of estimates of the error, which are not made before the halves have four samples each.
+// The same of estimates of the error.
 constexpr double kShareOfEstimates = 0.1;
-constexpr int kLeastSamplesForEstimate = 8;
 // There is no use in more frames a second than this.
 constexpr std::chrono::milliseconds kLeastInterval{150};
 
 }  // namespace
 
 LiveRender::LiveRender(Session& session, Callbacks callbacks)
-    : session_(session), callbacks_(std::move(callbacks)), thread_([this] { run(); }) {}
+    : session_(session),
+      callbacks_(std::move(callbacks)),
+      abandon_(callbacks_.outdated ? *callbacks_.outdated : own_),
+      thread_([this] { run(); }) {}
 
 LiveRender::~LiveRender() {
     {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
+        abandon_.cancel();
         cancel_.cancel();
     }
     changed_.notify_all();
@@ -186,7 +189,7 @@ void LiveRender::applyFocus(const std::optional<PicturePart>& part) {
 
 bool LiveRender::isOutdated() const {
     const std::lock_guard lock(mutex_);
-    return move_ && !owesFrame_;
+    return stopping_ || (move_ && !owesFrame_);
 }
 
 bool LiveRender::isFrameDue() const {
@@ -200,11 +203,12 @@ bool LiveRender::isFrameDue() const {
 
 void LiveRender::estimateError(const LayeredPicture& unfiltered) {
     const int samples = session_.samplesDone();
-    if (!callbacks_.estimate || moving_ || samples < kLeastSamplesForEstimate || (error_ && error_->samples == samples))
+    if (!callbacks_.estimate || moving_ || samples < NoiseThreshold::kFirst || (error_ && error_->samples == samples))
         return;
     const auto start = Clock::now();
     if (error_ && std::chrono::duration<double>(start - lastEstimate_) < estimateTook_ / kShareOfEstimates) return;
     DenoisedError error = callbacks_.estimate(unfiltered);
+    if (isOutdated()) return;
     lastEstimate_ = Clock::now();
     estimateTook_ = lastEstimate_ - start;
     if (!std::isfinite(error.whole)) return;
@@ -222,8 +226,10 @@ void LiveRender::makeFrame() {
     next->camera = session_.tracer().scene().camera;
     next->unfiltered = next->picture.beauty;
     estimateError(next->picture);
+    if (isOutdated()) return;
     next->error = error_;
     callbacks_.finish(next->picture, moving_);
+    if (isOutdated()) return;
     next->picture.film = std::make_shared<const Film>(session_.tracer().scene().settings, std::vector<FilmLayerSpec>());
     next->samples = session_.samplesDone();
     next->focusSamples = session_.focusSamples();

@@ -57,6 +57,9 @@ class LiveRender {
         std::function<void(LayeredPicture&, bool moving)> finish;
         std::function<void()> onFrame;
         std::function<DenoisedError(const LayeredPicture&)> estimate = {};
+        // Is raised when the camera will be moved, so that what finish and estimate are making will not be shown, and
+        // they may end early. May be null.
+        CancelToken* outdated = nullptr;
     };
 
     // Begins at once. The session must outlive this object, and is used by nothing else meanwhile.
@@ -94,7 +97,7 @@ class LiveRender {
     void work();
     void makeFrame();
     void estimateError(const LayeredPicture& unfiltered);
-    // Whether the camera will be moved now, so that a frame would be too late.
+    // Whether a frame would be too late, because the camera will be moved now, or all ends.
     bool isOutdated() const;
     // Whether a frame should be made now, after a step.
     bool isFrameDue() const;
@@ -102,7 +105,8 @@ class LiveRender {
     Session& session_;
     Callbacks callbacks_;
     CancelToken cancel_;
-    CancelToken abandon_;  // raised when the camera will be moved, so that what is being sampled is of no use
+    CancelToken own_;
+    CancelToken& abandon_;  // Callbacks::outdated, if there is one; what is being sampled is of no use either
 
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;

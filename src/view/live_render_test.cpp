@@ -227,6 +227,32 @@ TEST(LiveRender, TakesAFocusWhilePaused) {
     EXPECT_TRUE(render->state().paused);
 }
 
+// A denoiser that would go on for ever is told when the camera moves, and what it has made is not shown.
+TEST(LiveRender, EndsWhatIsOutdated) {
+    Watched w;
+    CancelToken outdated;
+    std::atomic<bool> finishing = false;
+    int moved = 0;
+    LiveRender render(w.session, {.finish =
+                                      [&](LayeredPicture&, bool moving) {
+                                          // Of the moved frames the first alone is finished.
+                                          if (moving && moved++ == 0) return;
+                                          finishing = true;
+                                          while (!outdated.cancelled())
+                                              std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                                      },
+                                  .onFrame = [] {},
+                                  .outdated = &outdated});
+    while (!finishing) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const ViewCamera home = ViewCamera::of(*w.scene, 3);
+    const FilmGeometry film = w.scene->settings.film;
+    render.setCamera([&] { return home.place(*w.scene, film); }, film, true);
+    const auto frame = render.waitForFrame(0, kLong);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->number, 1);
+    EXPECT_EQ(frame->view, 1);
+}
+
 TEST(LiveRender, SaysWhatWentWrong) {
     Watched w;
     LiveRender render(w.session, {[](LayeredPicture&, bool) { throw Error("the denoiser is gone"); }, {}});
