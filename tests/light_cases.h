@@ -44,6 +44,15 @@ inline const LightCase kLightCases[] = {
      "LightSource \"projection\" \"rgb I\" [50 50 50] \"float fov\" 70 \"string mapname\" \"map.exr\"\nAttributeEnd\n"},
     {"Sun",
      "LightSource \"distant\" \"rgb L\" [3 2 2] \"point from\" [1 -2 3] \"point to\" [0 0 0] \"float angle\" 12\n"},
+    {"PointWithARadius", "LightSource \"point\" \"rgb I\" [9 8 7] \"point from\" [-0.5 -0.8 2] \"float radius\" 0.3\n"},
+    {"SpotWithARadius",
+     "LightSource \"spot\" \"rgb I\" [40 30 20] \"point from\" [-0.5 -1 2.5] \"point to\" [0.4 0.3 0.2] "
+     "\"float coneangle\" 40 \"float conedeltaangle\" 15 \"float radius\" 0.3\n"},
+    {"NarrowArea",
+     "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [8 7 6] \"float spread\" 80\n"
+     "Translate 0.3 -0.6 2.2\nRotate 180 1 0 0\nShape \"disk\" \"float radius\" 0.5 \"bool visibletocamera\" "
+     "\"false\" \"bool blockslight\" \"false\"\nAttributeEnd\n"},
+    {"HiddenSky", "LightSource \"infinite\" \"rgb L\" [0.6 0.7 0.9] \"bool visibletocamera\" \"false\"\n"},
     {"Distant", "LightSource \"distant\" \"rgb L\" [3 2 2] \"point from\" [1 -2 3] \"point to\" [0 0 0]\n"},
     {"Infinite", "LightSource \"infinite\" \"rgb L\" [0.6 0.7 0.9]\n"},
     {"InfiniteMap",

@@ -94,6 +94,13 @@ bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId
     return isHole(data, *alpha, hit, ray, primId);
 }
 
+// RTCRay::id of a ray, by Ray::fromCamera.
+constexpr unsigned kFromElsewhere = 0, kFromCamera = 1;
+
+bool isHidden(const Primitive& primitive, RTCRayN* ray, unsigned n, unsigned i) {
+    return !primitive.visibleToCamera && RTCRayN_id(ray, n, i) == kFromCamera;
+}
+
 Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
     Ray r;
     r.o = Vec3(RTCRayN_org_x(ray, n, i), RTCRayN_org_y(ray, n, i), RTCRayN_org_z(ray, n, i));
@@ -107,7 +114,8 @@ void filterIntersect(const RTCFilterFunctionNArguments* a) {
     const Primitive& primitive = *data.primitive;
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
-        if (isHole(data, primitive.alpha.get(), RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
+        if (isHidden(primitive, a->ray, a->N, i) ||
+            isHole(data, primitive.alpha.get(), RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
                    RTCHitN_v(a->hit, a->N, i), rayOf(a->ray, a->N, i), RTCRayN_tfar(a->ray, a->N, i)))
             a->valid[i] = 0;
     }
@@ -162,7 +170,7 @@ void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
     RTCRayN* rays = RTCRayHitN_RayN(rayhit, a->N);
     RTCHitN* hits = RTCRayHitN_HitN(rayhit, a->N);
     for (unsigned i = 0; i < a->N; ++i) {
-        if (a->valid[i] != -1) continue;
+        if (a->valid[i] != -1 || isHidden(*data.primitive, rays, a->N, i)) continue;
         const auto found =
             intersectSolid(data, {data.primitive->alpha.get()}, rayOf(rays, a->N, i), RTCRayN_tnear(rays, a->N, i));
         if (!found) continue;
@@ -208,6 +216,7 @@ struct Accel::Impl {
     const Instance* firstInstance = nullptr;
     bool anythingMoves = false;
     bool hasShadowMasks = false;
+    bool hidesFromCamera = false;
     bool hasOpenMedia = false;
     float reachOfMedia = 0;
     uint32_t geometries = 0;  // so far
@@ -270,6 +279,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
         data->primitive = &primitive;
         data->index = geometries++;
         hasShadowMasks |= primitive.shadowAlpha != nullptr;
+        hidesFromCamera |= !primitive.visibleToCamera;
         hasOpenMedia |= primitive.media.changes() && !primitive.material;
         data->lobes = lobesOf(primitive.material.get());
         RTCGeometry geometry = nullptr;
@@ -292,9 +302,10 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
             rtcSetGeometryIntersectFunction(geometry, shapeIntersect);
             rtcSetGeometryOccludedFunction(geometry, shapeOccluded);
         }
-        // Our own intersection functions, for shapes, test the alpha masks themselves.
+        // Our own intersection functions, for shapes, make these tests themselves.
         if (data->mesh || data->curves) {
-            if (primitive.alpha) rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
+            if (primitive.alpha || !primitive.visibleToCamera)
+                rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
             if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
                 rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);
         }
@@ -365,7 +376,7 @@ bool Accel::find(const Ray& ray, Found& found) const {
     q.ray.time = ray.time;
     q.ray.tfar = ray.tMax;
     q.ray.mask = ~0u;
-    q.ray.id = 0;
+    q.ray.id = ray.fromCamera ? kFromCamera : kFromElsewhere;
     q.ray.flags = 0;
     q.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     q.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -433,6 +444,7 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
 
 bool Accel::anythingMoves() const { return impl_->anythingMoves; }
 bool Accel::hasShadowMasks() const { return impl_->hasShadowMasks; }
+bool Accel::hidesFromCamera() const { return impl_->hidesFromCamera; }
 bool Accel::hasOpenMedia() const { return impl_->hasOpenMedia; }
 float Accel::lengthInMedium(float length) const { return std::isinf(length) ? impl_->reachOfMedia : length; }
 
@@ -451,7 +463,7 @@ bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax, float time) const
     r.time = time;
     r.tfar = tMax;
     r.mask = ~0u;
-    r.id = 0;
+    r.id = kFromElsewhere;
     r.flags = 0;
     rtcOccluded1(impl_->world.scene, &context, &r);
     return r.tfar < 0;

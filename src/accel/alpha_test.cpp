@@ -36,5 +36,44 @@ TEST(Alpha, SolidTexturesHideTheSamePartsOfAShapeFromEveryRay) {
     EXPECT_GT(hits, 100);
 }
 
+// By rays from the camera alone; whatever stands behind is hit.
+TEST(Alpha, SurfacesMayBeHiddenFromTheCamera) {
+    for (const bool isMesh : {false, true}) {
+        Scene scene;
+        Primitive front;
+        if (isMesh) {
+            auto mesh = std::make_shared<TriangleMesh>();
+            mesh->positions = {Vec3(-1, -1, 1), Vec3(3, -1, 1), Vec3(-1, 3, 1)};
+            mesh->indices = {0, 1, 2};
+            front.mesh = mesh;
+        } else {
+            front.shape = makeSphere({.objectToWorld = Transform::translate(Vec3(0, 0, 2))});
+        }
+        front.material = makeMatte({});
+        front.visibleToCamera = false;
+        Primitive back;
+        back.shape = makeSphere({.objectToWorld = Transform::translate(Vec3(0, 0, 6))});
+        back.material = front.material;
+        scene.primitives = {front, back};
+        const Accel accel(scene);
+        EXPECT_TRUE(accel.hidesFromCamera());
+        Ray ray;
+        ray.o = Vec3(0, 0, 0);
+        ray.d = Vec3(0, 0, 1);
+        SurfaceInteraction hit;
+        ASSERT_TRUE(accel.intersect(ray, hit));
+        EXPECT_FLOAT_EQ(hit.t, 1);
+        // What it spawns is no ray of the camera's any more; what goes on is.
+        ray.fromCamera = true;
+        EXPECT_FALSE(hit.spawnRay(ray.d).fromCamera);
+        EXPECT_TRUE(hit.onward(ray).fromCamera);
+        ASSERT_TRUE(accel.intersect(ray, hit));
+        EXPECT_FLOAT_EQ(hit.t, 5);
+        EXPECT_EQ(hit.primitive, &scene.primitives[1]);
+        // It casts its shadow.
+        EXPECT_TRUE(accel.occluded(ray.o, ray.d, 3, 0));
+    }
+}
+
 }  // namespace
 }  // namespace drc

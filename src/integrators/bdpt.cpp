@@ -227,7 +227,7 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
             });
         });
         if (arrival == Arrival::Escaped)
-            lighting_.forLightsAtInfinity(from, step.ray.d, [&](const Light& light, const Rgb& radiance) {
+            lighting_.forLightsAtInfinity(from, step.ray, [&](const Light& light, const Rgb& radiance) {
                 add(light, radiance, {}, -step.ray.d, step.pdf);
             });
         if (arrival != Arrival::Surface) break;
@@ -333,7 +333,7 @@ void BidirectionalTracer::joinLens(Paths& paths, float time, const Vec2& uLens, 
     const float fromCamera = view->pixelsPerArea * absDot(at.hit.ng, d);
     const Rgb f = at.bsdf.f(d, at.hit.wo, LobeFlags::NonSpecular);
     const Rgb light = at.throughput * f * fromCamera;
-    if (isBlack(light) || screened(accel_, at.hit.spawnPoint(), d, distance, time)) return;
+    if (isBlack(light) || hiddenFromLens(accel_, at.hit, d, distance)) return;
     splats.push_back({view->film, light * (weightAtLens(paths, d, fromCamera) / float(lightPaths_))});
 }
 

@@ -24,6 +24,7 @@ inline CameraRay cameraRay(const Scene& scene, const Vec2& film, Sampler& sample
     const Vec2 uLens = sampler.get2D();
     CameraRay camera = scene.camera->generateRay(film, uLens, sampler.get1D());
     camera.ray.medium = scene.cameraMedium;
+    camera.ray.fromCamera = true;
     return camera;
 }
 

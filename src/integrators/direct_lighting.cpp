@@ -17,9 +17,10 @@ Rgb DirectLighting::emissionAtHit(const SurfaceInteraction& hit, const Vec3& fro
     return sum;
 }
 
-Rgb DirectLighting::emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, int group) const {
+Rgb DirectLighting::emissionAtInfinity(const Ray& ray, const Vec3& from, float pdf, int group) const {
     Rgb sum(0.f);
-    forLightsAtInfinity(from, d, [&](const Light& light, const Rgb& radiance) {
+    const Vec3& d = ray.d;
+    forLightsAtInfinity(from, ray, [&](const Light& light, const Rgb& radiance) {
         float weight = 1;
         if (pdf != kSpecular) {
             float lightPdf = lights_.probability(from, &light);

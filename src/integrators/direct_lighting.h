@@ -46,9 +46,10 @@ class DirectLighting {
     }
     // Calls met(light, Le) for every environment that shines along a ray of direction d which left `from` and escaped.
     template <class Met>
-    void forLightsAtInfinity(const Vec3& from, const Vec3& d, Met&& met) const {
+    void forLightsAtInfinity(const Vec3& from, const Ray& ray, Met&& met) const {
         for (const Light* light : lights_.infiniteLights()) {
-            const Rgb radiance = light->escaped(from, d);
+            if (ray.fromCamera && !light->visibleToCamera()) continue;
+            const Rgb radiance = light->escaped(from, ray.d);
             if (!isBlack(radiance)) met(*light, radiance);
         }
     }
@@ -56,7 +57,7 @@ class DirectLighting {
     // Le along a ray that left `from` in a direction sampled with `pdf` per solid angle, times the weight against light
     // sampling at `from` (1 for kSpecular).
     Rgb emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const;
-    Rgb emissionAtInfinity(const Vec3& d, const Vec3& from, float pdf, int group) const;
+    Rgb emissionAtInfinity(const Ray& ray, const Vec3& from, float pdf, int group) const;
 
     // A light sample at a vertex, before its visibility is known.
     struct Proposal {

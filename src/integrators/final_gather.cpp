@@ -120,7 +120,7 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
         const Arrival arrival =
             walker_.advance(path, any, found, hit, inMedium, sample.sampler, sample.sinks.gBuffer, met, passed);
         if (arrival == Arrival::Escaped)
-            emitted(lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group));
+            emitted(lighting_.emissionAtInfinity(path.ray, path.from, path.pdf, path.group));
         if (arrival == Arrival::Scattered) {
             recordDirect(false);
             if (path.depth >= settings.maxDepth) shown = false;

@@ -24,7 +24,7 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
         sum += scale * s->f * lighting_.emissionAtHit(surface, at.p, s->pdf);
     });
     if (arrival == Arrival::Escaped)
-        return sum + scale * s->f * lighting_.emissionAtInfinity(s->wi, at.p, s->pdf, group);
+        return sum + scale * s->f * lighting_.emissionAtInfinity(next, at.p, s->pdf, group);
     if (arrival == Arrival::Surface && broadLight) {
         const Rgb f = bsdf.hasWithin(glossy()) ? bsdf.f(at.wo, s->wi, broad()) : s->f;
         if (!isBlack(f))
@@ -40,9 +40,9 @@ SampleLayers PathTracer::directLayers(const Ray& cameraRay, Sampler& sampler, bo
     const auto met = [&](const SurfaceInteraction& hit) {
         layers.emission += chain.throughput() * lighting_.emissionAtHit(hit, cameraRay.o, DirectLighting::kSpecular);
     };
-    const auto atInfinity = [&](const Vec3& from, const Vec3& d) {
+    const auto atInfinity = [&](const Vec3& from, const Ray& ray) {
         layers.emission += chain.throughput() *
-                           lighting_.emissionAtInfinity(d, from, DirectLighting::kSpecular, DirectLighting::kNoGroup);
+                           lighting_.emissionAtInfinity(ray, from, DirectLighting::kSpecular, DirectLighting::kNoGroup);
     };
     while (chain.next(met, atInfinity)) {
         const SurfaceInteraction& hit = chain.surface();
@@ -86,7 +86,7 @@ SampleLayers PathTracer::directLayers(const Ray& cameraRay, Sampler& sampler, bo
 
 bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& result) const {
     SpecularChain chain(lighting_.accel(), cameraRay);
-    while (chain.next([](const SurfaceInteraction&) {}, [](const Vec3&, const Vec3&) {})) {
+    while (chain.next([](const SurfaceInteraction&) {}, [](const Vec3&, const Ray&) {})) {
         const SurfaceInteraction& at = chain.surface();
         result.bsdf = at.bsdf();
         const bool specular = result.bsdf.hasSpecular(), other = result.bsdf.hasNonSpecular();

@@ -124,7 +124,7 @@ Rgb PathWalker::walk(const Ray& firstRay, Sampler& sampler, FirstEmission emissi
             };
             const Arrival arrival = advance(path, any, found, hit, inMedium, sampler, sinks.gBuffer, met, passed);
             if (arrival == Arrival::Escaped && counted)
-                sum += path.throughput * lighting_.emissionAtInfinity(path.ray.d, path.from, path.pdf, path.group);
+                sum += path.throughput * lighting_.emissionAtInfinity(path.ray, path.from, path.pdf, path.group);
             if (arrival == Arrival::Scattered) {
                 counted = true;
                 if (path.depth >= maxDepth) break;

@@ -69,7 +69,7 @@ inline Arrival toSurface(const Accel& accel, Ray& ray, Accel::Found& found, bool
         const bool ends = hit.primitive->material != nullptr;
         if (ends || hit.primitive->areaLight) met(hit);
         if (ends) return Arrival::Surface;
-        ray = hit.spawnRay(ray.d);
+        ray = hit.onward(ray);
         any = accel.find(ray, found);
     }
     return Arrival::Lost;
@@ -88,14 +88,14 @@ class SpecularChain {
     SpecularChain(const Accel& accel, const Ray& cameraRay) : accel_(accel), ray_(cameraRay), from_(cameraRay.o) {}
 
     // Moves on to the next surface with a material, surface(). met(hit) is called as by toSurface. Where the path
-    // escapes, atInfinity(from, d) is called. False: the path ends.
+    // escapes, atInfinity(from, ray) is called. False: the path ends.
     template <class Met, class AtInfinity>
     bool next(Met&& met, AtInfinity&& atInfinity) {
         const Arrival arrival = toSurface(accel_, ray_, surface_, [&](const SurfaceInteraction& hit) {
             distance_ += hit.t;
             met(hit);
         });
-        if (arrival == Arrival::Escaped) atInfinity(from_, ray_.d);
+        if (arrival == Arrival::Escaped) atInfinity(from_, ray_);
         return arrival == Arrival::Surface;
     }
     // Leaves surface() by one of its specular lobes. probability: that of having chosen to do so. False: the path ends.

@@ -31,8 +31,9 @@ struct Segment {
     }
 };
 
-bool isScreened(const Accel& accel, const Segment& segment, float time) {
+bool isScreened(const Accel& accel, const Segment& segment, float time, bool fromCamera = false) {
     Ray ray;
+    ray.fromCamera = fromCamera;
     ray.o = segment.o;
     ray.d = segment.d;
     ray.tMax = segment.tMax;
@@ -41,7 +42,7 @@ bool isScreened(const Accel& accel, const Segment& segment, float time) {
     for (int i = 0; i < kMaxPassThrough && ray.tMax > 0 && accel.intersect(ray, hit); ++i) {
         if (hit.primitive->material) return true;
         const float left = ray.tMax - hit.t;
-        ray = hit.spawnRay(ray.d);
+        ray = hit.onward(ray);
         ray.tMax = left;
     }
     return false;
@@ -65,6 +66,11 @@ bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, const S
     return segment.tMax > 0 && accel.occluded(segment.o, segment.d, segment.tMax, time);
 }
 
+bool hiddenFromLens(const Accel& accel, const SurfaceInteraction& at, const Vec3& d, float distance) {
+    if (!accel.hidesFromCamera()) return screened(accel, at.spawnPoint(), d, distance, at.time);
+    return !at.primitive->visibleToCamera || isScreened(accel, Segment(at.spawnPoint(), d, distance), at.time, true);
+}
+
 Rgb transmittance(const Accel& accel, const SpawnPoint& from, const Medium* medium, const Vec3& d, float distance,
                   float time) {
     Rgb share(1.f);
@@ -85,7 +91,7 @@ Rgb transmittance(const Accel& accel, const SpawnPoint& from, const Medium* medi
         if (ray.medium) share *= ray.medium->transmittance(accel.lengthInMedium(any ? hit.t : ray.tMax));
         if (!any || isBlack(share)) break;
         const float left = ray.tMax - hit.t;
-        ray = hit.spawnRay(ray.d);
+        ray = hit.onward(ray);
         ray.tMax = left;
     }
     return share;

@@ -25,6 +25,8 @@ bool shadowed(const Accel& accel, const SpawnPoint& from, const Vec3& d, float d
 bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
 // screened() between two surface points, of which the one sees the other along d (unit).
 bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, const SpawnPoint& to, float time);
+// Whether anything blocks a camera's view of a surface point: d and distance lead from the point to the lens.
+bool hiddenFromLens(const Accel& accel, const SurfaceInteraction& at, const Vec3& d, float distance);
 // The share of light that the media let through along the segment of shadowed(), whatever surfaces there are. medium:
 // in which the segment begins.
 Rgb transmittance(const Accel& accel, const SpawnPoint& from, const Medium* medium, const Vec3& d, float distance,

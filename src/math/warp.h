@@ -95,14 +95,16 @@ inline Vec2 hemisphereToSquare(const Vec3& w) {
 // Uniform on the unit disk.
 inline Vec2 sampleConcentricDisk(const Vec2& u) { return squareToDisk(u); }
 
-// Density proportional to cos theta (Malley's method, PBR 13.6.3).
-inline Vec3 sampleCosineHemisphere(const Vec2& u) {
+// Density proportional to cos theta (Malley's method, PBR 13.6.3), within a cone around +z whose half-angle has the
+// given sine; 1: the hemisphere.
+inline Vec3 sampleCosineCone(const Vec2& u, float sine) {
     const Vec2 d = squareToDisk(u);
     // z = sqrt(1 - |d|^2), with |d| taken from the square as in squareToHemisphere, so that it stays accurate near the
     // horizon.
-    const float r = std::max(std::abs(2 * u.x - 1), std::abs(2 * u.y - 1));
-    return Vec3(d.x, d.y, safeSqrt((1 - r) * (1 + r)));
+    const float r = std::max(std::abs(2 * u.x - 1), std::abs(2 * u.y - 1)) * sine;
+    return Vec3(d.x * sine, d.y * sine, safeSqrt((1 - r) * (1 + r)));
 }
+inline Vec3 sampleCosineHemisphere(const Vec2& u) { return sampleCosineCone(u, 1); }
 inline float cosineHemispherePdf(float cosTheta) { return std::max(0.f, cosTheta) * kInvPi; }
 
 inline Vec3 sampleUniformHemisphere(const Vec2& u) {

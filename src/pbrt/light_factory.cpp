@@ -25,40 +25,41 @@ LightImage pictureOf(const LightContext& context, const std::string& what) {
     return image;
 }
 
-LightPtr makePoint(const LightContext& context) {
+SourceLight makePoint(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
-    return makePointLight(context.toWorld.point(context.params.getPoint("from", Vec3(0, 0, 0))), intensity);
+    return lampOf(context.params, placed(context), intensity, nullptr);
 }
 
-LightPtr makeDistant(const LightContext& context) {
+SourceLight makeDistant(const LightContext& context) {
     const Rgb radiance = context.params.getColor("L", Rgb(1.f)) * scaleOf(context.params);
     return distantLight(context, radiance);
 }
 
-LightPtr makeSpot(const LightContext& context) {
+SourceLight makeSpot(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
-    const SpotAngles angles = spotAngles(context.params);
-    return makeSpotLight(aimed(context.params, context.toWorld), intensity, angles.cone, angles.fade, SpotEdge::Steep);
+    const SpotFalloff falloff = spotFalloff(context.params, SpotEdge::Steep);
+    return lampOf(context.params, aimed(context.params, context.toWorld), intensity, &falloff);
 }
 
-LightPtr makeGoniometric(const LightContext& context) {
+SourceLight makeGoniometric(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
     return makeGoniometricLight(context.toWorld, intensity, pictureOf(context, "goniometric diagram"));
 }
 
-LightPtr makeProjection(const LightContext& context) {
+SourceLight makeProjection(const LightContext& context) {
     const Rgb intensity = context.params.getColor("I", Rgb(1.f)) * scaleOf(context.params);
     const float fov = degreesBetween(context.params, "fov", 45, 0, 180);
     return makeProjectionLight(context.toWorld, intensity, fov, pictureOf(context, "picture to project"));
 }
 
-LightPtr makeInfinite(const LightContext& context) {
+SourceLight makeInfinite(const LightContext& context) {
     const Rgb radiance = context.params.getColor("L", Rgb(1.f)) * scaleOf(context.params);
     samplesNotNeeded(context.params);
-    return makeInfiniteLight(context.toWorld, radiance, pictureOf(context, "environment map"));
+    return makeInfiniteLight(context.toWorld, radiance, pictureOf(context, "environment map"),
+                             isVisibleToCamera(context.params));
 }
 
-using LightMaker = LightPtr (*)(const LightContext&);
+using LightMaker = SourceLight (*)(const LightContext&);
 constexpr Registered<LightMaker> kLights[] = {
     {"distant", makeDistant},   {"exinfinite", makeInfinite}, {"goniometric", makeGoniometric},
     {"infinite", makeInfinite}, {"point", makePoint},         {"projection", makeProjection},
@@ -68,9 +69,10 @@ constexpr Registered<LightMaker> kLights[] = {
 AreaLightBuilder makeDiffuse(const ParamSet& params) {
     const Rgb radiance = params.getColor("L", Rgb(1.f)) * scaleOf(params);
     const bool twoSided = params.getBool("twosided", false);
+    const Emission emission = Emission(radiance).with(emissionProfile(params));
     samplesNotNeeded(params);
     if (isBlack(radiance)) return {};
-    return [=](const Primitive& primitive) { return makeDiffuseAreaLight(primitive, radiance, twoSided); };
+    return [=](const Primitive& primitive) { return makeDiffuseAreaLight(primitive, emission, twoSided); };
 }
 
 using AreaLightMaker = AreaLightBuilder (*)(const ParamSet&);
@@ -81,11 +83,11 @@ constexpr Registered<AreaLightMaker> kAreaLights[] = {
 
 }  // namespace
 
-LightPtr makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                   const Transform& fromFile, const FileSearch& files) {
+SourceLight makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
+                      const Transform& fromFile, const FileSearch& files) {
     const LightMaker make = findMaker<LightMaker>(kLights, "light", type, params.pos(), "the light is left out");
-    if (make == nullptr) return nullptr;
-    LightPtr light = make({params, lightToWorld, fromFile, files});
+    if (make == nullptr) return {};
+    SourceLight light = make({params, lightToWorld, fromFile, files});
     params.warnUnused();
     return light;
 }

@@ -3,6 +3,8 @@
 
 #include "image/color.h"
 #include "image/image_io.h"
+#include "math/sampler.h"
+#include "pbrt/dialect.h"
 #include "pbrt/test_scenes.h"
 
 namespace drc::pbrt {
@@ -112,6 +114,58 @@ TEST(LightFactory, DistantLightsMayBeSeenUnderAnAngle) {
     EXPECT_THAT(errorOfWorld("LightSource \"distant\" \"float angle\" 200"),
                 HasSubstr("must be from 0 to 180 degrees"));
     EXPECT_THAT(errorOfWorld("LightSource \"distant\" \"float angle\" -1"), HasSubstr("must be from 0 to 180 degrees"));
+}
+
+// In both dialects: the sphere is in the scene, keeps the intensity, and has the transformation's size.
+TEST(LightFactory, PointsAndSpotsMayHaveARadius) {
+    const std::string scaled = "Translate 0 0 5 Scale 2 2 2 ";
+    const std::string point = "LightSource \"point\" \"rgb I\" [1 2 3] \"float radius\" .25\n";
+    const std::string spot = "LightSource \"spot\" \"rgb I\" [1 2 3] \"float radius\" .25 \"float coneangle\" 20\n";
+    for (const Dialect dialect : {Dialect::V3, Dialect::V4})
+        for (const std::string& light : {point, spot}) {
+            SCOPED_TRACE(light);
+            const auto scene = dialect == Dialect::V3 ? loadWorld(scaled + light) : loadWorldV4(scaled + light);
+            ASSERT_EQ(scene->primitives.size(), 1u);
+            const Primitive& bulb = scene->primitives[0];
+            EXPECT_FALSE(bulb.visibleToCamera);
+            EXPECT_FALSE(bulb.material);
+            EXPECT_EQ(bulb.areaLight, scene->lights.at(0));
+            EXPECT_LT(length(bulb.shape->bounds().min + scene->origin - Vec3(-.5f, -.5f, 4.5f)), 1e-5f);
+            // The irradiance of the books, I / d^2, along the axis.
+            double sum = 0;
+            constexpr uint32_t kSamples = 1 << 12;
+            for (uint32_t i = 0; i < kSamples; ++i)
+                if (const auto s = scene->lights[0]->sample(Vec3(0, 0, 9) - scene->origin, Sampler(1, i).get2D()))
+                    sum += double(s->radiance.y * -s->wi.z / s->pdf) / kSamples;
+            EXPECT_NEAR(sum, 2. / 16, 1e-3);
+            // Beside the axis there is the spot's cone.
+            EXPECT_EQ(bool(scene->lights[0]->sample(Vec3(4, 0, 5) - scene->origin, Vec2(0.5f, 0.5f))), light == point);
+        }
+    EXPECT_THAT(errorOfWorld("LightSource \"point\" \"float radius\" -1"), HasSubstr("'radius'"));
+}
+
+TEST(LightFactory, LampsMayBeNarrowHiddenAndWithoutABody) {
+    const std::string lamp = "AreaLightSource \"diffuse\" \"float spread\" 60\nShape \"disk\" ";
+    for (const Dialect dialect : {Dialect::V3, Dialect::V4}) {
+        const auto load = [&](const std::string& text) {
+            return dialect == Dialect::V3 ? loadWorld(text) : loadWorldV4(text);
+        };
+        const auto plain = load(lamp);
+        EXPECT_TRUE(plain->primitives.at(0).visibleToCamera);
+        EXPECT_TRUE(plain->primitives[0].material);
+        const AreaLight& light = *plain->primitives[0].areaLight;
+        EXPECT_GT(light.emitted({Vec3(0), Vec3(0, 0, 1)}, Vec3(0, 0, 1)).x, 1);
+        EXPECT_TRUE(isBlack(light.emitted({Vec3(0), Vec3(0, 0, 1)}, normalize(Vec3(0.6f, 0, 1)))));
+        EXPECT_NEAR(light.power(1).x, kPi * kPi, 1e-4);
+        const auto bodiless = load(lamp + "\"bool visibletocamera\" false \"bool blockslight\" false");
+        EXPECT_FALSE(bodiless->primitives.at(0).visibleToCamera);
+        EXPECT_FALSE(bodiless->primitives[0].material);
+        EXPECT_TRUE(bodiless->primitives[0].areaLight);
+        EXPECT_FALSE(load("LightSource \"infinite\" \"bool visibletocamera\" false")->lights.at(0)->visibleToCamera());
+    }
+    for (const char* wrong : {"0", "-3", "181"})
+        EXPECT_THAT(errorOfWorld(std::string("AreaLightSource \"diffuse\" \"float spread\" ") + wrong),
+                    AllOf(StartsWith("s.pbrt:2:"), HasSubstr("must be above 0 and at most 180 degrees")));
 }
 
 TEST(LightFactory, ScaleMultipliesEveryLight) {

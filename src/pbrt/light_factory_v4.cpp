@@ -44,30 +44,26 @@ LightImage sphereOf(const LightContext& context, const std::string& what) {
     return image;
 }
 
-LightPtr makePoint(const LightContext& context) {
+SourceLight makePoint(const LightContext& context) {
     const ParamSet& params = context.params;
     const float scale = brightness(params, "power", 4 * double(kPi));
-    return makePointLight(context.toWorld.point(params.getPoint("from", Vec3(0, 0, 0))),
-                          params.getColor("I", Rgb(1.f)) * scale);
+    return lampOf(params, placed(context), params.getColor("I", Rgb(1.f)) * scale, nullptr);
 }
 
-LightPtr makeDistant(const LightContext& context) {
+SourceLight makeDistant(const LightContext& context) {
     const float scale = brightness(context.params, "illuminance", 1);
     return distantLight(context, context.params.getColor("L", Rgb(1.f)) * scale);
 }
 
-LightPtr makeSpot(const LightContext& context) {
+SourceLight makeSpot(const LightContext& context) {
     const ParamSet& params = context.params;
     const Rgb intensity = params.getColor("I", Rgb(1.f));
-    const SpotAngles angles = spotAngles(params);
-    const Transform space = aimed(params, context.toWorld);
-    const double edge = std::cos(double(angles.cone) * double(kPi) / 180);
-    const double full = std::cos(double(std::max(0.f, angles.cone - angles.fade)) * double(kPi) / 180);
-    const float scale = brightness(params, "power", 2 * double(kPi) * ((1 - full) + (full - edge) / 2));
-    return makeSpotLight(space, intensity * scale, angles.cone, angles.fade, SpotEdge::Smooth);
+    const SpotFalloff falloff = spotFalloff(params, SpotEdge::Smooth);
+    const float scale = brightness(params, "power", double(falloff.solidAngle()));
+    return lampOf(params, aimed(params, context.toWorld), intensity * scale, &falloff);
 }
 
-LightPtr makeGoniometric(const LightContext& context) {
+SourceLight makeGoniometric(const LightContext& context) {
     LightImage image = sphereOf(context, "goniometric diagram");
     const double mean = image.empty() ? 1 : meanLuminance(image);
     const float scale = brightness(context.params, "power", 4 * double(kPi) * mean);
@@ -78,7 +74,7 @@ LightPtr makeGoniometric(const LightContext& context) {
                                 latLongFromEqualArea(image));
 }
 
-LightPtr makeProjection(const LightContext& context) {
+SourceLight makeProjection(const LightContext& context) {
     const ParamSet& params = context.params;
     const float fov = degreesBetween(params, "fov", 90, 0, 180);
     LightImage image = imageOf(context.params, context.files, "filename", "picture to project", readLinear);
@@ -104,19 +100,20 @@ std::optional<std::array<Vec3, 4>> portalOf(const LightContext& context) {
     return corners;
 }
 
-LightPtr makeInfinite(const LightContext& context) {
+SourceLight makeInfinite(const LightContext& context) {
     const ParamSet& params = context.params;
     const LightImage square = sphereOf(context, "environment map");
     if (!square.empty() && params.has("L"))
         fail(params.pos(), "the infinite light has both 'L' and 'filename'; give the one or the other");
     const double own = square.empty() ? double(kPi) : horizontalIlluminance(square);
     const Rgb radiance = params.getColor("L", Rgb(1.f)) * brightness(params, "illuminance", own);
-    LightPtr environment = makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square));
+    LightPtr environment =
+        makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square), isVisibleToCamera(params));
     const auto portal = portalOf(context);
     return portal ? makePortalLight(std::move(environment), *portal) : environment;
 }
 
-using LightMaker = LightPtr (*)(const LightContext&);
+using LightMaker = SourceLight (*)(const LightContext&);
 constexpr Registered<LightMaker> kLights[] = {
     {"distant", makeDistant}, {"goniometric", makeGoniometric}, {"infinite", makeInfinite},
     {"point", makePoint},     {"projection", makeProjection},   {"spot", makeSpot},
@@ -142,6 +139,7 @@ std::shared_ptr<const EmissionImage> emissionImageOf(const ParamSet& params, con
 AreaLightBuilder makeDiffuse(const ParamSet& params, const FileSearch& files) {
     const bool twoSided = params.getBool("twosided", false);
     const float power = params.getFloat("power", -1);
+    const EmissionProfile profile = emissionProfile(params);
     const auto image = emissionImageOf(params, files);
     const Rgb scale = params.getColor("L", Rgb(1.f)) * scaleOf(params);
     // As in pbrt, the power is that of the whole image, whatever part of it a shape shows.
@@ -154,7 +152,7 @@ AreaLightBuilder makeDiffuse(const ParamSet& params, const FileSearch& files) {
         const double own = power > 0 ? emittedByWhite(primitive) * (twoSided ? 2 : 1) * ofImage : 0;
         const Rgb scaled = own > 0 ? scale * float(double(power) / own) : scale;
         const Emission emission = image ? Emission(image, scaled) : Emission(scaled);
-        return makeDiffuseAreaLight(primitive, emission, twoSided);
+        return makeDiffuseAreaLight(primitive, emission.with(profile), twoSided);
     };
 }
 
@@ -163,10 +161,10 @@ constexpr Registered<AreaLightMaker> kAreaLights[] = {{"diffuse", makeDiffuse}};
 
 }  // namespace
 
-LightPtr makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                     const Transform& fromFile, const FileSearch& files) {
+SourceLight makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
+                        const Transform& fromFile, const FileSearch& files) {
     const LightMaker make = findMaker<LightMaker>(kLights, "light", type, params.pos(), "the light is left out");
-    LightPtr light = make({params, lightToWorld, fromFile, files});
+    SourceLight light = make({params, lightToWorld, fromFile, files});
     params.warnUnused();
     return light;
 }

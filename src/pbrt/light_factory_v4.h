@@ -7,8 +7,8 @@
 namespace drc::pbrt {
 
 // The counterparts of makeLight() and makeAreaLight() for pbrt-v4.
-LightPtr makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
-                     const Transform& fromFile, const FileSearch& files);
+SourceLight makeLightV4(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
+                        const Transform& fromFile, const FileSearch& files);
 AreaLightBuilder makeAreaLightV4(const std::string& type, const ParamSet& params, const FileSearch& files);
 
 }  // namespace drc::pbrt

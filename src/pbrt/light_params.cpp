@@ -3,8 +3,17 @@
 #include <fmt/core.h>
 
 #include "math/frame.h"
+#include "scene/shape_sphere.h"
 
 namespace drc::pbrt {
+namespace {
+
+// Its scale, or the mean of its scales.
+float sizeOf(const Transform& t) {
+    return std::cbrt(std::abs(dot(cross(t.vector(Vec3(1, 0, 0)), t.vector(Vec3(0, 1, 0))), t.vector(Vec3(0, 0, 1)))));
+}
+
+}  // namespace
 
 float degreesBetween(const ParamSet& params, std::string_view name, float fallback, float low, float high) {
     const float value = params.getFloat(name, fallback);
@@ -26,6 +35,10 @@ LightImage imageOf(const ParamSet& params, const FileSearch& files, std::string_
     } catch (const Error& error) {
         fail(pos, error.what());
     }
+}
+
+Transform placed(const LightContext& context) {
+    return context.toWorld * Transform::translate(context.params.getPoint("from", Vec3(0, 0, 0)));
 }
 
 Transform aimed(const ParamSet& params, const Transform& toWorld) {
@@ -53,15 +66,36 @@ LightPtr distantLight(const LightContext& context, const Rgb& irradiance) {
     if (!(angle >= 0 && angle <= 180))
         context.params.failAt(*context.params.find("angle", {ParamType::Float}),
                               fmt::format("must be from 0 to 180 degrees, not {:g}", angle));
-    return angle > 0 ? makeSunLight(direction, irradiance, angle) : makeDistantLight(direction, irradiance);
+    const bool visible = isVisibleToCamera(context.params);
+    return angle > 0 ? makeSunLight(direction, irradiance, angle, visible) : makeDistantLight(direction, irradiance);
 }
 
-SpotAngles spotAngles(const ParamSet& params) {
+SpotFalloff spotFalloff(const ParamSet& params, SpotEdge edge) {
     const float cone = params.getFloat("coneangle", 30);
     if (!(cone > 0 && cone <= 180))
         params.failAt(*params.find("coneangle", {ParamType::Float}),
                       fmt::format("must be above 0 and at most 180 degrees, not {:g}", cone));
-    return {cone, params.getNonNegativeFloat("conedeltaangle", 5)};
+    return {cone, params.getNonNegativeFloat("conedeltaangle", 5), edge};
+}
+
+SourceLight lampOf(const ParamSet& params, const Transform& toWorld, const Rgb& intensity, const SpotFalloff* spot) {
+    const Vec3 origin = toWorld.point(Vec3(0.f));
+    const float radius = params.getNonNegativeFloat("radius", 0) * sizeOf(toWorld);
+    if (!(radius > 0)) return spot ? makeSpotLight(toWorld, intensity, *spot) : makePointLight(origin, intensity);
+    const ShapePtr bulb = makeSphere({.objectToWorld = Transform::translate(origin), .radius = radius});
+    EmissionProfile profile;
+    if (spot) profile = EmissionProfile({normalize(toWorld.vector(Vec3(0, 0, 1))), *spot});
+    return {makeShapeAreaLight(bulb, Emission(intensity / (kPi * sqr(radius))).with(profile), false), bulb};
+}
+
+bool isVisibleToCamera(const ParamSet& params) { return params.getBool("visibletocamera", true); }
+
+EmissionProfile emissionProfile(const ParamSet& params) {
+    const float spread = params.getFloat("spread", 180);
+    if (!(spread > 0 && spread <= 180))
+        params.failAt(*params.find("spread", {ParamType::Float}),
+                      fmt::format("must be above 0 and at most 180 degrees, not {:g}", spread));
+    return EmissionProfile::narrowed(spread);
 }
 
 }  // namespace drc::pbrt

@@ -4,6 +4,7 @@
 
 #include "pbrt/decoded_image.h"
 #include "pbrt/file_search.h"
+#include "pbrt/light_factory.h"
 #include "pbrt/param_set.h"
 #include "scene/light.h"
 
@@ -24,6 +25,8 @@ float degreesBetween(const ParamSet& params, std::string_view name, float fallba
 LightImage imageOf(const ParamSet& params, const FileSearch& files, std::string_view param, const std::string& what,
                    DecodedImage (*read)(const std::string& path));
 
+// A light space with its origin at `from`.
+Transform placed(const LightContext& context);
 // A light space with its origin at `from` and its +z axis towards `to`.
 Transform aimed(const ParamSet& params, const Transform& toWorld);
 
@@ -33,10 +36,16 @@ Vec3 distantDirection(const LightContext& context);
 // in degrees that it is seen under.
 LightPtr distantLight(const LightContext& context, const Rgb& irradiance);
 
-// The half-angle of a spotlight's cone, and the width of its soft edge, in degrees.
-struct SpotAngles {
-    float cone, fade;
-};
-SpotAngles spotAngles(const ParamSet& params);
+SpotFalloff spotFalloff(const ParamSet& params, SpotEdge edge);
+
+// A point or spot light at the origin of its space that shines along +z, of this intensity. spot: null for a point
+// light. With DRC's own parameter "float radius", it is a sphere of the same intensity, each point of which has the
+// spot's profile: the shadows are soft, and `bulb` is set.
+SourceLight lampOf(const ParamSet& params, const Transform& toWorld, const Rgb& intensity, const SpotFalloff* spot);
+
+// DRC's own parameter "bool visibletocamera" of distant and infinite lights.
+bool isVisibleToCamera(const ParamSet& params);
+// What DRC's own parameter "float spread" of area lights says.
+EmissionProfile emissionProfile(const ParamSet& params);
 
 }  // namespace drc::pbrt

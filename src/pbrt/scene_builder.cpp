@@ -241,8 +241,17 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
 void SceneBuilder::light(const std::string& type, ParamSet params) {
     params = completed("light", std::move(params));
     const Transform toWorld = fromFile_ * staticTransform("lights", params.pos());
-    if (LightPtr light = make_.light(type, params, toWorld, fromFile_, files_))
-        scene_->lights.push_back(std::move(light));
+    SourceLight made = make_.light(type, params, toWorld, fromFile_, files_);
+    if (!made.light) return;
+    if (made.bulb) {
+        if (!isWithinReach(made.bulb->bounds()))
+            fail(params.pos(), "the " + params.owner() + " reaches farther from the origin than 1e18");
+        Primitive& bulb = scene_->primitives.emplace_back();
+        bulb.shape = made.bulb;
+        bulb.areaLight = made.area;
+        bulb.visibleToCamera = false;
+    }
+    scene_->lights.push_back(std::move(made.light));
 }
 
 void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
@@ -278,17 +287,21 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     pending.primitive.alpha = pending.geometry.alpha;
     pending.primitive.shadowAlpha = pending.geometry.shadowAlpha;
     pending.primitive.alphaIsShare = pending.geometry.alphaIsShare;
+    pending.primitive.visibleToCamera = params.getBool("visibletocamera", true);
+    const bool blocks = params.getBool("blockslight", true);
     pending.primitive.media = state_.media;
     pending.primitive.material = make_.materialOfShape(*state_.material, params, materialSources());
     params.warnUnused();
     takeFromMaterial(pending.primitive);
     const AreaLightBuilder areaLight = areaLightOf(pending.primitive);
+    const bool isInterface = !pending.primitive.material;
+    if (!blocks) pending.primitive.material = nullptr;
     if (!areaLight && placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
     if (areaLight && openObject_) {
         warn(params.pos(), "shapes of an instanced object cannot be area lights; it does not emit");
     } else if (areaLight && moves) {
         warn(params.pos(), "shapes that move cannot be area lights; it does not emit");
-    } else if (areaLight && dialect_ == Dialect::V4 && !pending.primitive.material) {
+    } else if (areaLight && dialect_ == Dialect::V4 && isInterface) {
         warn(params.pos(),
              "as in pbrt-v4, a shape with the material 'interface' cannot be an area light; it does not emit");
     } else if (areaLight) {
@@ -332,7 +345,8 @@ bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
     const bool alike =
         last.geometry.curves && last.geometry.curves->looksLike(*next.geometry.curves) && last.object == next.object &&
         last.primitive.material == next.primitive.material && last.primitive.alpha == next.primitive.alpha &&
-        last.primitive.shadowAlpha == next.primitive.shadowAlpha && last.primitive.media == next.primitive.media;
+        last.primitive.shadowAlpha == next.primitive.shadowAlpha && last.primitive.media == next.primitive.media &&
+        last.primitive.visibleToCamera == next.primitive.visibleToCamera;
     if (last.areaLight || !alike) return false;
     last.geometry.curves->append(*next.geometry.curves);
     return true;

@@ -129,6 +129,7 @@ std::optional<Geometry> make(std::span<const Registered<ShapeMaker>> table, cons
     Geometry geometry = maker(context);
     if (!geometry.shape && !geometry.loadMesh) return std::nullopt;
     geometry.alpha = maskOf(context, "alpha");
+    geometry.shadowAlpha = maskOf(context, "shadowalpha");
     geometry.alphaIsShare = context.dialect == Dialect::V4;
     return geometry;
 }
@@ -136,9 +137,7 @@ std::optional<Geometry> make(std::span<const Registered<ShapeMaker>> table, cons
 }  // namespace
 
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context) {
-    std::optional<Geometry> geometry = make(kShapes, type, context);
-    if (geometry) geometry->shadowAlpha = maskOf(context, "shadowalpha");
-    return geometry;
+    return make(kShapes, type, context);
 }
 
 std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext& context) {

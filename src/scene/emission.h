@@ -1,9 +1,10 @@
 // What an emissive surface emits: one radiance everywhere, or an image that is looked up by its (u, v), as a screen or
-// a stained-glass window shows one.
+// a stained-glass window shows one; in all directions alike, or by a profile.
 #pragma once
 #include <memory>
 #include <vector>
 
+#include "scene/emission_profile.h"
 #include "scene/light_image.h"
 #include "scene/texture.h"
 
@@ -46,13 +47,23 @@ class Emission {
     // The image times scale.
     Emission(std::shared_ptr<const EmissionImage> image, const Rgb& scale) : image_(std::move(image)), scale_(scale) {}
 
+    // The same light, in other directions.
+    Emission with(const EmissionProfile& profile) const {
+        Emission e = *this;
+        e.profile_ = profile;
+        return e;
+    }
+
+    // Radiance, before its profile.
     Rgb at(const Vec2& uv) const { return image_ ? scale_ * image_->lookup(uv) : scale_; }
     const EmissionImage* image() const { return image_.get(); }  // null for one radiance everywhere
     const Rgb& scale() const { return scale_; }
+    const EmissionProfile& profile() const { return profile_; }
 
   private:
     std::shared_ptr<const EmissionImage> image_;
     Rgb scale_;
+    EmissionProfile profile_;
 };
 
 // The texture's values as radiance. One that varies becomes an image of 512 x 512 pixels over (u, v) in [0,1]^2, which

@@ -12,6 +12,7 @@
 #include "scene/light_image.h"
 #include "scene/light_reach.h"
 #include "scene/shape.h"
+#include "scene/spot_falloff.h"
 #include "scene/texture.h"
 #include "scene/triangle_mesh.h"
 
@@ -88,6 +89,8 @@ class Light {
     virtual bool isInfinite() const { return false; }
     virtual Rgb escaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Rgb(0.f); }
     virtual float pdfEscaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return 0; }
+    // Whether the camera sees it; surfaces do anyway.
+    virtual bool visibleToCamera() const { return true; }
     // Whether light arrives from all around, so that it pays to learn from where it does (EnvironmentGuide).
     virtual bool surrounds() const { return isInfinite(); }
     // The u in the unit square for which sample() at `from` returns direction wi.
@@ -111,13 +114,18 @@ using LightPtr = std::shared_ptr<const Light>;
 // A surface that emits light: one light for each emissive mesh or shape.
 class AreaLight : public Light {
   public:
-    // emit() samples points in proportion to the radiance that they emit, and directions by the cosine.
+    // emit() samples points in proportion to the radiance that they emit, and directions by the cosine, within the cone
+    // of the emission's profile.
     EmissionDensity emissionDensity(const EmitterHit& at, const Vec3& d, const SceneSphere&) const final;
     // Le: radiance that leaves the hit point towards wo.
     Rgb emitted(const EmitterHit& hit, const Vec3& wo) const {
-        return twoSided_ || dot(hit.ng, wo) > 0 ? emission_.at(hit.uv) : Rgb(0.f);
+        if (!twoSided_ && !(dot(hit.ng, wo) > 0)) return Rgb(0.f);
+        const EmissionProfile& profile = emission_.profile();
+        return profile.isEven() ? emission_.at(hit.uv) : emission_.at(hit.uv) * profile.share(hit.ng, wo);
     }
-    Rgb power(float) const final { return radianceTimesArea() * ((twoSided_ ? 2 : 1) * kPi); }
+    Rgb power(float) const final {
+        return radianceTimesArea() * ((twoSided_ ? 2 : 1) * kPi * emission_.profile().power());
+    }
     // Pdf, per solid angle at `from`, with which sample() chooses this hit.
     virtual float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const = 0;
 
@@ -135,13 +143,8 @@ class AreaLight : public Light {
 };
 
 LightPtr makePointLight(const Vec3& position, const Rgb& intensity);
-// The next three lights are at the origin of their own space. A spotlight shines along +z and falls off over the
-// outermost fadeDegrees of a cone with the half-angle coneDegrees. If x in [0,1] is the position of the cosine between
-// the edge and full intensity, the falloff is x^4 (Steep: PBR 3e, section 12.3.1) or 3 x^2 - 2 x^3 (Smooth: PBR 4e,
-// section 12.2.1).
-enum class SpotEdge { Steep, Smooth };
-LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees,
-                       SpotEdge edge = SpotEdge::Steep);
+// The next three lights are at the origin of their own space. A spotlight shines along +z.
+LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, const SpotFalloff& falloff);
 // image: multiplies the intensity; empty for a uniform light. Its layout is documented where the lights are
 // implemented. fovDegrees: of the image's shorter side.
 LightPtr makeGoniometricLight(const Transform& lightToWorld, const Rgb& intensity, LightImage image);
@@ -149,13 +152,14 @@ LightPtr makeProjectionLight(const Transform& lightToWorld, const Rgb& intensity
 // direction: from lit points towards the light, world space.
 LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
 // The same, seen as a disk. angle: its diameter, in degrees, in (0, 180]. irradiance: on a surface that faces it.
-LightPtr makeSunLight(const Vec3& direction, const Rgb& irradiance, float angle);
+LightPtr makeSunLight(const Vec3& direction, const Rgb& irradiance, float angle, bool visibleToCamera = true);
 
 // An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, with row 0 at theta = 0,
 // and u = phi / 2 pi.
 using EnvironmentMap = LightImage;
 // map: empty for a constant environment. scale multiplies the map.
-LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {});
+LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {},
+                           bool visibleToCamera = true);
 // An environment seen through a portal alone: a rectangle in world space, oriented as Portal says. Points outside, and
 // rays that do not pass it, receive nothing.
 LightPtr makePortalLight(LightPtr environment, const std::array<Vec3, 4>& corners);

@@ -120,8 +120,9 @@ class MeshAreaLight final : public AreaLight {
         LightReach r;
         r.axis = facet.ng;
         r.spread = 0;
+        r.falloff = std::asin(emission_.profile().sinReach());
         r.twoSided = twoSided_;
-        r.intensity = luminance(emission_.scale()) * weight;
+        r.intensity = luminance(emission_.scale()) * weight * emission_.profile().share(facet.ng, facet.ng);
         return r;
     }
 

@@ -39,11 +39,21 @@ class ShapeAreaLight final : public AreaLight {
         }
         const ShapeSample point = shape_->sample(uOrigin);
         auto ray = leave({point.p, point.ng, point.part, point.uv}, uLeaving, scene);
-        if (ray && emission_.image() != nullptr) ray->radiance = emission_.at(shape_->uvSeenFrom(point, ray->d));
+        if (ray && emission_.image() != nullptr)
+            ray->radiance = emitted({point.p, point.ng, point.part, shape_->uvSeenFrom(point, ray->d)}, ray->d);
         return ray;
     }
 
     Bounds bounds() const override { return shape_->bounds(); }
+    LightReach reach() const override {
+        LightReach r = Light::reach();
+        if (const auto* spot = emission_.profile().spot()) {
+            r.axis = spot->axis;
+            r.narrowTo(spot->falloff);
+            r.intensity = luminance(radianceTimesArea_) / 4;
+        }
+        return r;
+    }
 
     float pdf(const Vec3& from, const Vec3& wi, const EmitterHit& hit) const override {
         const ShapePoint point{hit.p, hit.ng, hit.uv, hit.triangle};

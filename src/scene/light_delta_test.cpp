@@ -48,9 +48,9 @@ std::vector<DeltaLight> deltaLights() {
     };
     return {
         {"Point", makePointLight(kPlace, kIntensity), [](const Vec3&) { return Rgb(1.f); }},
-        {"Spot", makeSpotLight(placed(), kIntensity, 60, 25),
+        {"Spot", makeSpotLight(placed(), kIntensity, {60, 25}),
          [=](const Vec3& w) { return Rgb(float(std::pow(falloff(w), 4))); }},
-        {"SmoothSpot", makeSpotLight(placed(), kIntensity, 60, 25, SpotEdge::Smooth),
+        {"SmoothSpot", makeSpotLight(placed(), kIntensity, {60, 25, SpotEdge::Smooth}),
          [=](const Vec3& w) { return Rgb(float(falloff(w) * falloff(w) * (3 - 2 * falloff(w)))); }},
         {"Goniometric", makeGoniometricLight(placed(), kIntensity, picture()), measured},
         {"Projection", makeProjectionLight(placed(), kIntensity, 80, picture()), projected},

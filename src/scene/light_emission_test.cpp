@@ -65,8 +65,8 @@ std::vector<EmissionCase> cases() {
     const Emission shown(std::make_shared<EmissionImage>(stripes()), Rgb(3, 2, 1));
     return {
         {"Point", makePointLight(Vec3(1, 2, 3), Rgb(3, 2, 1))},
-        {"Spot", makeSpotLight(kPlaced, Rgb(3, 2, 1), 40, 15)},
-        {"WideSpot", makeSpotLight(kPlaced, Rgb(3, 2, 1), 120, 30, SpotEdge::Smooth)},
+        {"Spot", makeSpotLight(kPlaced, Rgb(3, 2, 1), {40, 15})},
+        {"WideSpot", makeSpotLight(kPlaced, Rgb(3, 2, 1), {120, 30, SpotEdge::Smooth})},
         {"Goniometric", makeGoniometricLight(kPlaced, Rgb(3, 2, 1), stripes())},
         {"Projection", makeProjectionLight(kPlaced, Rgb(3, 2, 1), 70, stripes())},
         {"Distant", makeDistantLight(Vec3(1, 2, 3), Rgb(3, 2, 1))},
@@ -77,6 +77,11 @@ std::vector<EmissionCase> cases() {
         {"Mesh", makeMeshAreaLight(tent(), Rgb(3, 2, 1), false)},
         {"TwoSidedMesh", makeMeshAreaLight(tent(), Rgb(3, 2, 1), true)},
         {"Sphere", makeShapeAreaLight(sphere, Rgb(3, 2, 1), false)},
+        {"NarrowMesh", makeMeshAreaLight(tent(), Emission(Rgb(3, 2, 1)).with(EmissionProfile::narrowed(70)), false)},
+        {"NarrowDisk", makeShapeAreaLight(disk, Emission(Rgb(3, 2, 1)).with(EmissionProfile::narrowed(1)), true)},
+        {"SpotOnASphere",
+         makeShapeAreaLight(sphere, Emission(Rgb(3, 2, 1)).with(EmissionProfile({normalize(Vec3(1, 2, 3)), {50, 20}})),
+                            false)},
         {"TwoSidedDisk", makeShapeAreaLight(disk, Rgb(3, 2, 1), true)},
         {"ImageOnAScreen", makeMeshAreaLight(screen(), shown, false)},
         {"ImageOnAMesh", makeMeshAreaLight(tent(), shown, true)},

@@ -2,6 +2,7 @@
 // Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018; PBR 4e, section 12.6.3).
 #pragma once
 #include "scene/shape.h"
+#include "scene/spot_falloff.h"
 
 namespace drc {
 
@@ -14,6 +15,12 @@ struct LightReach {
     float falloff = kPi / 2;
     bool twoSided = false;  // also emits around -axis
     float intensity = 0;    // luminance of the whole light as seen from a distant point on the axis, W / sr
+
+    // For light that all leaves around the axis, and fades so.
+    void narrowTo(const SpotFalloff& fade) {
+        spread = std::acos(fade.cosFull);
+        falloff = fade.cone - spread;
+    }
 };
 
 // Bounds of both lights together.

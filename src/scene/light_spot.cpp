@@ -6,49 +6,28 @@ namespace {
 
 class SpotLight final : public DirectedPointLight {
   public:
-    SpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees, SpotEdge edge)
-        : DirectedPointLight(lightToWorld, intensity),
-          edge_(edge),
-          cosEdge_(std::cos(coneDegrees * kPi / 180)),
-          cosFull_(std::cos(std::max(0.f, coneDegrees - fadeDegrees) * kPi / 180)),
-          cone_(coneDegrees * kPi / 180) {}
+    SpotLight(const Transform& lightToWorld, const Rgb& intensity, const SpotFalloff& falloff)
+        : DirectedPointLight(lightToWorld, intensity), falloff_(falloff) {}
 
-    // The soft edge has a fifth (x^4) or a half (smoothstep) of the power that it would have at full intensity: the
-    // integral over x.
-    Rgb power(float) const override {
-        const float share = edge_ == SpotEdge::Steep ? 0.2f : 0.5f;
-        return intensity_ * (2 * kPi * ((1 - cosFull_) + (cosFull_ - cosEdge_) * share));
-    }
+    Rgb power(float) const override { return intensity_ * falloff_.solidAngle(); }
     LightReach reach() const override {
         LightReach r{bounds(), axis_};
         r.intensity = luminance(intensity_);
-        if (!worldToLight_.keepsAngles()) return r;
-        const float full = std::acos(cosFull_);
-        r.spread = full;
-        r.falloff = cone_ - full;
+        if (worldToLight_.keepsAngles()) r.narrowTo(falloff_);
         return r;
     }
 
   private:
-    float leastCosine() const override { return cosEdge_; }
-    Rgb share(const Vec3& w) const override { return Rgb(falloff(normalize(w).z)); }
-    float falloff(float cosTheta) const {
-        if (cosTheta <= cosEdge_) return 0;
-        if (cosTheta >= cosFull_) return 1;
-        const float x = (cosTheta - cosEdge_) / (cosFull_ - cosEdge_);
-        return edge_ == SpotEdge::Steep ? sqr(sqr(x)) : sqr(x) * (3 - 2 * x);
-    }
+    float leastCosine() const override { return falloff_.cosEdge; }
+    Rgb share(const Vec3& w) const override { return Rgb(falloff_.at(normalize(w).z)); }
 
-    SpotEdge edge_;
-    float cosEdge_, cosFull_;
-    float cone_;  // radians from the axis to the edge
+    SpotFalloff falloff_;
 };
 
 }  // namespace
 
-LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, float coneDegrees, float fadeDegrees,
-                       SpotEdge edge) {
-    return std::make_shared<SpotLight>(lightToWorld, intensity, coneDegrees, fadeDegrees, edge);
+LightPtr makeSpotLight(const Transform& lightToWorld, const Rgb& intensity, const SpotFalloff& falloff) {
+    return std::make_shared<SpotLight>(lightToWorld, intensity, falloff);
 }
 
 }  // namespace drc

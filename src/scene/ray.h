@@ -16,6 +16,9 @@ struct Ray {
     float coneWidth = 0;
     float coneSpread = 0;
     const Medium* medium = nullptr;  // that the ray is in; null: empty space
+    // Whether nothing has scattered it since it left the camera: it does not see what Primitive and Light hide from the
+    // camera.
+    bool fromCamera = false;
 };
 
 }  // namespace drc

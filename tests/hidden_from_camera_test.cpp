@@ -1,0 +1,141 @@
+// What the camera does not see: surfaces ("bool visibletocamera"), lamps that block no light ("bool blockslight"),
+// lights with a radius, the sky.
+#include <gtest/gtest.h>
+
+#include "pictures.h"
+
+namespace drc {
+namespace {
+
+constexpr const char* kIntegrators[] = {"path", "direct", "bdpt", "drc"};
+const std::string kHidden = R"( "bool visibletocamera" "false")";
+
+// A floor and, to the left, a wall that is a mirror.
+std::string scene(const std::string& lights, const std::string& objects, int maxDepth) {
+    return "Integrator \"path\" \"integer maxdepth\" " + std::to_string(maxDepth) +
+           "\nLookAt 0 -4 1.4  0 0 .6  0 0 1\nCamera \"perspective\" \"float fov\" 50\n"
+           "Film \"image\" \"integer xresolution\" 16 \"integer yresolution\" 8\nWorldBegin\n" +
+           lights + "Material \"matte\" \"rgb Kd\" [.5 .5 .5]\nShape \"disk\" \"float radius\" 3\n" + objects +
+           "WorldEnd\n";
+}
+const std::string kLamp =
+    "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\nRotate 180 1 0 0\n"
+    "Shape \"disk\" \"float radius\" 1\nAttributeEnd\n";
+const std::string kSky = "LightSource \"infinite\" \"rgb L\" [1 1 1]\n";
+const std::string kHiddenSky = "LightSource \"infinite\" \"rgb L\" [1 1 1]" + kHidden + "\n";
+const std::string kMirror =
+    "Material \"metal\" \"float roughness\" .1\n"
+    "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [-1.5 -1 0 -1.5 1.5 0 -1.5 1.5 2 -1.5 -1 "
+    "2]\n";
+std::string ball(const std::string& parameters) {
+    return "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [.8 .1 .1]\nTranslate -.3 -.3 .7\n"
+           "Shape \"sphere\" \"float radius\" .6" +
+           parameters + "\nAttributeEnd\n";
+}
+
+test::Estimate seen(const std::string& text, const std::string& integrator) {
+    return test::estimateOfMeans(test::pictures(text, integrator, 16, 64));
+}
+void expectSame(const test::Estimate& expected, const test::Estimate& found) {
+    for (size_t c = 0; c < 3; ++c) {
+        const double sigma = std::sqrt(expected.variance[c] + found.variance[c]);
+        EXPECT_NEAR(found.mean[c], expected.mean[c], 5 * sigma + 1e-6);
+        EXPECT_LT(sigma, 0.02 * expected.mean[c]);
+    }
+}
+
+// Direct light alone, and without a shadow.
+TEST(HiddenFromCamera, SurfacesLeaveWhatIsBehindThem) {
+    for (const std::string& light : {kLamp, kSky})
+        for (const char* integrator : kIntegrators) {
+            SCOPED_TRACE(integrator + light);
+            const std::string shadowless = ball(kHidden + " \"float shadowalpha\" 0");
+            // The sky is behind the ball, so that paths from the floor must not meet it either.
+            const std::string floor = light == kSky ? "" : shadowless;
+            expectSame(seen(scene(light, "", 1), integrator), seen(scene(light, floor, 1), integrator));
+        }
+}
+
+TEST(HiddenFromCamera, SurfacesAreTheSameToEveryIntegrator) {
+    for (const std::string& light : {kLamp, kSky, kHiddenSky}) {
+        const std::string text = scene(light, kMirror + ball(kHidden), 6);
+        const test::Estimate expected = seen(text, "path");
+        for (const char* integrator : {"bdpt", "drc"}) {
+            SCOPED_TRACE(integrator + light);
+            expectSame(expected, seen(text, integrator));
+        }
+        // It is not as if it were not there, or as if it were seen.
+        for (const std::string& other : {std::string(), ball("")}) {
+            const test::Estimate e = seen(scene(light, kMirror + other, 6), "path");
+            EXPECT_GT(std::abs(e.mean[0] - expected.mean[0]), 8 * std::sqrt(e.variance[0] + expected.variance[0]));
+        }
+    }
+}
+
+// A hidden lamp that blocks no light is what a light with a radius is, sample by sample.
+TEST(HiddenFromCamera, LightsWithARadiusAreLampsThatBlockNoLight) {
+    const std::string light = "LightSource \"point\" \"rgb I\" [3 2 1] \"point from\" [.2 .1 2] \"float radius\" .5\n";
+    // I = L pi r^2.
+    const std::string lamp =
+        "AttributeBegin\nTranslate .2 .1 2\nAreaLightSource \"diffuse\" \"rgb L\" [3.8197186 2.5464791 1.2732395]\n"
+        "Shape \"sphere\" \"float radius\" .5 \"bool blockslight\" \"false\"" +
+        kHidden + "\nAttributeEnd\n";
+    // So small that it is a point.
+    const std::string small =
+        "LightSource \"point\" \"rgb I\" [3 2 1] \"point from\" [.2 .1 2] \"float radius\" .001\n";
+    const std::string point = "LightSource \"point\" \"rgb I\" [3 2 1] \"point from\" [.2 .1 2]\n";
+    for (const char* integrator : kIntegrators) {
+        SCOPED_TRACE(integrator);
+        expectSame(seen(scene(light, ball(""), 3), integrator), seen(scene(lamp, ball(""), 3), integrator));
+        expectSame(seen(scene(point, ball(""), 3), integrator), seen(scene(small, ball(""), 3), integrator));
+    }
+}
+
+// Behind it the light of the others goes on.
+TEST(HiddenFromCamera, LampsThatBlockNoLightCastNoShadow) {
+    const std::string dark =
+        "AttributeBegin\nTranslate 0 0 1\nAreaLightSource \"diffuse\" \"rgb L\" [1e-6 0 0]\n"
+        "Shape \"sphere\" \"float radius\" .8 \"bool blockslight\" \"false\"" +
+        kHidden + "\nAttributeEnd\n";
+    for (const char* integrator : kIntegrators) {
+        SCOPED_TRACE(integrator);
+        expectSame(seen(scene(kLamp + kSky, "", 3), integrator), seen(scene(kLamp + kSky + dark, "", 3), integrator));
+    }
+}
+
+// The camera looks past the floor into black, and the floor is as bright as ever.
+TEST(HiddenFromCamera, TheSkyLightsTheFloorAlone) {
+    const auto picture = [](const std::string& sky, const std::string& integrator) {
+        auto scene = pbrt::loadPbrtString(drc::scene(sky, "", 3), ".", {}, "sky.pbrt");
+        RenderParams params;
+        params.integrator = integrator;
+        params.spp = 16;
+        Session session(*scene, params, nullptr, nullptr);
+        while (session.step()) {
+        }
+        return session.picture().beauty;
+    };
+    const std::string sun = "LightSource \"distant\" \"rgb L\" [.5 .5 .5] \"point from\" [0 4 .3] \"float angle\" 30";
+    for (const char* integrator : kIntegrators) {
+        SCOPED_TRACE(integrator);
+        const Image seen = picture(kSky + sun + "\n", integrator),
+                    hidden = picture(kHiddenSky + sun + kHidden + "\n", integrator);
+        int black = 0, lit = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x) {
+                if (y == 0) {
+                    EXPECT_GE(seen.rgb(x, y).x, 1);
+                    EXPECT_TRUE(isBlack(hidden.rgb(x, y))) << x;
+                    ++black;
+                } else if (y >= 5 && x >= 3 && x < 13) {
+                    EXPECT_NEAR(hidden.rgb(x, y).x, seen.rgb(x, y).x, 0.1);
+                    lit += hidden.rgb(x, y).x > 0.3f;
+                }
+            }
+        EXPECT_EQ(black, 16);
+        EXPECT_EQ(lit, 30);
+    }
+}
+
+}  // namespace
+}  // namespace drc
