@@ -6,6 +6,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "image/image_layers.h"
+#include "image/premultiply.h"
 
 namespace drc {
 namespace {
@@ -54,10 +55,14 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
     std::vector<std::string> files;
     for (const std::string& path : outputs_) {
         if (outputKind(path) == OutputKind::Png) {
-            files.push_back(encodePng(viewed(picture.beauty, display_.view, stops), path, pngTexts(metadata)));
+            // PNG's colours are not premultiplied.
+            const Image& beauty = picture.alpha ? unpremultiplied(picture.beauty, *picture.alpha) : picture.beauty;
+            files.push_back(encodePng(viewed(beauty, display_.view, stops), path, pngTexts(metadata),
+                                      picture.alpha ? &*picture.alpha : nullptr));
             continue;
         }
-        std::vector<ExrLayer> layers{{"", &picture.beauty}};
+        const Image beauty = picture.beautyWithAlpha();
+        std::vector<ExrLayer> layers{{"", &beauty}};
         const bool parts = picture.hasParts();
         const Image direct = parts ? picture.part("direct") : Image(),
                     indirect = parts ? picture.part("indirect") : Image();

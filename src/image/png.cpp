@@ -112,7 +112,7 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    void writeHeader(int width, int height, const PngTexts& texts) {
+    void writeHeader(int width, int height, bool hasAlpha, const PngTexts& texts) {
         for (const auto& [keyword, text] : texts) {
             if (!isKeyword(keyword)) {
                 std::strncpy(message_.text, "a keyword of its notes is not one", sizeof(message_.text) - 1);
@@ -126,7 +126,8 @@ class PngWriter {
             note.itxt_length = isAscii(text) ? 0 : text.size();
             notes_.push_back(note);
         }
-        if (!writeHeaderOrJump(png_uint_32(width), png_uint_32(height))) fail();
+        const int type = hasAlpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+        if (!writeHeaderOrJump(png_uint_32(width), png_uint_32(height), type)) fail();
     }
     void writeRow(png_const_bytep row) {
         if (!writeRowOrJump(row)) fail();
@@ -137,12 +138,12 @@ class PngWriter {
     }
 
   private:
-    bool writeHeaderOrJump(png_uint_32 width, png_uint_32 height) {
+    bool writeHeaderOrJump(png_uint_32 width, png_uint_32 height, int type) {
         constexpr int kBits = 8, kCompression = 6;
         if (setjmp(png_jmpbuf(png_))) return false;
         png_set_write_fn(png_, this, &PngWriter::writeBytes, nullptr);
-        png_set_IHDR(png_, info_, width, height, kBits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_IHDR(png_, info_, width, height, kBits, type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                     PNG_FILTER_TYPE_DEFAULT);
         png_set_compression_level(png_, kCompression);
         // Of what libpng would choose, sizes differ by a few percent, and reports compare the sizes of pictures.
         png_set_compression_strategy(png_, Z_DEFAULT_STRATEGY);
@@ -267,17 +268,18 @@ PngTexts decodePngTexts(const EncodedImage& encoded) {
     return texts;
 }
 
-std::string encodePng(const Image& linear, const std::string& path, const PngTexts& texts) {
+std::string encodePng(const Image& linear, const std::string& path, const PngTexts& texts, const Image* alpha) {
     if (linear.empty()) throw Error(fmt::format("cannot write {}: the image is empty", path));
     PngWriter writer(path);
-    writer.writeHeader(linear.width(), linear.height(), texts);
+    writer.writeHeader(linear.width(), linear.height(), alpha != nullptr, texts);
     std::vector<uint8_t> row;
-    row.reserve(size_t(linear.width()) * 3);
+    row.reserve(size_t(linear.width()) * 4);
     for (int y = 0; y < linear.height(); ++y) {
         row.clear();
         for (int x = 0; x < linear.width(); ++x) {
             const Rgb c = linear.rgb(x, y);
             for (int i = 0; i < 3; ++i) row.push_back(toByte(srgbEncode(c[i])));
+            if (alpha) row.push_back(toByte(alpha->at(x, y, 0)));
         }
         writer.writeRow(row.data());
     }

@@ -19,8 +19,10 @@ using PngTexts = std::map<std::string, std::string>;
 // are left out, and so is what comes after the file's end, if it is cut short: notes do not change the pixels.
 PngTexts decodePngTexts(const EncodedImage& encoded);
 
-// Encodes linear RGB (the first three channels, or grey) as 8-bit sRGB, clipped at 1. `path` is for messages. Throws
+// Encodes linear RGB (the first three channels, or grey) as 8-bit sRGB, clipped at 1. alpha: the first channel of an
+// image of the same size, by which the colours are not multiplied; null: all is opaque. `path` is for messages. Throws
 // Error if the image is empty or a keyword is not one.
-std::string encodePng(const Image& linear, const std::string& path = "a PNG", const PngTexts& texts = {});
+std::string encodePng(const Image& linear, const std::string& path = "a PNG", const PngTexts& texts = {},
+                      const Image* alpha = nullptr);
 
 }  // namespace drc

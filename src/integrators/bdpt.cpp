@@ -230,6 +230,7 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
             lighting_.forLightsAtInfinity(from, step.ray, [&](const Light& light, const Rgb& radiance) {
                 add(light, radiance, {}, -step.ray.d, step.pdf);
             });
+        if (gBuffer && arrival != Arrival::Escaped) gBuffer->covered = true;
         if (arrival != Arrival::Surface) break;
         if (scattered >= settings_.maxDepth || paths.camera.size() == kMostVertices) break;
         Vertex& at = paths.camera.emplace_back();

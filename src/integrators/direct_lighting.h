@@ -47,8 +47,7 @@ class DirectLighting {
     // Calls met(light, Le) for every environment that shines along a ray of direction d which left `from` and escaped.
     template <class Met>
     void forLightsAtInfinity(const Vec3& from, const Ray& ray, Met&& met) const {
-        for (const Light* light : lights_.infiniteLights()) {
-            if (ray.fromCamera && !light->visibleToCamera()) continue;
+        for (const Light* light : ray.fromCamera ? lights_.backdrop() : lights_.infiniteLights()) {
             const Rgb radiance = light->escaped(from, ray.d);
             if (!isBlack(radiance)) met(*light, radiance);
         }

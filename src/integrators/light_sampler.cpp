@@ -17,8 +17,11 @@ LightSampler::LightSampler(const Scene& scene) {
     std::vector<LightReach> reaches;
     for (const LightPtr& light : scene.lights) {
         const float power = luminance(light->power(sceneRadius));
-        if (light->isInfinite() && power > 0) infinite_.push_back(light.get());
         if (!(power > 0)) continue;
+        if (light->isInfinite()) {
+            infinite_.push_back(light.get());
+            if (light->visibleToCamera() && !scene.settings.transparentFilm) backdrop_.push_back(light.get());
+        }
         if (light->bounds().empty()) {
             distant.push_back(light.get());
             distant_.push_back(power / sqr(sceneRadius));

@@ -24,6 +24,8 @@ class LightSampler {
     // Probability with which sample(p) chooses this light; 0 if the light does not belong to the scene.
     float probability(const Vec3& p, const Light* light) const;
     const std::vector<const Light*>& infiniteLights() const { return infinite_; }
+    // Those of them that the camera sees.
+    const std::vector<const Light*>& backdrop() const { return backdrop_; }
 
   private:
     // Up to this number of lights, all are estimated at every point.
@@ -45,7 +47,7 @@ class LightSampler {
     LightTree tree_;               // over the finite lights, if there are many lights
     Distribution1D byIrradiance_;  // over the lights at infinity
     std::unordered_map<const Light*, int> index_;
-    std::vector<const Light*> infinite_;
+    std::vector<const Light*> infinite_, backdrop_;
 };
 
 }  // namespace drc

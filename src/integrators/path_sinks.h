@@ -26,6 +26,8 @@ struct GBufferSample {
     // length), and the length of the chain up to it (world units).
     Vec3 normal{0.f};
     float depth = 0;
+    // Whether the camera's own ray met anything: a surface with a material, or a particle of a medium.
+    bool covered = false;
 
     void record(const Rgb& throughput, const SurfaceInteraction& at, const Bsdf& bsdf, float distance) {
         if (!bsdf.hasNonSpecular()) return;

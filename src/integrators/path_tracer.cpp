@@ -48,7 +48,10 @@ SampleLayers PathTracer::directLayers(const Ray& cameraRay, Sampler& sampler, bo
         const SurfaceInteraction& hit = chain.surface();
         const Rgb& throughput = chain.throughput();
         const Bsdf bsdf = hit.bsdf();
-        if (gBuffer) gBuffer->record(throughput, hit, bsdf, chain.distance());
+        if (gBuffer) {
+            gBuffer->covered = true;
+            gBuffer->record(throughput, hit, bsdf, chain.distance());
+        }
         if (bsdf.hasNonSpecular()) {
             const int group = lighting_.groupOf(hit, bsdf);
             const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);

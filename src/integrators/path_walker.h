@@ -168,7 +168,9 @@ class PathWalker {
             vertex = MediumVertex(ray, *segment.scattered);
             return false;
         };
-        return toSurface(lighting_.accel(), path.ray, found, any, hit, met, goesOn);
+        const Arrival arrival = toSurface(lighting_.accel(), path.ray, found, any, hit, met, goesOn);
+        if (gBuffer && arrival != Arrival::Escaped) gBuffer->covered = true;
+        return arrival;
     }
 
   private:

@@ -12,6 +12,7 @@ void applyFilm(const std::string& type, const ParamSet& params, RenderSettings& 
     checkKnown({"image"}, "film", type, params.pos());
     applyFrame(params, settings);
     settings.filmScale = params.getNonNegativeFloat("scale", 1);
+    settings.transparentFilm = params.getBool("transparent", false);
     settings.maxSampleLuminance = params.getPositiveFloat("maxsampleluminance", kInfinity);
     params.warnUnused();
 }

@@ -39,6 +39,7 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
         warn(params.find("sensor", {ParamType::String})->valuePos,
              "the sensor '" + sensor + "' is not supported yet; 'cie1931' is used");
     settings.whiteBalance = whiteBalanceOf(params);
+    settings.transparentFilm = params.getBool("transparent", false);
     // Applied to luminance, so a sample that is bright in one channel only is clamped slightly later than in pbrt.
     settings.maxSampleLuminance = params.getPositiveFloat("maxcomponentvalue", kInfinity);
     params.ignore({"savefp16"});

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "image/premultiply.h"
 #include "render/sample_pass.h"
 
 namespace drc {
@@ -48,6 +49,8 @@ Image LayeredPicture::variance() const {
             for (size_t i = 0; i < sum.data().size(); ++i) sum.data()[i] += layer.variance->data()[i];
     return sum;
 }
+
+Image LayeredPicture::beautyWithAlpha() const { return alpha ? withAlpha(beauty, *alpha) : beauty; }
 
 void LayeredPicture::compose() {
     beauty = part("");
@@ -93,6 +96,21 @@ void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, fl
     const float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x,
                             s.normal.y, s.normal.z, s.depth,    lengthSquared(s.albedo) + lengthSquared(s.normal)};
     layer.add(x, y, group, values, filterWeight);
+}
+
+Image alphaOf(const FilmLayer& layer) {
+    const PixelRegion& region = layer.region();
+    Image alpha(region.width(), region.height(), {"A"});
+    forEachRow(region.height(), [&](int row) {
+        for (int column = 0; column < region.width(); ++column) {
+            const int x = region.x0 + column, y = region.y0 + row;
+            const double expected = layer.expected(x, y);
+            if (expected == 0) continue;
+            const double mean = layer.sum(x, y, 0) / filterDivisor(layer.sum(x, y, 1), expected);
+            alpha.at(column, row, 0) = float(std::clamp(mean, 0., 1.));
+        }
+    });
+    return alpha;
 }
 
 Image sampleCounts(const FilmLayer& layer) {

@@ -41,6 +41,9 @@ struct LayeredPicture {
     // Direct light (PathSinks::direct), of the same samples as the layers; for pictures whose layers have light of both
     // parts.
     std::optional<Image> direct;
+    // A: the share of each pixel that is covered (GBufferSample::covered), in [0, 1]; with a transparent film. The
+    // colours are premultiplied by it.
+    std::optional<Image> alpha;
     std::optional<Image> samples;  // X: number of camera samples; present if a layer has variance
     std::optional<Image> error;    // X: DenoisedError::local, if it was estimated
 
@@ -51,6 +54,8 @@ struct LayeredPicture {
     Image part(const std::string& name) const;
     // Variance of the sum of the layers.
     Image variance() const;
+    // The beauty, with a channel A if there is an alpha.
+    Image beautyWithAlpha() const;
     // Sets beauty to the sum of the layers.
     void compose();
     // Maps the colours of the layers and of the beauty, which is clamped at zero again. Variances become upper bounds.
@@ -68,6 +73,8 @@ void addGBufferSpec(std::vector<FilmLayerSpec>& layers, int groups = 1);
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& sample, float filterWeight, int group = 0);
 // The G-buffer from that layer, of all samples or, where a pixel has any, of those of a group alone.
 GBuffer gBufferOf(const Film& film, std::optional<int> group = {});
+// LayeredPicture::alpha from a layer of one channel.
+Image alphaOf(const FilmLayer& layer);
 // X: the number of samples in each pixel of a layer.
 Image sampleCounts(const FilmLayer& layer);
 

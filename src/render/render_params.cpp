@@ -57,7 +57,12 @@ RenderParams resolved(RenderParams p, const Scene& scene) {
     if (!maps && (p.denoise == Denoise::Surface || p.denoise == Denoise::OidnDirect))
         throw Error("--denoise " + std::string(p.denoise == Denoise::Surface ? "surface" : "oidn-direct") +
                     ": it filters the layers of --integrator drc-maps, which others do not have");
-    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect) p.gBuffer = true;
+    if (maps && scene.settings.transparentFilm)
+        throw Error(
+            "--integrator drc-maps: its pictures have no alpha, which the scene's film asks for by 'transparent'; "
+            "drc, path, bdpt and direct have it");
+    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect || scene.settings.transparentFilm)
+        p.gBuffer = true;
     return p;
 }
 

@@ -16,6 +16,7 @@ std::vector<FilmLayerSpec> SampledIntegrator::layers() const {
     if (keepsDirect())
         layers.push_back({.name = kDirect, .quantum = radianceQuantum(context_.scene.settings.filmScale)});
     if (context_.params.gBuffer) addGBufferSpec(layers, context_.params.independentHalves ? 2 : 1);
+    if (context_.scene.settings.transparentFilm) layers.push_back({.name = kAlpha, .channels = 1});
     return layers;
 }
 
@@ -35,6 +36,10 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
     if (params.gBuffer)
         addGBufferSample(film.layer(keeps ? 2 : 1), x, y, gBuffer, sample.filterWeight,
                          params.independentHalves ? group : 0);
+    if (context_.scene.settings.transparentFilm) {
+        const float alpha[] = {gBuffer.covered ? 1.f : 0.f};
+        film.layer(kAlpha).add(x, y, 0, alpha, sample.filterWeight);
+    }
 }
 
 int SampledIntegrator::groupOf(uint32_t index) const {
@@ -56,6 +61,10 @@ LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) cons
     }
     if (context_.params.variance) picture.samples = sampleCounts(samples);
     if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);
+    if (context_.scene.settings.transparentFilm) {
+        picture.alpha = alphaOf(picture.film->layer(kAlpha));
+        fillUnsampled({&*picture.alpha}, samples);
+    }
     picture.compose();
     return picture;
 }

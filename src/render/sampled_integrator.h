@@ -13,7 +13,7 @@ class SampledIntegrator : public Integrator {
     LayeredPicture picture(std::shared_ptr<const Film> film) const override;
 
   protected:
-    static constexpr const char *kBeauty = "beauty", *kDirect = "direct";
+    static constexpr const char *kBeauty = "beauty", *kDirect = "direct", *kAlpha = "alpha";
     // The pixel of a sample, and the index of the sample within it.
     struct Place {
         int x, y;

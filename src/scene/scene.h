@@ -71,6 +71,9 @@ struct RenderSettings {
     // one pixel.
     PixelRegion region() const;
     float filmScale = 1;
+    // Whether the camera sees nothing in place of lights at infinity, and the picture says how much of each pixel
+    // surfaces cover: its alpha.
+    bool transparentFilm = false;
     std::optional<RgbMatrix> whiteBalance;  // of the finished picture
     float maxSampleLuminance = kInfinity;
     FilterPtr filter;  // not null

@@ -25,7 +25,7 @@ Picture pictureOf(LayeredPicture picture, const FilmGeometry& film) {
         layers.push_back({"normal", std::move(picture.gBuffer->normal)});
         layers.push_back({"depth", std::move(picture.gBuffer->depth)});
     }
-    layers.insert(layers.begin(), {"", std::move(picture.beauty)});
+    layers.insert(layers.begin(), {"", picture.beautyWithAlpha()});
     return result;
 }
 
