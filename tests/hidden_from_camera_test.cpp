@@ -49,7 +49,10 @@ TEST(HiddenFromCamera, SurfacesLeaveWhatIsBehindThem) {
     for (const std::string& light : {kLamp, kSky})
         for (const char* integrator : kIntegrators) {
             SCOPED_TRACE(integrator + light);
-            const std::string shadowless = ball(kHidden + " \"float shadowalpha\" 0");
+            // The camera looks through a surface without a material, too.
+            const std::string open =
+                "AttributeBegin\nMaterial \"\"\nTranslate 0 -2 1\nShape \"sphere\" \"float radius\" .8\nAttributeEnd\n";
+            const std::string shadowless = open + ball(kHidden + " \"float shadowalpha\" 0");
             // The sky is behind the ball, so that paths from the floor must not meet it either.
             const std::string floor = light == kSky ? "" : shadowless;
             expectSame(seen(scene(light, "", 1), integrator), seen(scene(light, floor, 1), integrator));
