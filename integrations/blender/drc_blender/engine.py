@@ -5,6 +5,7 @@ The renderer is a child process: whatever happens to it, Blender goes on, and it
 
 import os
 import tempfile
+import threading
 import time
 
 import bpy
@@ -16,9 +17,12 @@ from .program import Child, UserError
 from .properties import preferences, program
 from .render_passes import BUILT_IN, OF_OTHER_INTEGRATORS, PASSES, pass_values
 from .tev_receiver import TevReceiver
+from .view_client import resting
 
 LOOK_EVERY = 0.05  # seconds
 DRAIN = 15.0  # seconds that the last picture may take to come
+CANCEL = 0.2  # seconds that a cancelled renderer has to end by itself; nobody wants what it would write
+LEAVE = 0.5  # seconds in which Blender has left a render after our part of it
 
 
 def exporter_settings(drc):
@@ -47,6 +51,9 @@ class DrcRenderEngine(bpy.types.RenderEngine):
     bl_use_eevee_viewport = True
 
     export_only = None  # a file: the next render writes the scene there, and renders nothing
+    idle = threading.Event()  # no render is running
+    idle.set()
+    ending = False  # whether the add-on is about to be disabled
 
     # Passes
 
@@ -59,6 +66,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
     # F12
 
     def render(self, depsgraph):
+        DrcRenderEngine.idle.clear()
         try:
             exported = self._export(depsgraph)
             if DrcRenderEngine.export_only is None:
@@ -69,13 +77,15 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             self.tell("ERROR", f"cannot write the scene to {self._folder(depsgraph.scene)}: {error.strerror or error}")
         except ValueError as error:
             self.tell("ERROR", str(error))
+        finally:
+            DrcRenderEngine.idle.set()
 
     def tell(self, kind, message):
         """kind: ERROR or WARNING. One line in Blender's reports."""
         self.report({kind}, f"DRC: {message}")
 
     def is_cancelled(self):
-        return self.test_break()
+        return DrcRenderEngine.ending or self.test_break()
 
     @staticmethod
     def _folder(scene):
@@ -95,9 +105,11 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         return exported
 
     def _render(self, scene, exported):
-        output = os.path.join(os.path.dirname(exported.path), "picture.exr")
+        folder = tempfile.TemporaryDirectory(prefix="picture-", dir=os.path.dirname(exported.path))
+        output = os.path.join(folder.name, "picture.exr")
         receiver, child = TevReceiver(), None
         try:
+            resting.set()
             child = Child(
                 render_command(program(), exported.path, output, scene.drc, receiver.port, preferences().threads)
             )
@@ -105,7 +117,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             began = time.monotonic()
             while child.running():
                 if self.is_cancelled():
-                    child.stop()
+                    child.stop(CANCEL)
                     return
                 self._show(receiver, scene, bounds, began)
                 time.sleep(LOOK_EVERY)
@@ -118,9 +130,9 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         finally:
             if child is not None:
                 child.stop()
+            resting.clear()
             receiver.close()
-            if os.path.exists(output):
-                os.remove(output)
+            folder.cleanup()
 
     def _bounds(self, scene):
         """(x0, x1, y0, y1) of what is rendered, from the top left of the film."""
@@ -177,8 +189,14 @@ class DrcRenderEngine(bpy.types.RenderEngine):
 
 
 def register():
+    DrcRenderEngine.ending = False
     bpy.utils.register_class(DrcRenderEngine)
 
 
 def unregister():
+    # Blender crashes if the engine of a running render goes.
+    if not DrcRenderEngine.idle.is_set():
+        DrcRenderEngine.ending = True
+        DrcRenderEngine.idle.wait(10)
+        time.sleep(LEAVE)
     bpy.utils.unregister_class(DrcRenderEngine)

@@ -321,7 +321,7 @@ class StandInEngine:
 
 
 class Viewports(InBlender):
-    """All but the drawing."""
+    """All but the drawing, which test_in_window.py sees."""
 
     def setUp(self):
         super().setUp()
@@ -338,8 +338,11 @@ class Viewports(InBlender):
     def draw(self):
         depsgraph = bpy.context.evaluated_depsgraph_get()
         projection = self.stage.camera.calc_matrix_camera(depsgraph, x=self.region.width, y=self.region.height)
-        data = types.SimpleNamespace(view_matrix=self.place.inverted(), window_matrix=projection)
-        self.viewport.draw(types.SimpleNamespace(region=self.region, region_data=data), depsgraph)
+        data = types.SimpleNamespace(
+            view_matrix=self.place.inverted(), window_matrix=projection, view_perspective="PERSP"
+        )
+        space = types.SimpleNamespace(use_render_border=False)
+        self.viewport.draw(types.SimpleNamespace(region=self.region, region_data=data, space_data=space), depsgraph)
         return self.viewport._frame
 
     def until(self, condition, seconds=60):
@@ -380,6 +383,13 @@ class Viewports(InBlender):
         self.until(lambda: self.draw() is not None and self.viewport._frame.astype(np.float32).mean() > 2 * before)
         self.assertIsNot(self.viewport._client, client)
         self.until(lambda: not client.child.running())
+
+    def test_a_change_of_nothing_that_is_rendered_keeps_the_renderer(self):
+        self.until(lambda: self.draw() is not None)
+        client = self.viewport._client
+        self.viewport.update(None, None)
+        self.until(lambda: self.draw() is not None and self.viewport._changed_at is None)
+        self.assertIs(self.viewport._client, client)
 
     def test_a_failure_is_told(self):
         Defaults.program = "/nowhere/drc"

@@ -34,8 +34,13 @@ class Settings:
 
 @dataclass
 class Exported:
+    """content: a digest of all that is exported but where the camera stands; sphere: centre and radius of all that is
+    seen."""
+
     path: str
     report: Report
+    content: str = ""
+    sphere: tuple = None
     triangles: int = 0
     meshes_written: int = 0
     instances: int = 0
@@ -87,14 +92,15 @@ class SceneExporter:
         textures = TextureWriter(self.files, images, self.settings.texture_side)
         self.materials = MaterialWriter(definitions, textures, self.reader, self.names, self.settings.atlas_side)
         self._place(depsgraph, moving, definitions, shapes, lamps, bounds)
-        head = ["# Written by DRC's add-on for Blender. World space is Blender's: z is up.", ""]
+        title = ["# Written by DRC's add-on for Blender. World space is Blender's: z is up.", ""]
+        sphere = self.exported.sphere = sphere_around(bounds)
         if view is not None:
-            head += view_lines(view)
+            place, lens = view_lines(view.before(sphere))
         else:
-            head += camera_lines(
+            place, lens = camera_lines(
                 camera, moving.get("camera") or [np.array(camera.matrix_world)], width, height, aspect, self.report
             )
-        head += film_lines(
+        head = lens + film_lines(
             None if view is not None else scene, width, height, self.settings.filter_kind, self.settings.filter_width
         )
         head += [
@@ -104,11 +110,11 @@ class SceneExporter:
             "WorldBegin",
             "",
         ]
-        sphere = sphere_around(bounds)
         world = world_lines(scene.world, self.reader, self.files, self.settings.world_side, sphere)
         lamp_text = [line for object_lines in lamps for line in object_lines(sphere)]
         text = "\n".join(head + world + lamp_text + definitions + shapes) + "\n"
-        write_text(self.exported.path, text)
+        write_text(self.exported.path, "\n".join(title + place) + "\n" + text)
+        self.exported.content = digest(text)
         self.meshes.remove_unused()
         self.files.remove_unused()
         self.exported.meshes_written = self.meshes.written
