@@ -110,9 +110,8 @@ class SceneExporter:
             "WorldBegin",
             "",
         ]
-        world = world_lines(scene.world, self.reader, self.files, self.settings.world_side, sphere)
-        lamp_text = [line for object_lines in lamps for line in object_lines(sphere)]
-        text = "\n".join(head + world + lamp_text + definitions + shapes) + "\n"
+        world = world_lines(scene.world, self.reader, self.files, self.settings.world_side)
+        text = "\n".join(head + world + lamps + definitions + shapes) + "\n"
         write_text(self.exported.path, "\n".join(title + place) + "\n" + text)
         self.exported.content = digest(text)
         self.meshes.remove_unused()
@@ -166,7 +165,7 @@ class SceneExporter:
             if not visible(instance):
                 continue
             if object_.type == "LIGHT":
-                lamps.append(self._lamp(object_, np.array(instance.matrix_world)))
+                lamps += lamp_lines(object_.original, np.array(instance.matrix_world), self.reader, self.report)
                 continue
             if object_.type not in MESHES:
                 if object_.type in ("CURVES", "POINTCLOUD", "VOLUME"):
@@ -206,11 +205,6 @@ class SceneExporter:
                 shapes += ["AttributeBegin", *transforms(matrices), f"ObjectInstance {quoted(fixed)}", "AttributeEnd"]
             elif fixed:
                 shapes += ["AttributeBegin", *transforms(matrices), *fixed, "AttributeEnd"]
-
-    def _lamp(self, object_, matrix):
-        """A function of the scene's extent that gives the lamp's lines. The evaluated object is gone by then."""
-        original = object_.original
-        return lambda sphere: lamp_lines(original, matrix, sphere, self.reader, self.report)
 
     def _visibility(self, object_):
         rays = {
