@@ -15,7 +15,7 @@ from .export.camera_maths import pixel_bounds
 from .export.scene import SceneExporter, Settings
 from .program import Child, UserError
 from .properties import preferences, program
-from .render_passes import BUILT_IN, OF_OTHER_INTEGRATORS, PASSES, pass_values
+from .render_passes import BUILT_IN, PASSES, pass_values
 from .tev_receiver import TevReceiver
 from .view_client import resting
 
@@ -59,8 +59,6 @@ class DrcRenderEngine(bpy.types.RenderEngine):
 
     def update_render_passes(self, scene, renderlayer):
         for name, channels, kind, _ in PASSES:
-            if name in OF_OTHER_INTEGRATORS:
-                continue
             self.register_pass(scene, renderlayer, name, len(channels), channels, kind)
 
     # F12

@@ -2,7 +2,9 @@
 
 import numpy as np
 
-# Blender's name, its channels, its kind, and the renderer's channels.
+# Blender's name, its channels, its kind, and the renderer's channels. Direct is what is seen of lamps, the world and emissive
+# surfaces, and of their light after one bounce; Indirect is all else. They are not denoised, so their sum is Combined
+# where that is not denoised either.
 PASSES = (
     ("Combined", "RGBA", "COLOR", ("R", "G", "B")),
     ("Depth", "Z", "VALUE", ("depth.Z",)),
@@ -14,8 +16,6 @@ PASSES = (
     ("Sample Count", "X", "VALUE", ("samples.X",)),
 )
 BUILT_IN = {"Combined"}
-# Which the integrator that the engine uses does not keep apart.
-OF_OTHER_INTEGRATORS = {"Direct", "Indirect"}
 
 
 def pass_values(picture, name, bounds):

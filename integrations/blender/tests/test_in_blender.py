@@ -27,11 +27,13 @@ import numpy as np
 
 import drc_blender
 from compare_with_cycles import quietly, read
+from drc_blender import engine
 from drc_blender.engine import DrcRenderEngine
 from drc_blender.export.camera_maths import screen_window
 from drc_blender.export.cameras import lens_of
 from drc_blender.export.scene import SceneExporter
 from drc_blender.properties import Defaults
+from drc_blender.render_passes import pass_values
 from stage import HEIGHT, WIDTH, Stage, stripes
 
 DRC = None
@@ -120,6 +122,27 @@ class Renders(InBlender):
             head = f.read(1 << 14)
         for name in ("Combined.R", "Depth.Z", "Normal.X", "Denoising Albedo.R", "Variance.R", "Sample Count.X"):
             self.assertIn(b"." + name.encode() + b"\0", head)
+        for name in ("Direct.R", "Indirect.B"):
+            self.assertIn(b"." + name.encode() + b"\0", head)
+
+    def test_direct_and_indirect_are_combined(self):
+        self.scene.drc.denoise = False
+        kept = {}
+
+        def keep(picture, name, bounds):
+            kept[name] = found = pass_values(picture, name, bounds)
+            return found
+
+        engine.pass_values = keep
+        try:
+            self.render()
+        finally:
+            engine.pass_values = pass_values
+        combined = kept["Combined"].reshape(-1, 4)[:, :3]
+        direct, indirect = (kept[name].reshape(-1, 3) for name in ("Direct", "Indirect"))
+        self.assertGreater(direct.mean(), 0.01)
+        self.assertGreater(indirect.mean(), 0.01)
+        np.testing.assert_allclose(direct + indirect, combined, rtol=1e-4, atol=1e-5)
 
     def test_region(self):
         render = self.scene.render

@@ -67,6 +67,11 @@ def runs(pid):
         return False
 
 
+def command_line(pid):
+    with open(f"/proc/{pid}/cmdline", "rb") as f:
+        return f.read()
+
+
 class SceneText(unittest.TestCase):
     def test_statement(self):
         self.assertEqual(
@@ -419,7 +424,8 @@ class Programs(unittest.TestCase):
         )
         self.addCleanup(parent.stdout.close)
         child = int(parent.stdout.readline())
-        os.kill(child, 0)  # is there
+        wait_for(lambda: b"setpriv" not in command_line(child))  # so the kernel knows of the wish
+        self.assertTrue(runs(child))
         parent.kill()
         parent.wait()
         wait_for(lambda: not runs(child))
