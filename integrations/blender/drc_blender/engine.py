@@ -147,28 +147,28 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         drc = scene.drc
         if drc.stop == "TIME":
             self.update_progress(min(1.0, passed / drc.time))
-        # While it refines, one pass is enough: all of them take a second of a core at 1920 x 1080.
-        picture = receiver.last() if last else receiver.changed("R", "G", "B", "samples.X")
+        picture = receiver.last() if last else receiver.changed()
         if picture is None:
             if last:
                 raise UserError("the renderer has sent no picture" + (f" ({receiver.error})" if receiver.error else ""))
             return
         samples = picture.layer("samples.X")
-        count = float(samples[bounds[2] : bounds[3], bounds[0] : bounds[1]].mean()) if samples is not None else 0
+        count = float(samples[0][bounds[2] : bounds[3], bounds[0] : bounds[1]].mean()) if samples is not None else 0
         if drc.stop == "SAMPLES":
             self.update_progress(min(1.0, count / drc.samples))
         self.update_stats("", f"DRC: {count:.1f} samples a pixel, {passed:.1f} s")
-        values = {name: pass_values(picture, name, bounds) for name, *_ in (PASSES if last else PASSES[:1])}
-        values = {name: found for name, found in values.items() if found is not None}
-        for name, channels, _, _ in PASSES:
-            if name in values and name not in BUILT_IN:
+        # While it refines, one pass is enough: Blender waits for what is copied here.
+        shown = [p for p in (PASSES if last else PASSES[:1]) if picture.layer(*p[3]) is not None]
+        for name, channels, _, _ in shown:
+            if name not in BUILT_IN:
                 self.add_pass(name, len(channels), channels)
+        names = {name for name, *_ in shown}
         result = self.begin_result(0, 0, bounds[1] - bounds[0], bounds[3] - bounds[2])
         try:
             for layer in result.layers:
                 for render_pass in layer.passes:
-                    if render_pass.name in values:
-                        render_pass.rect.foreach_set(values[render_pass.name])
+                    if render_pass.name in names:
+                        render_pass.rect.foreach_set(pass_values(picture, render_pass.name, bounds))
             self.update_result(result)
         finally:
             self.end_result(result)

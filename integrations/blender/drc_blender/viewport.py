@@ -46,7 +46,7 @@ def close_all():
 class Viewport:
     def __init__(self, engine):
         self._engine = weakref.ref(engine)
-        self._client, self._exporter, self._renders = None, None, None
+        self._client, self._exporter, self._renders, self._error = None, None, None, None
         self._changed_at, self._moved_at, self._view = time.monotonic(), 0.0, None
         self._lens, self._sphere, self._frame, self._texture = None, None, None, None
         # The renderer ends with the engine, which Blender frees when the shading changes or the window closes.
@@ -72,7 +72,7 @@ class Viewport:
         due = self._changed_at is not None and (self._client is None or now - self._changed_at > AFTER_A_CHANGE)
         zoomed = self._lens is not None and view.lens() != self._lens and now - self._moved_at > MOVING
         if due or zoomed:
-            self._start(depsgraph, view, frame_size(region.width, region.height), engine)
+            self._start(depsgraph, view, frame_size(region.width, region.height))
         part = part_of(context, depsgraph.scene)
         if self._client is not None:
             moving = now - self._moved_at < MOVING
@@ -81,16 +81,17 @@ class Viewport:
             frame = self._client.frame()
             if frame is not None:
                 self._frame, self._texture = frame, None
-            self._tell(engine)
+        self._tell(engine)
         self._draw_frame(region, part)
 
-    def _start(self, depsgraph, view, size, engine):
+    def _start(self, depsgraph, view, size):
         """Exports, and replaces the renderer if it would show something else."""
         scene = depsgraph.scene
-        self._changed_at, self._lens = None, view.lens()
+        self._changed_at, self._lens, self._error = None, view.lens(), None
         try:
-            if self._exporter is None:
-                self._exporter = SceneExporter(export_folder(scene, "view"), exporter_settings(scene.drc))
+            folder = export_folder(scene, "view")
+            if self._exporter is None or self._exporter.folder != folder:
+                self._exporter = SceneExporter(folder, exporter_settings(scene.drc))
             self._exporter.settings = exporter_settings(scene.drc)
             exported = self._exporter.export(depsgraph, size=size, view=view)
             self._sphere = exported.sphere
@@ -99,15 +100,20 @@ class Viewport:
             if renders == self._renders and self._client is not None and not self._client.error:
                 return  # Blender has told of a change of nothing that is rendered, such as the selection
             client = ViewClient(command)
-        except (UserError, OSError, ValueError) as error:
-            engine.update_stats("DRC", str(error))
+        except OSError as error:
+            self._error = f"cannot write the scene to {folder}: {error.strerror or error}"
+            return
+        except (UserError, ValueError) as error:
+            self._error = str(error)
             return
         self.close()
         self._client, self._renders = client, renders
 
     def _tell(self, engine):
         """In the viewport's upper left corner."""
-        engine.update_stats("DRC", self._client.error or self._client.progress)
+        client = self._client
+        line = self._error or (client.error or client.progress if client is not None else "")
+        engine.update_stats("DRC" if line else "", line)
 
     def _draw_frame(self, region, part):
         """In linear values: the window's view transform comes after."""

@@ -19,6 +19,9 @@ from .report import Report
 from .world import world_lines
 
 
+FARTHEST = 1e18  # of what the renderer takes
+
+
 @dataclass
 class Settings:
     """How to export. max_depth: bounces of paths; texture_side: texels along a tile of a baked texture."""
@@ -228,6 +231,8 @@ class SceneExporter:
                 object_.to_mesh_clear()
             return None
         data = MeshData.of(mesh)
+        if not (np.abs(data.positions) < FARTHEST).all():
+            raise ValueError(f"{object_.name}: the mesh has a vertex at no number or farther than {FARTHEST:g}: delete it")
         bounds = texture_space(object_, data)
         # Of the slots, which may have the object's materials rather than the mesh's.
         materials = [slot.material for slot in object_.material_slots] or [None]
