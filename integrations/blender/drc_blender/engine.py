@@ -5,6 +5,7 @@ The renderer is a child process: whatever happens to it, Blender goes on, and it
 
 import os
 import tempfile
+import threading
 import time
 
 import bpy
@@ -14,11 +15,14 @@ from .export.camera_maths import pixel_bounds
 from .export.scene import SceneExporter, Settings
 from .program import Child, UserError
 from .properties import preferences, program
-from .render_passes import BUILT_IN, OF_OTHER_INTEGRATORS, PASSES, pass_values
+from .render_passes import BUILT_IN, PASSES, pass_values
 from .tev_receiver import TevReceiver
+from .view_client import resting
 
 LOOK_EVERY = 0.05  # seconds
 DRAIN = 15.0  # seconds that the last picture may take to come
+CANCEL = 0.2  # seconds that a cancelled renderer has to end by itself; nobody wants what it would write
+LEAVE = 0.5  # seconds in which Blender has left a render after our part of it
 
 
 def exporter_settings(drc):
@@ -47,18 +51,20 @@ class DrcRenderEngine(bpy.types.RenderEngine):
     bl_use_eevee_viewport = True
 
     export_only = None  # a file: the next render writes the scene there, and renders nothing
+    idle = threading.Event()  # no render is running
+    idle.set()
+    ending = False  # whether the add-on is about to be disabled
 
     # Passes
 
     def update_render_passes(self, scene, renderlayer):
         for name, channels, kind, _ in PASSES:
-            if name in OF_OTHER_INTEGRATORS:
-                continue
             self.register_pass(scene, renderlayer, name, len(channels), channels, kind)
 
     # F12
 
     def render(self, depsgraph):
+        DrcRenderEngine.idle.clear()
         try:
             exported = self._export(depsgraph)
             if DrcRenderEngine.export_only is None:
@@ -69,13 +75,15 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             self.tell("ERROR", f"cannot write the scene to {self._folder(depsgraph.scene)}: {error.strerror or error}")
         except ValueError as error:
             self.tell("ERROR", str(error))
+        finally:
+            DrcRenderEngine.idle.set()
 
     def tell(self, kind, message):
         """kind: ERROR or WARNING. One line in Blender's reports."""
         self.report({kind}, f"DRC: {message}")
 
     def is_cancelled(self):
-        return self.test_break()
+        return DrcRenderEngine.ending or self.test_break()
 
     @staticmethod
     def _folder(scene):
@@ -95,9 +103,11 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         return exported
 
     def _render(self, scene, exported):
-        output = os.path.join(os.path.dirname(exported.path), "picture.exr")
+        folder = tempfile.TemporaryDirectory(prefix="picture-", dir=os.path.dirname(exported.path))
+        output = os.path.join(folder.name, "picture.exr")
         receiver, child = TevReceiver(), None
         try:
+            resting.set()
             child = Child(
                 render_command(program(), exported.path, output, scene.drc, receiver.port, preferences().threads)
             )
@@ -105,7 +115,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             began = time.monotonic()
             while child.running():
                 if self.is_cancelled():
-                    child.stop()
+                    child.stop(CANCEL)
                     return
                 self._show(receiver, scene, bounds, began)
                 time.sleep(LOOK_EVERY)
@@ -118,9 +128,9 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         finally:
             if child is not None:
                 child.stop()
+            resting.clear()
             receiver.close()
-            if os.path.exists(output):
-                os.remove(output)
+            folder.cleanup()
 
     def _bounds(self, scene):
         """(x0, x1, y0, y1) of what is rendered, from the top left of the film."""
@@ -137,28 +147,28 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         drc = scene.drc
         if drc.stop == "TIME":
             self.update_progress(min(1.0, passed / drc.time))
-        # While it refines, one pass is enough: all of them take a second of a core at 1920 x 1080.
-        picture = receiver.last() if last else receiver.changed("R", "G", "B", "samples.X")
+        picture = receiver.last() if last else receiver.changed()
         if picture is None:
             if last:
                 raise UserError("the renderer has sent no picture" + (f" ({receiver.error})" if receiver.error else ""))
             return
         samples = picture.layer("samples.X")
-        count = float(samples[bounds[2] : bounds[3], bounds[0] : bounds[1]].mean()) if samples is not None else 0
+        count = float(samples[0][bounds[2] : bounds[3], bounds[0] : bounds[1]].mean()) if samples is not None else 0
         if drc.stop == "SAMPLES":
             self.update_progress(min(1.0, count / drc.samples))
         self.update_stats("", f"DRC: {count:.1f} samples a pixel, {passed:.1f} s")
-        values = {name: pass_values(picture, name, bounds) for name, *_ in (PASSES if last else PASSES[:1])}
-        values = {name: found for name, found in values.items() if found is not None}
-        for name, channels, _, _ in PASSES:
-            if name in values and name not in BUILT_IN:
+        # While it refines, one pass is enough: Blender waits for what is copied here.
+        shown = [p for p in (PASSES if last else PASSES[:1]) if picture.layer(*p[3]) is not None]
+        for name, channels, _, _ in shown:
+            if name not in BUILT_IN:
                 self.add_pass(name, len(channels), channels)
+        names = {name for name, *_ in shown}
         result = self.begin_result(0, 0, bounds[1] - bounds[0], bounds[3] - bounds[2])
         try:
             for layer in result.layers:
                 for render_pass in layer.passes:
-                    if render_pass.name in values:
-                        render_pass.rect.foreach_set(values[render_pass.name])
+                    if render_pass.name in names:
+                        render_pass.rect.foreach_set(pass_values(picture, render_pass.name, bounds))
             self.update_result(result)
         finally:
             self.end_result(result)
@@ -177,8 +187,14 @@ class DrcRenderEngine(bpy.types.RenderEngine):
 
 
 def register():
+    DrcRenderEngine.ending = False
     bpy.utils.register_class(DrcRenderEngine)
 
 
 def unregister():
+    # Blender crashes if the engine of a running render goes.
+    if not DrcRenderEngine.idle.is_set():
+        DrcRenderEngine.ending = True
+        DrcRenderEngine.idle.wait(10)
+        time.sleep(LEAVE)
     bpy.utils.unregister_class(DrcRenderEngine)

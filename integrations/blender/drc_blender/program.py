@@ -4,6 +4,7 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import threading
 import time
 
@@ -36,6 +37,14 @@ def find_program(chosen=""):
     raise UserError("the program drc was not found in PATH: choose it in the preferences of the add-on DRC")
 
 
+def ends_with_us():
+    """What is put before a command so that the program ends if Blender crashes or is killed: on Linux the kernel sees to
+    it, at the wish of setpriv of util-linux. The kernel looks at the thread that has started the program, so that one
+    has to stay until the program's end."""
+    setpriv = shutil.which("setpriv") if sys.platform == "linux" else None
+    return [setpriv, "--pdeathsig", "KILL", "--"] if setpriv else []
+
+
 class Child:
     """A running renderer. Its messages are read on a thread, so that it never waits for a reader."""
 
@@ -46,9 +55,11 @@ class Child:
         options = (
             {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP} if os.name == "nt" else {"start_new_session": True}
         )
+        if shutil.which(command[0]) is None:
+            raise UserError(f"cannot start {command[0]}: there is no such program")
         try:
             self.process = subprocess.Popen(
-                command,
+                [*ends_with_us(), *command],
                 stdin=subprocess.DEVNULL,
                 stderr=subprocess.PIPE,
                 text=True,

@@ -1,8 +1,8 @@
 """Registers all parts of the add-on with Blender."""
 
-from . import engine, properties, ui
+from . import engine, light_panel, properties, shared_panels, ui
 
-PARTS = (properties, engine, ui)
+PARTS = (properties, engine, ui, light_panel, shared_panels)
 
 
 def register():

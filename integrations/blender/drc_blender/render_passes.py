@@ -2,7 +2,9 @@
 
 import numpy as np
 
-# Blender's name, its channels, its kind, and the renderer's channels.
+# Blender's name, its channels, its kind, and the renderer's channels. Direct is what is seen of lamps, the world and emissive
+# surfaces, and of their light after one bounce; Indirect is all else. They are not denoised, so their sum is Combined
+# where that is not denoised either.
 PASSES = (
     ("Combined", "RGBA", "COLOR", ("R", "G", "B")),
     ("Depth", "Z", "VALUE", ("depth.Z",)),
@@ -14,19 +16,19 @@ PASSES = (
     ("Sample Count", "X", "VALUE", ("samples.X",)),
 )
 BUILT_IN = {"Combined"}
-# Which the integrator that the engine uses does not keep apart.
-OF_OTHER_INTEGRATORS = {"Direct", "Indirect"}
 
 
 def pass_values(picture, name, bounds):
     """Of a Picture of the whole film: the rows of a pass within (x0, x1, y0, y1), from the bottom, flat as Blender's
     passes are; None if the render has no such layer. The film has no transparency: alpha is 1."""
     _, kind, _, channels = next(p for p in PASSES if p[0] == name)
-    found = picture.layer(*channels)
-    if found is None:
+    planes = picture.layer(*channels)
+    if planes is None:
         return None
     x0, x1, y0, y1 = bounds
-    found = found[y0:y1, x0:x1][::-1]
+    found = np.empty((y1 - y0, x1 - x0, len(kind)), dtype=np.float32)
+    for channel, plane in enumerate(planes):
+        found[..., channel] = plane[y0:y1, x0:x1][::-1]
     if kind == "RGBA":
-        found = np.concatenate([found, np.ones_like(found[..., :1])], axis=-1)
-    return np.ascontiguousarray(found, dtype=np.float32).reshape(-1)
+        found[..., 3] = 1
+    return found.reshape(-1)

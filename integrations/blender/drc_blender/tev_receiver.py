@@ -7,12 +7,14 @@ type and a payload, all little-endian; see https://github.com/Tom94/tev.
 import socket
 import struct
 import threading
+import time
 from dataclasses import dataclass
 
 import numpy as np
 
 CREATE, UPDATE_V3 = 4, 6
 MOST_BYTES = 1 << 30  # of a packet
+CALM = 0.2  # seconds without a packet after which a picture, which comes in tiles, is complete
 
 
 class ProtocolError(ValueError):
@@ -48,16 +50,16 @@ class _Fields:
 
 @dataclass
 class Picture:
-    """channels: "R", "G", "B", "albedo.R" ...; values: height x width x channels, rows from the top."""
+    """channels: "R", "G", "B", "albedo.R" ...; planes: channels x height x width, rows from the top."""
 
     channels: list
-    values: np.ndarray
+    planes: np.ndarray
 
     def layer(self, *names):
-        """height x width x len(names), or None if a channel is missing."""
+        """A plane for each name, not copied, or None if a channel is missing."""
         if any(n not in self.channels for n in names):
             return None
-        return self.values[..., [self.channels.index(n) for n in names]]
+        return [self.planes[self.channels.index(n)] for n in names]
 
 
 class TevReceiver:
@@ -67,7 +69,7 @@ class TevReceiver:
         self._listener = socket.create_server(("127.0.0.1", 0))
         self.port = self._listener.getsockname()[1]
         self._lock = threading.Lock()
-        self._picture, self._planes, self._version, self._taken = None, None, 0, 0
+        self._picture, self._version, self._taken, self._came_at = None, 0, 0, 0.0
         self._last = False  # whether nobody will connect any more
         self.error = None
         self._closing = threading.Event()
@@ -79,23 +81,19 @@ class TevReceiver:
         self._thread.join(timeout=5)
         self._listener.close()
 
-    def changed(self, *channels):
-        """A copy of these channels of the picture, or of all, if there is a new one since the last call."""
+    def changed(self):
+        """The picture, if there is a new one since the last call and no more of it has come for a moment. It is the
+        receiver's own: what comes later is written into it."""
         with self._lock:
-            if self._picture is None or self._version == self._taken:
+            if self._version == self._taken or time.monotonic() - self._came_at < CALM:
                 return None
             self._taken = self._version
-            return self._copy(channels)
+            return self._picture
 
     def last(self):
-        """A copy of all channels, whether they have been taken before or not; None if no part of a picture has come."""
+        """The picture, whether it has been taken before or not; None if no part of it has come."""
         with self._lock:
-            return self._copy(()) if self._version else None
-
-    def _copy(self, names):
-        channels = self._picture.channels
-        kept = [i for i, name in enumerate(channels) if not names or name in names]
-        return Picture([channels[i] for i in kept], np.stack([self._planes[i] for i in kept], axis=-1))
+            return self._picture if self._version else None
 
     def finish(self, seconds):
         """After the sender's end: reads what it has sent, for so long at most."""
@@ -167,8 +165,7 @@ class TevReceiver:
                 raise ProtocolError(f"an image of {width} x {height} pixels with {count} channels")
             channels = [fields.text() for _ in range(count)]
             with self._lock:
-                self._picture = Picture(channels, None)
-                self._planes = np.zeros((count, height, width), dtype=np.float32)  # each channel by itself
+                self._picture = Picture(channels, np.zeros((count, height, width), dtype=np.float32))
         elif kind == UPDATE_V3:
             fields.number("<b")
             fields.text()
@@ -186,14 +183,16 @@ class TevReceiver:
             picture = self._picture
             if picture is None:
                 raise ProtocolError("an update before there is an image")
-            rows, columns = self._planes.shape[1:]
+            planes = picture.planes
+            rows, columns = planes.shape[1:]
             if x < 0 or y < 0 or width <= 0 or height <= 0 or x + width > columns or y + height > rows:
                 raise ProtocolError("an update outside of the image")
             for name, begin, stride in zip(names, begins, strides):
                 last = begin + stride * (width * height - 1)
                 if begin < 0 or stride < 1 or last >= len(values) or name not in picture.channels:
                     raise ProtocolError(f"an update of the channel '{name}' that does not fit")
-                self._planes[picture.channels.index(name), y : y + height, x : x + width] = values[
+                planes[picture.channels.index(name), y : y + height, x : x + width] = values[
                     begin : last + 1 : stride
                 ].reshape(height, width)
             self._version += 1
+            self._came_at = time.monotonic()

@@ -11,11 +11,6 @@ from .engine import DrcRenderEngine, export_folder
 from .program import Child, UserError
 from .properties import preferences, program
 
-# Panels of Blender's own that say nothing of an engine's settings.
-SHARED_CONTEXTS = {"data", "material", "modifier", "object", "output", "texture", "world", "collection"}
-FOREIGN = {"EEVEE_MATERIAL_PT_settings", "MATERIAL_PT_freestyle_line", "WORLD_PT_viewport_display"}
-ENGINES = {"BLENDER_RENDER", "BLENDER_EEVEE", "BLENDER_EEVEE_NEXT"}
-
 
 class DrcPanel:
     bl_space_type, bl_region_type, bl_context = "PROPERTIES", "WINDOW", "render"
@@ -34,7 +29,7 @@ class DRC_PT_sampling(DrcPanel, bpy.types.Panel):
     bl_label = "DRC"
 
     def show(self, layout, drc):
-        layout.row().prop(drc, "stop", expand=True)
+        layout.prop(drc, "stop")
         if drc.stop == "TIME":
             layout.prop(drc, "time")
         elif drc.stop == "SAMPLES":
@@ -54,6 +49,21 @@ class DRC_PT_paths(DrcPanel, bpy.types.Panel):
     def show(self, layout, drc):
         for name in ("max_bounces", "seed", "filter_kind", "filter_width"):
             layout.prop(drc, name)
+
+
+class DRC_PT_motion_blur(DrcPanel, bpy.types.Panel):
+    bl_label = "Motion Blur"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.render, "use_motion_blur", text="")
+
+    def draw(self, context):
+        render, layout = context.scene.render, self.layout
+        layout.use_property_split, layout.active = True, render.use_motion_blur
+        if hasattr(render, "motion_blur_position"):
+            layout.prop(render, "motion_blur_position", text="Position")
+        layout.prop(render, "motion_blur_shutter")
 
 
 class DRC_PT_export(DrcPanel, bpy.types.Panel):
@@ -134,19 +144,7 @@ def export_entry(self, _context):
     self.layout.operator(DRC_OT_export.bl_idname, text="DRC/pbrt (.pbrt)")
 
 
-def shared_panels():
-    for panel in bpy.types.Panel.__subclasses__():
-        engines = getattr(panel, "COMPAT_ENGINES", None)
-        if (
-            engines
-            and engines & ENGINES
-            and getattr(panel, "bl_context", "") in SHARED_CONTEXTS
-            and panel.__name__ not in FOREIGN
-        ):
-            yield panel
-
-
-CLASSES = (DRC_OT_export, DRC_OT_show_in_browser, DRC_PT_sampling, DRC_PT_paths, DRC_PT_export)
+CLASSES = (DRC_OT_export, DRC_OT_show_in_browser, DRC_PT_sampling, DRC_PT_paths, DRC_PT_motion_blur, DRC_PT_export)
 
 
 def register():
@@ -154,8 +152,6 @@ def register():
     for made in CLASSES:
         bpy.utils.register_class(made)
     bpy.types.TOPBAR_MT_file_export.append(export_entry)
-    for panel in shared_panels():
-        panel.COMPAT_ENGINES.add(DrcRenderEngine.bl_idname)
 
 
 def unregister():
@@ -165,8 +161,6 @@ def unregister():
         from .viewport import close_all
 
         close_all()
-    for panel in shared_panels():
-        panel.COMPAT_ENGINES.discard(DrcRenderEngine.bl_idname)
     bpy.types.TOPBAR_MT_file_export.remove(export_entry)
     for made in reversed(CLASSES):
         bpy.utils.unregister_class(made)

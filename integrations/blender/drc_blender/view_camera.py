@@ -1,17 +1,19 @@
 """What Blender's viewport sees, in the terms of `drc view`."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 
 @dataclass(frozen=True)
 class View:
-    """to_world: 4 x 4 rows, from Blender's camera space (along -z) to world space; window: as of camera_maths."""
+    """to_world: 4 x 4 rows, from Blender's camera space (along -z) to world space; window: as of camera_maths; near: the
+    distance from which on things are seen, negative in the orthographic views of a viewport, which see behind the eye."""
 
     to_world: tuple
     window: tuple
     orthographic: bool
+    near: float = 0.0
 
     def matrix(self):
         return np.array(self.to_world)
@@ -21,6 +23,18 @@ class View:
         m = self.matrix()
         eye = m[:3, 3] - np.asarray(origin, dtype=float)
         return eye, eye - m[:3, 2], m[:3, 1]
+
+    def before(self, sphere):
+        """The same picture from an eye that all of the scene is in front of, for a renderer that does not see behind
+        it. sphere: centre and radius of all that is seen."""
+        if not self.orthographic or self.near >= 0:
+            return self
+        m, (centre, radius) = self.matrix(), sphere
+        back = min(-self.near, np.dot(np.asarray(centre) - m[:3, 3], m[:3, 2]) + 1.01 * radius)
+        if back <= 0:
+            return self
+        m[:3, 3] += back * m[:3, 2]
+        return replace(self, to_world=tuple(map(tuple, m)), near=self.near + float(back))
 
     def lens(self):
         """What a renderer that is running cannot change: all but the place. Rounded, since Blender computes it anew
@@ -39,7 +53,8 @@ def view_of(view_matrix, projection):
         # On the plane at distance 1, or anywhere along the axis of an orthographic view.
         shift = -p[axis, 3] if orthographic else p[axis, 2]
         edges += [(-1 + shift) / p[axis, axis], (1 + shift) / p[axis, axis]]
-    return View(tuple(map(tuple, to_world)), tuple(edges), bool(orthographic))
+    near = (1 + p[2, 3]) / p[2, 2] if orthographic else 0.0
+    return View(tuple(map(tuple, to_world)), tuple(edges), bool(orthographic), float(near))
 
 
 def frame_size(width, height, most=None):

@@ -19,6 +19,9 @@ START = 120.0  # seconds that a renderer may take to read the scene and print it
 ASK_EVERY = 0.03  # seconds
 MOST_BYTES = 1 << 30
 
+# While it is set, all renderers of viewports rest, and leave the machine to a render.
+resting = threading.Event()
+
 
 def frame_of(data):
     """(number, height x width x channels of halves, rows from the top) of the answer to `frame`."""
@@ -37,23 +40,31 @@ def origin_of(camera):
     return tuple(e - c for e, c in zip(eye, camera["eye"]))
 
 
+def progress_of(state):
+    if state["samples"] == 0:
+        return f"{state['share']:.0%} of the pixels"
+    return f"{state['samples']} sample{'s' if state['samples'] != 1 else ''} a pixel"
+
+
 class ViewClient:
     """A running `drc view`. error: a line for the user, once it has failed."""
 
     def __init__(self, command):
         self.error = None
         self._lock = threading.Lock()
-        self._wanted, self._sent = None, None
+        self._wanted, self._sent, self._rests = None, None, False
         self._frame, self._number, self._taken = None, None, None
+        self.progress = "reading the scene"  # a line for the user
         self._closing = threading.Event()
         self.child = Child(command, keep_output=True)
         self._thread = threading.Thread(target=self._run, name="drc view", daemon=True)
         self._thread.start()
 
-    def move(self, view, width, height, moving):
-        """The camera from now on, and the size of its frames."""
+    def move(self, view, width, height, moving, part=None):
+        """The camera from now on, and the size of its frames. part: what all samples go to, (x0, x1, y0, y1) from 0 to 1
+        across the picture from its top left; None for the whole picture."""
         with self._lock:
-            self._wanted = view, width, height, bool(moving)
+            self._wanted = view, width, height, bool(moving), part
 
     def frame(self):
         """The latest frame, if it has not been taken yet, else None."""
@@ -98,6 +109,7 @@ class ViewClient:
                 self.child.finish()
                 raise UserError(self.child.failure())
             self._send_camera(origin)
+            self._send_rest()
             self._ask_for_frame()
             self._closing.wait(ASK_EVERY)
 
@@ -129,7 +141,7 @@ class ViewClient:
             wanted = self._wanted
         if wanted is None or wanted == self._sent:
             return
-        view, width, height, moving = wanted
+        view, width, height, moving, part = wanted
         eye, look, up = view.eye_look_up(origin)
         self._request(
             "POST",
@@ -145,7 +157,17 @@ class ViewClient:
                 }
             ),
         )
+        if part is not None or (self._sent is not None and self._sent[-1] is not None):
+            # After the camera: one that moves makes the renderer forget the part.
+            edges = dict(zip(("x0", "x1", "y0", "y1"), part)) if part is not None else None
+            self._request("POST", "focus", json.dumps(edges))
         self._sent = wanted
+
+    def _send_rest(self):
+        rests = resting.is_set()
+        if rests != self._rests:
+            self._request("POST", "pause", "true" if rests else "false")
+            self._rests = rests
 
     def _ask_for_frame(self):
         state = json.loads(self._request("GET", "state"))
@@ -159,4 +181,4 @@ class ViewClient:
             return
         number, frame = frame_of(data)
         with self._lock:
-            self._number, self._frame = number, frame
+            self._number, self._frame, self.progress = number, frame, progress_of(state)

@@ -10,7 +10,7 @@ import weakref
 import bpy
 import gpu
 import numpy as np
-from gpu_extras.presets import draw_texture_2d
+from gpu_extras.batch import batch_for_shader
 
 from .commands import view_command
 from .engine import export_folder, exporter_settings
@@ -19,6 +19,7 @@ from .program import UserError
 from .properties import preferences, program
 from .view_camera import frame_size, view_of
 from .view_client import ViewClient
+from .view_region import part_of
 
 AFTER_A_CHANGE = 0.4  # seconds without a change before the scene is exported
 MOVING = 0.25  # seconds after which a camera stands still
@@ -45,9 +46,9 @@ def close_all():
 class Viewport:
     def __init__(self, engine):
         self._engine = weakref.ref(engine)
-        self._client, self._exporter = None, None
+        self._client, self._exporter, self._renders, self._error = None, None, None, None
         self._changed_at, self._moved_at, self._view = time.monotonic(), 0.0, None
-        self._lens, self._frame, self._texture = None, None, None
+        self._lens, self._sphere, self._frame, self._texture = None, None, None, None
         # The renderer ends with the engine, which Blender frees when the shading changes or the window closes.
         weakref.finalize(engine, self.close)
         bpy.app.timers.register(self._look, first_interval=LOOK_EVERY)
@@ -71,36 +72,51 @@ class Viewport:
         due = self._changed_at is not None and (self._client is None or now - self._changed_at > AFTER_A_CHANGE)
         zoomed = self._lens is not None and view.lens() != self._lens and now - self._moved_at > MOVING
         if due or zoomed:
-            self._start(context, depsgraph, view, frame_size(region.width, region.height), engine)
+            self._start(depsgraph, view, frame_size(region.width, region.height))
+        part = part_of(context, depsgraph.scene)
         if self._client is not None:
-            if self._client.error:
-                engine.update_stats("DRC", self._client.error)
             moving = now - self._moved_at < MOVING
             size = frame_size(region.width, region.height, WHILE_MOVING if moving else None)
-            self._client.move(view, *size, moving)
+            self._client.move(view.before(self._sphere), *size, moving, part)
             frame = self._client.frame()
             if frame is not None:
                 self._frame, self._texture = frame, None
-        self._draw_frame(engine, context, depsgraph)
+        self._tell(engine)
+        self._draw_frame(region, part)
 
-    def _start(self, context, depsgraph, view, size, engine):
-        """Exports, and replaces the renderer."""
+    def _start(self, depsgraph, view, size):
+        """Exports, and replaces the renderer if it would show something else."""
         scene = depsgraph.scene
-        self._changed_at, self._lens = None, view.lens()
+        self._changed_at, self._lens, self._error = None, view.lens(), None
         try:
-            if self._exporter is None:
-                self._exporter = SceneExporter(export_folder(scene, "view"), exporter_settings(scene.drc))
+            folder = export_folder(scene, "view")
+            if self._exporter is None or self._exporter.folder != folder:
+                self._exporter = SceneExporter(folder, exporter_settings(scene.drc))
             self._exporter.settings = exporter_settings(scene.drc)
             exported = self._exporter.export(depsgraph, size=size, view=view)
-            client = ViewClient(view_command(program(), exported.path, *size, scene.drc, preferences().threads))
-        except (UserError, OSError, ValueError) as error:
-            engine.update_stats("DRC", str(error))
+            self._sphere = exported.sphere
+            command = view_command(program(), exported.path, *size, scene.drc, preferences().threads)
+            renders = exported.content, command
+            if renders == self._renders and self._client is not None and not self._client.error:
+                return  # Blender has told of a change of nothing that is rendered, such as the selection
+            client = ViewClient(command)
+        except OSError as error:
+            self._error = f"cannot write the scene to {folder}: {error.strerror or error}"
             return
-        engine.update_stats("", "")
+        except (UserError, ValueError) as error:
+            self._error = str(error)
+            return
         self.close()
-        self._client = client
+        self._client, self._renders = client, renders
 
-    def _draw_frame(self, engine, _context, depsgraph):
+    def _tell(self, engine):
+        """In the viewport's upper left corner."""
+        client = self._client
+        line = self._error or (client.error or client.progress if client is not None else "")
+        engine.update_stats("DRC" if line else "", line)
+
+    def _draw_frame(self, region, part):
+        """In linear values: the window's view transform comes after."""
         if self._frame is None:
             return
         if self._texture is None:
@@ -109,12 +125,12 @@ class Viewport:
             values[..., :3] = self._frame[::-1, :, :3]
             buffer = gpu.types.Buffer("FLOAT", width * height * 4, values.reshape(-1))
             self._texture = gpu.types.GPUTexture((width, height), format="RGBA16F", data=buffer)
-        region = bpy.context.region
-        gpu.state.blend_set("ALPHA_PREMULT")
-        engine.bind_display_space_shader(depsgraph.scene)
-        draw_texture_2d(self._texture, (0, 0), region.width, region.height)
-        engine.unbind_display_space_shader()
-        gpu.state.blend_set("NONE")
+        x0, x1, y0, y1 = part or (0.0, 1.0, 0.0, 1.0)
+        corners = [(x0, 1 - y1), (x1, 1 - y1), (x1, 1 - y0), (x0, 1 - y0)]
+        shader = gpu.shader.from_builtin("IMAGE")
+        shader.uniform_sampler("image", self._texture)
+        places = [(x * region.width, y * region.height) for x, y in corners]
+        batch_for_shader(shader, "TRI_FAN", {"pos": places, "texCoord": corners}).draw(shader)
 
     # A timer of Blender's
 

@@ -27,11 +27,13 @@ import numpy as np
 
 import drc_blender
 from compare_with_cycles import quietly, read
+from drc_blender import engine
 from drc_blender.engine import DrcRenderEngine
 from drc_blender.export.camera_maths import screen_window
 from drc_blender.export.cameras import lens_of
 from drc_blender.export.scene import SceneExporter
 from drc_blender.properties import Defaults
+from drc_blender.render_passes import pass_values
 from stage import HEIGHT, WIDTH, Stage, stripes
 
 DRC = None
@@ -120,6 +122,27 @@ class Renders(InBlender):
             head = f.read(1 << 14)
         for name in ("Combined.R", "Depth.Z", "Normal.X", "Denoising Albedo.R", "Variance.R", "Sample Count.X"):
             self.assertIn(b"." + name.encode() + b"\0", head)
+        for name in ("Direct.R", "Indirect.B"):
+            self.assertIn(b"." + name.encode() + b"\0", head)
+
+    def test_direct_and_indirect_are_combined(self):
+        self.scene.drc.denoise = False
+        kept = {}
+
+        def keep(picture, name, bounds):
+            kept[name] = found = pass_values(picture, name, bounds)
+            return found
+
+        engine.pass_values = keep
+        try:
+            self.render()
+        finally:
+            engine.pass_values = pass_values
+        combined = kept["Combined"].reshape(-1, 4)[:, :3]
+        direct, indirect = (kept[name].reshape(-1, 3) for name in ("Direct", "Indirect"))
+        self.assertGreater(direct.mean(), 0.01)
+        self.assertGreater(indirect.mean(), 0.01)
+        np.testing.assert_allclose(direct + indirect, combined, rtol=1e-4, atol=1e-5)
 
     def test_region(self):
         render = self.scene.render
@@ -182,7 +205,7 @@ class Failures(InBlender):
     def test_broken_scene(self):
         self.broken = True
         self.stage.box.data.vertices[0].co.x = float("inf")
-        self.assertRegex(self.error(), "vertex at no number")
+        self.assertRegex(self.error(), "^box: the mesh has a vertex at no number")
 
     def test_killed(self):
         self.program("import os, time\ntime.sleep(0.3)\nos.kill(os.getpid(), 9)")
@@ -321,7 +344,7 @@ class StandInEngine:
 
 
 class Viewports(InBlender):
-    """All but the drawing."""
+    """All but the drawing, which test_in_window.py sees."""
 
     def setUp(self):
         super().setUp()
@@ -338,8 +361,11 @@ class Viewports(InBlender):
     def draw(self):
         depsgraph = bpy.context.evaluated_depsgraph_get()
         projection = self.stage.camera.calc_matrix_camera(depsgraph, x=self.region.width, y=self.region.height)
-        data = types.SimpleNamespace(view_matrix=self.place.inverted(), window_matrix=projection)
-        self.viewport.draw(types.SimpleNamespace(region=self.region, region_data=data), depsgraph)
+        data = types.SimpleNamespace(
+            view_matrix=self.place.inverted(), window_matrix=projection, view_perspective="PERSP"
+        )
+        space = types.SimpleNamespace(use_render_border=False)
+        self.viewport.draw(types.SimpleNamespace(region=self.region, region_data=data, space_data=space), depsgraph)
         return self.viewport._frame
 
     def until(self, condition, seconds=60):
@@ -380,6 +406,13 @@ class Viewports(InBlender):
         self.until(lambda: self.draw() is not None and self.viewport._frame.astype(np.float32).mean() > 2 * before)
         self.assertIsNot(self.viewport._client, client)
         self.until(lambda: not client.child.running())
+
+    def test_a_change_of_nothing_that_is_rendered_keeps_the_renderer(self):
+        self.until(lambda: self.draw() is not None)
+        client = self.viewport._client
+        self.viewport.update(None, None)
+        self.until(lambda: self.draw() is not None and self.viewport._changed_at is None)
+        self.assertIs(self.viewport._client, client)
 
     def test_a_failure_is_told(self):
         Defaults.program = "/nowhere/drc"

@@ -11,6 +11,7 @@ import math
 import os
 import socket
 import struct
+import subprocess
 import sys
 import tempfile
 import time
@@ -37,11 +38,11 @@ from drc_blender.export.spaces import world_to_camera, world_to_panorama
 from drc_blender.materials.atlas import Atlas
 from drc_blender.materials.blackbody import blackbody
 from drc_blender.materials.image_lookup import Pixels, equirectangular
-from drc_blender.program import Child, UserError, find_program
+from drc_blender.program import Child, UserError, ends_with_us, find_program
 from drc_blender.render_passes import pass_values
 from drc_blender.tev_receiver import Picture, TevReceiver
 from drc_blender.view_camera import frame_size, view_of
-from drc_blender.view_client import ViewClient, frame_of, origin_of
+from drc_blender.view_client import ViewClient, frame_of, origin_of, progress_of, resting
 
 DRC = None
 ROOT = os.path.abspath(os.path.join(HERE, *[os.pardir] * 3))
@@ -55,6 +56,20 @@ def wait_for(condition, seconds=PATIENCE):
         if time.monotonic() > end:
             raise AssertionError("waited in vain")
         time.sleep(0.01)
+
+
+def runs(pid):
+    """Whether the process has not ended, be it waited for or not."""
+    try:
+        with open(f"/proc/{pid}/stat") as f:
+            return f.read().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+def command_line(pid):
+    with open(f"/proc/{pid}/cmdline", "rb") as f:
+        return f.read()
 
 
 class SceneText(unittest.TestCase):
@@ -217,6 +232,19 @@ class Cameras(unittest.TestCase):
         np.testing.assert_allclose(view.window, w)
         self.assertTrue(view.orthographic)
 
+    def test_orthographic_views_are_taken_from_before_the_scene(self):
+        n, f = -1000, 1000
+        p = np.diag([1, 1, -2 / (f - n), 1.0])
+        p[2, 3] = -(f + n) / (f - n)
+        view = view_of(np.eye(4), p)  # from the origin, along -z
+        self.assertAlmostEqual(view.near, -1000)
+        moved = view.before((np.array((3, 4, 5)), 10))
+        np.testing.assert_allclose(moved.matrix()[:3, 3], (0, 0, 5 + 10.1))
+        self.assertEqual(moved.lens(), view.lens())
+        self.assertEqual(view.before((np.array((3, 4, -50)), 10)), view)
+        # Not farther than Blender sees.
+        np.testing.assert_allclose(view.before((np.zeros(3), 1e6)).matrix()[:3, 3], (0, 0, 1000))
+
     def test_frame_sizes(self):
         self.assertEqual(frame_size(1920, 1080, 640), (640, 360))
         self.assertEqual(frame_size(10000, 5), (4096, 16))
@@ -269,7 +297,7 @@ class Pictures(unittest.TestCase):
 
     def test_passes(self):
         values = np.arange(2 * 3 * 4, dtype=np.float32).reshape(2, 3, 4)
-        picture = Picture(["R", "G", "B", "depth.Z"], values)
+        picture = Picture(["R", "G", "B", "depth.Z"], np.moveaxis(values, -1, 0))
         np.testing.assert_array_equal(pass_values(picture, "Depth", (1, 3, 0, 2)), [19, 23, 7, 11])
         np.testing.assert_array_equal(pass_values(picture, "Combined", (0, 1, 1, 2)), [12, 13, 14, 1])
         self.assertIsNone(pass_values(picture, "Direct", (0, 1, 0, 1)))
@@ -318,10 +346,10 @@ class Receiver(unittest.TestCase):
         data = create(4, 2, "R", "G") + update(["R", "G"], 1, 0, 2, 2, range(8)) + update(["G"], 3, 1, 1, 1, [9])
         self.send(data[:7], data[7:50], data[50:])
         self.receiver.finish(PATIENCE)
-        picture = self.receiver.changed()
+        picture = self.wait_for_picture()
         self.assertEqual(picture.channels, ["R", "G"])
-        np.testing.assert_array_equal(picture.values[..., 0], [[0, 0, 2, 0], [0, 4, 6, 0]])
-        np.testing.assert_array_equal(picture.values[..., 1], [[0, 1, 3, 0], [0, 5, 7, 9]])
+        np.testing.assert_array_equal(picture.planes[0], [[0, 0, 2, 0], [0, 4, 6, 0]])
+        np.testing.assert_array_equal(picture.planes[1], [[0, 1, 3, 0], [0, 5, 7, 9]])
         self.assertIsNone(self.receiver.changed())
 
     def test_nonsense_ends_a_connection_and_no_more(self):
@@ -341,14 +369,14 @@ class Receiver(unittest.TestCase):
                 self.send(data)
                 wait_for(lambda: self.receiver.error)
         self.send(create(1, 1, "R") + update(["R"], 0, 0, 1, 1, [5]))
-        self.assertEqual(self.wait_for_picture().values[0, 0, 0], 5)
+        self.assertEqual(self.wait_for_picture().planes[0, 0, 0], 5)
 
 
 class Programs(unittest.TestCase):
     def test_missing_program(self):
         with self.assertRaisesRegex(UserError, "there is no program /nowhere/drc: choose"):
             find_program("/nowhere/drc")
-        with self.assertRaisesRegex(UserError, "cannot start /nowhere/drc: No such file"):
+        with self.assertRaisesRegex(UserError, "cannot start /nowhere/drc: there is no such program"):
             Child(["/nowhere/drc"])
 
     def test_failures(self):
@@ -380,6 +408,27 @@ class Programs(unittest.TestCase):
         stubborn.stop(grace=0.3)
         self.assertFalse(stubborn.running())
         self.assertLess(time.monotonic() - began, 10)
+
+    @unittest.skipUnless(ends_with_us(), "no setpriv")
+    def test_it_ends_when_its_parent_is_killed(self):
+        code = (
+            "import sys, time; from drc_blender.program import Child;"
+            "child = Child([sys.executable, '-c', 'import time; time.sleep(100)']);"
+            "print(child.process.pid, flush=True); time.sleep(100)"
+        )
+        parent = subprocess.Popen(
+            [sys.executable, "-c", code],
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        self.addCleanup(parent.stdout.close)
+        child = int(parent.stdout.readline())
+        wait_for(lambda: b"setpriv" not in command_line(child))  # so the kernel knows of the wish
+        self.assertTrue(runs(child))
+        parent.kill()
+        parent.wait()
+        wait_for(lambda: not runs(child))
 
     def test_commands(self):
         class Drc:
@@ -439,14 +488,14 @@ class WithTheProgram(unittest.TestCase):
             )
             self.assertEqual(child.finish(), 0, child.lines)
             receiver.finish(PATIENCE)
-            picture = receiver.changed()
-            self.assertEqual(picture.values.shape[:2], (48, 64))
+            picture = receiver.last()
+            self.assertEqual(picture.planes.shape[1:], (48, 64))
             self.assertTrue(
                 {"R", "albedo.R", "normal.X", "depth.Z", "variance.R", "samples.X"} <= set(picture.channels),
                 picture.channels,
             )
-            self.assertGreater(picture.layer("R", "G", "B").mean(), 0.01)
-            self.assertAlmostEqual(float(picture.layer("samples.X").mean()), 4, delta=0.5)
+            self.assertGreater(np.mean(picture.layer("R", "G", "B")), 0.01)
+            self.assertAlmostEqual(float(picture.layer("samples.X")[0].mean()), 4, delta=0.5)
 
     def test_view(self):
         class Drc:
@@ -470,6 +519,16 @@ class WithTheProgram(unittest.TestCase):
 
         wait_for(moved)
         self.assertIsNone(client.error)
+        # While something is rendered, it rests; a part gets the samples that the rest of the picture would.
+        resting.set()
+        self.addCleanup(resting.clear)
+        wait_for(lambda: client._rests)
+        client.move(state, 48, 32, True, (0.25, 0.5, 0.25, 0.5))
+        wait_for(lambda: client._sent[-1] is not None)
+        resting.clear()
+        wait_for(lambda: not client._rests and client.has_news())
+        self.assertIsNone(client.error)
+        self.assertRegex(client.progress, "^[0-9]+ samples? a pixel$")
 
     def test_view_of_a_broken_scene(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -498,6 +557,10 @@ class WithTheProgram(unittest.TestCase):
 
 
 class Frames(unittest.TestCase):
+    def test_progress(self):
+        self.assertEqual(progress_of({"samples": 0, "share": 0.25}), "25% of the pixels")
+        self.assertEqual(progress_of({"samples": 1, "share": 1}), "1 sample a pixel")
+
     def test_frames(self):
         values = np.arange(6, dtype="<f2")
         number_, frame = frame_of(struct.pack("<4I", 2, 1, 3, 7) + values.tobytes())

@@ -41,17 +41,20 @@ def panorama_kind(camera):
 
 
 def camera_lines(object_, matrices, width, height, pixel_aspect, report):
-    """object_: of the camera; matrices: its matrix_world at one time, or at the shutter's opening and closing."""
+    """(lines of the place, lines of the lens). object_: of the camera; matrices: its matrix_world at one time, or at the
+    shutter's opening and closing."""
     camera = object_.data
     place = (object_.name,)
     panorama = is_panorama(camera)
     to_camera = world_to_panorama if panorama else world_to_camera
-    lines = transforms([to_camera(m) for m in matrices])
+    place_lines = transforms([to_camera(m) for m in matrices])
     params = {"float shutteropen": 0, "float shutterclose": 1}
     if panorama:
         if panorama_kind(camera) != "EQUIRECTANGULAR":
             report.add("of panoramas, only Equirectangular has an equal; it is used", *place)
-        return lines + [statement("Camera", "spherical", params={"string mapping": "equirectangular", **params})]
+        return place_lines, [
+            statement("Camera", "spherical", params={"string mapping": "equirectangular", **params})
+        ]
     lens = lens_of(camera)
     params["float screenwindow"] = screen_window(lens, width, height, pixel_aspect)
     if not lens.orthographic:
@@ -61,17 +64,16 @@ def camera_lines(object_, matrices, width, height, pixel_aspect, report):
         params["float focaldistance"] = max(focus_distance(object_, camera), 1e-4)
         if camera.dof.aperture_blades >= 3 or camera.dof.aperture_ratio != 1:
             report.add("apertures with blades or a ratio have no equal; it is a circle", *place)
-    return lines + [statement("Camera", "orthographic" if lens.orthographic else "perspective", params=params)]
+    return place_lines, [statement("Camera", "orthographic" if lens.orthographic else "perspective", params=params)]
 
 
 def view_lines(view):
-    """The camera of the viewport, a View."""
+    """(lines of the place, lines of the lens) of the viewport, a View."""
     params = {"float screenwindow": view.window}
     if not view.orthographic:
         params["float fov"] = 90
-    return [
-        *transforms([world_to_camera(view.matrix())]),
-        statement("Camera", "orthographic" if view.orthographic else "perspective", params=params),
+    return transforms([world_to_camera(view.matrix())]), [
+        statement("Camera", "orthographic" if view.orthographic else "perspective", params=params)
     ]
 
 

@@ -6,11 +6,9 @@ import numpy as np
 
 from ..materials.closures import ClosureReader, emitted
 from ..materials.node_links import active_output, tree_of
-from .pbrt_text import statement, transform
+from .pbrt_text import statement
 
 ELLIPSE_CORNERS = 128
-SUN_AT_RADII = 500  # how many radii of the scene away the disk of a sun stands
-LEAST_SUN_ANGLE = math.radians(0.05)  # below which a sun is a point
 
 
 def colour_of(light, reader, report, place):
@@ -36,8 +34,7 @@ def node_emission(tree, reader, report, place):
     return np.broadcast_to(radiance.constant(), 3).astype(float)
 
 
-def lamp_lines(object_, matrix, scene_sphere, reader, report):
-    """scene_sphere: centre and radius of all that is seen."""
+def lamp_lines(object_, matrix, reader, report):
     light, place = object_.data, (object_.name,)
     colour = colour_of(light, reader, report, place)
     if not np.any(colour > 0):
@@ -48,7 +45,7 @@ def lamp_lines(object_, matrix, scene_sphere, reader, report):
     if not getattr(light, "use_shadow", True):
         report.add("a lamp without shadows has no equal; it has them", *place)
     kinds = {"POINT": point, "SUN": sun, "SPOT": spot, "AREA": area}
-    return kinds[light.type](light, np.array(matrix, dtype=float), colour, scene_sphere, report, place, object_)
+    return kinds[light.type](light, np.array(matrix, dtype=float), colour, report, place, object_)
 
 
 def is_normalized(light):
@@ -61,7 +58,7 @@ def seen_by_the_camera(object_, report, place):
         report.add("the camera sees lamps with an extent (Blender hides them from it)", *place)
 
 
-def point(light, matrix, colour, _sphere, report, place, object_):
+def point(light, matrix, colour, report, place, object_):
     radius = light.shadow_soft_size
     if radius <= 1e-6:
         return [
@@ -85,46 +82,29 @@ def direction_of(matrix):
     return -matrix[:3, 2] / np.linalg.norm(matrix[:3, 2])
 
 
-def sun(light, matrix, colour, sphere, report, place, object_):
-    """Its energy is an irradiance. A sun with an angle is a far disk, since pbrt's distant light has none."""
-    towards = -direction_of(matrix)
-    half = min(light.angle, math.radians(170)) / 2
-    if light.angle < LEAST_SUN_ANGLE:
-        return [
-            statement(
-                "LightSource", "distant", params={"rgb L": colour, "point3 from": towards, "point3 to": (0, 0, 0)}
-            )
-        ]
-    radiance = colour / (math.pi * math.sin(half) ** 2) if is_normalized(light) else colour
-    report.add("a sun with an angle is a far disk, which the camera sees (Blender hides it)", *place)
-    return disk_of_sun(radiance, towards, half, sphere)
+def sun(light, matrix, colour, report, place, object_):
+    """Its energy is an irradiance."""
+    angle = min(light.angle, math.pi)
+    irradiance = colour if is_normalized(light) else colour * disk_solid_angle(angle)
+    if angle > 0:
+        report.add("the camera sees a sun with an angle (Blender hides it from it)", *place)
+    return [sun_line(irradiance, -direction_of(matrix), angle)]
 
 
-def disk_of_sun(radiance, towards, half, sphere):
-    """half: of the angle that it is seen under."""
-    centre, radius = sphere
-    distance = SUN_AT_RADII * max(radius, 1e-3)
-    towards = np.asarray(towards, dtype=float)
-    return [
-        "AttributeBegin",
-        transform(frame(-towards, np.asarray(centre) + distance * towards)),
-        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
-        'Material "diffuse" "rgb reflectance" [0 0 0]',
-        statement("Shape", "disk", params={"float radius": distance * math.tan(half)}),
-        "AttributeEnd",
-    ]
+def disk_solid_angle(angle):
+    """Of a disk that is seen under this angle, projected on a surface that faces it: irradiance over radiance."""
+    return math.pi * math.sin(angle / 2) ** 2
 
 
-def frame(z, origin):
-    """A right-handed space with this z and origin."""
-    x = np.cross((0.0, 1.0, 0.0) if abs(z[1]) < 0.9 else (1.0, 0.0, 0.0), z)
-    x /= np.linalg.norm(x)
-    made = np.eye(4)
-    made[:3, 0], made[:3, 1], made[:3, 2], made[:3, 3] = x, np.cross(z, x), z, origin
-    return made
+def sun_line(irradiance, towards, angle):
+    """angle: that it is seen under; towards: the direction of its middle."""
+    params = {"rgb L": irradiance, "point3 from": towards, "point3 to": (0, 0, 0)}
+    if angle > 0:
+        params["float angle"] = math.degrees(angle)
+    return statement("LightSource", "distant", params=params)
 
 
-def spot(light, matrix, colour, _sphere, report, place, object_):
+def spot(light, matrix, colour, report, place, object_):
     """Its cone does not change its intensity. pbrt's edge is the same curve of the angle's cosine."""
     if light.shadow_soft_size > 1e-3:
         report.add("a spot with a radius has no equal; it is a point, with sharp shadows", *place)
@@ -151,7 +131,7 @@ def spot(light, matrix, colour, _sphere, report, place, object_):
     ]
 
 
-def area(light, matrix, colour, _sphere, report, place, object_):
+def area(light, matrix, colour, report, place, object_):
     """One-sided. Its energy is that of the whole lamp: Lambert's law makes it pi times area times radiance."""
     if light.spread < math.pi - 1e-3:
         report.add("the spread of area lamps has no equal; they shine to all sides", *place)

@@ -19,6 +19,9 @@ from .report import Report
 from .world import world_lines
 
 
+FARTHEST = 1e18  # of what the renderer takes
+
+
 @dataclass
 class Settings:
     """How to export. max_depth: bounces of paths; texture_side: texels along a tile of a baked texture."""
@@ -34,8 +37,13 @@ class Settings:
 
 @dataclass
 class Exported:
+    """content: a digest of all that is exported but where the camera stands; sphere: centre and radius of all that is
+    seen."""
+
     path: str
     report: Report
+    content: str = ""
+    sphere: tuple = None
     triangles: int = 0
     meshes_written: int = 0
     instances: int = 0
@@ -87,14 +95,15 @@ class SceneExporter:
         textures = TextureWriter(self.files, images, self.settings.texture_side)
         self.materials = MaterialWriter(definitions, textures, self.reader, self.names, self.settings.atlas_side)
         self._place(depsgraph, moving, definitions, shapes, lamps, bounds)
-        head = ["# Written by DRC's add-on for Blender. World space is Blender's: z is up.", ""]
+        title = ["# Written by DRC's add-on for Blender. World space is Blender's: z is up.", ""]
+        sphere = self.exported.sphere = sphere_around(bounds)
         if view is not None:
-            head += view_lines(view)
+            place, lens = view_lines(view.before(sphere))
         else:
-            head += camera_lines(
+            place, lens = camera_lines(
                 camera, moving.get("camera") or [np.array(camera.matrix_world)], width, height, aspect, self.report
             )
-        head += film_lines(
+        head = lens + film_lines(
             None if view is not None else scene, width, height, self.settings.filter_kind, self.settings.filter_width
         )
         head += [
@@ -104,11 +113,10 @@ class SceneExporter:
             "WorldBegin",
             "",
         ]
-        sphere = sphere_around(bounds)
-        world = world_lines(scene.world, self.reader, self.files, self.settings.world_side, sphere)
-        lamp_text = [line for object_lines in lamps for line in object_lines(sphere)]
-        text = "\n".join(head + world + lamp_text + definitions + shapes) + "\n"
-        write_text(self.exported.path, text)
+        world = world_lines(scene.world, self.reader, self.files, self.settings.world_side)
+        text = "\n".join(head + world + lamps + definitions + shapes) + "\n"
+        write_text(self.exported.path, "\n".join(title + place) + "\n" + text)
+        self.exported.content = digest(text)
         self.meshes.remove_unused()
         self.files.remove_unused()
         self.exported.meshes_written = self.meshes.written
@@ -160,7 +168,7 @@ class SceneExporter:
             if not visible(instance):
                 continue
             if object_.type == "LIGHT":
-                lamps.append(self._lamp(object_, np.array(instance.matrix_world)))
+                lamps += lamp_lines(object_.original, np.array(instance.matrix_world), self.reader, self.report)
                 continue
             if object_.type not in MESHES:
                 if object_.type in ("CURVES", "POINTCLOUD", "VOLUME"):
@@ -201,11 +209,6 @@ class SceneExporter:
             elif fixed:
                 shapes += ["AttributeBegin", *transforms(matrices), *fixed, "AttributeEnd"]
 
-    def _lamp(self, object_, matrix):
-        """A function of the scene's extent that gives the lamp's lines. The evaluated object is gone by then."""
-        original = object_.original
-        return lambda sphere: lamp_lines(original, matrix, sphere, self.reader, self.report)
-
     def _visibility(self, object_):
         rays = {
             "visible_camera": "the camera",
@@ -228,6 +231,8 @@ class SceneExporter:
                 object_.to_mesh_clear()
             return None
         data = MeshData.of(mesh)
+        if not (np.abs(data.positions) < FARTHEST).all():
+            raise ValueError(f"{object_.name}: the mesh has a vertex at no number or farther than {FARTHEST:g}: delete it")
         bounds = texture_space(object_, data)
         # Of the slots, which may have the object's materials rather than the mesh's.
         materials = [slot.material for slot in object_.material_slots] or [None]

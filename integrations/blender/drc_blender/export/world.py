@@ -10,12 +10,12 @@ from ..materials.tree_key import tree_key
 from .cache import digest
 from .equal_area import directions
 from .image_files import pfm_bytes
-from .lights import disk_of_sun
+from .lights import disk_solid_angle, sun_line
 from .pbrt_text import statement
 
 
-def world_lines(world, reader, cache, side, sphere):
-    """side: pixels of the picture's side; sphere: centre and radius of all that is seen."""
+def world_lines(world, reader, cache, side):
+    """side: pixels of the picture's side."""
     if world is None:
         return []
     tree = tree_of(world)
@@ -37,11 +37,11 @@ def world_lines(world, reader, cache, side, sphere):
     lines = [statement("LightSource", "infinite", params={"string filename": file})]
     for sky in reader.skies:
         if sky.sun_radiance is not None:
-            lines += sun_lines(sky, radiance, reader, sphere)
+            lines += sun_lines(sky, radiance, reader)
     return lines
 
 
-def sun_lines(sky, radiance, reader, sphere):
+def sun_lines(sky, radiance, reader):
     """The sun of a Sky Texture, as bright as the nodes behind it make it."""
     way = np.asarray(sky.sun_direction, dtype=np.float32)[None]
     points = Points(1, {"": way[:, :2]}, generated=way, object=way, position=way, normal=way)
@@ -49,7 +49,9 @@ def sun_lines(sky, radiance, reader, sphere):
     reader.suns_shown = True
     added = radiance(points)[0] - without
     reader.suns_shown = False
-    return disk_of_sun(np.maximum(added, 0), sky.sun_direction, sky.sun_angle / 2, sphere) if np.any(added > 0) else []
+    if not np.any(added > 0):
+        return []
+    return [sun_line(np.maximum(added, 0) * disk_solid_angle(sky.sun_angle), sky.sun_direction, sky.sun_angle)]
 
 
 def constant_lines(radiance):
