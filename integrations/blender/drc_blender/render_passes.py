@@ -20,7 +20,7 @@ BUILT_IN = {"Combined"}
 
 def pass_values(picture, name, bounds):
     """Of a Picture of the whole film: the rows of a pass within (x0, x1, y0, y1), from the bottom, flat as Blender's
-    passes are; None if the render has no such layer. The film has no transparency: alpha is 1."""
+    passes are; None if the render has no such layer. Where the film is not transparent, alpha is 1."""
     _, kind, _, channels = next(p for p in PASSES if p[0] == name)
     planes = picture.layer(*channels)
     if planes is None:
@@ -30,5 +30,6 @@ def pass_values(picture, name, bounds):
     for channel, plane in enumerate(planes):
         found[..., channel] = plane[y0:y1, x0:x1][::-1]
     if kind == "RGBA":
-        found[..., 3] = 1
+        alpha = picture.layer("A")
+        found[..., 3] = 1 if alpha is None else alpha[0][y0:y1, x0:x1][::-1]
     return found.reshape(-1)

@@ -71,7 +71,7 @@ def _(s):
     s.light("SPOT", 800, (2, -2.5, 4), (0.2, 0, 0.5), shadow_soft_size=0.0, spot_size=math.radians(60), spot_blend=1.0)
 
 
-@feature("spot, radius 0.2", lit=False, reason="the spot is a point: its shadows are sharp")
+@feature("spot, radius 0.2", lit=False)
 def _(s):
     s.light("SPOT", 800, (2, -2.5, 4), (0.2, 0, 0.5), shadow_soft_size=0.2, spot_size=math.radians(40), spot_blend=0.15)
 
@@ -97,9 +97,39 @@ def _(s):
     lamp.scale = (1.5, 0.7, 1)
 
 
-@feature("area, spread 60 degrees", lit=False, reason="the lamp shines to all sides")
+@feature("area, spread 60 degrees", lit=False)
 def _(s):
     s.light("AREA", 200, (2, -2.5, 4.5), size=1.0, spread=math.radians(60))
+
+
+@feature("lamps before the camera", lit=False)
+def _(s):
+    s.light("AREA", 60, (-0.6, -0.8, 2.2), size=0.8)
+    s.light("POINT", 60, (0.8, -0.6, 1.2), shadow_soft_size=0.3, use_soft_falloff=False)
+
+
+@feature("hidden from the camera")
+def _(s):
+    s.ball.visible_camera = False
+
+
+@feature("without a shadow", lit=False)
+def _(s):
+    s.ball.visible_shadow = False
+    # Else Cycles loses a part of the light: the one that paths would have found, which the ball is not open to.
+    s.light("AREA", 300, (2.5, -2.5, 4.5), (0, 0, 0.5), size=1.5).data.cycles.use_multiple_importance_sampling = False
+
+
+@feature("world, hidden from the camera")
+def _(s):
+    s.scene.world.cycles_visibility.camera = False
+    s.aim(s.camera, (0, 0, 2))
+
+
+@feature("transparent film")
+def _(s):
+    s.scene.render.film_transparent = True
+    s.aim(s.camera, (0, 0, 2))
 
 
 @feature("emissive mesh", lit=False)

@@ -125,8 +125,8 @@ class Renders(InBlender):
         for name in ("Direct.R", "Indirect.B"):
             self.assertIn(b"." + name.encode() + b"\0", head)
 
-    def test_direct_and_indirect_are_combined(self):
-        self.scene.drc.denoise = False
+    def passes(self):
+        """Of a render: the last values of each pass, by name."""
         kept = {}
 
         def keep(picture, name, bounds):
@@ -138,6 +138,21 @@ class Renders(InBlender):
             self.render()
         finally:
             engine.pass_values = pass_values
+        return kept
+
+    def test_a_transparent_film_has_an_alpha(self):
+        self.assertTrue((self.passes()["Combined"].reshape(-1, 4)[:, 3] == 1).all())
+        self.scene.render.film_transparent = True
+        Stage.aim(self.stage.camera, (0, 0, 2))  # it sees the horizon
+        combined = self.passes()["Combined"].reshape(HEIGHT, WIDTH, 4)
+        self.assertTrue((combined[0, :, 3] == 1).all(), "the floor is below")
+        self.assertTrue((combined[-1] == 0).all(), "and the sky above")
+        edges = combined[(combined[..., 3] > 0) & (combined[..., 3] < 1)]
+        self.assertGreater(len(edges), 10)
+
+    def test_direct_and_indirect_are_combined(self):
+        self.scene.drc.denoise = False
+        kept = self.passes()
         combined = kept["Combined"].reshape(-1, 4)[:, :3]
         direct, indirect = (kept[name].reshape(-1, 3) for name in ("Direct", "Indirect"))
         self.assertGreater(direct.mean(), 0.01)
@@ -293,12 +308,12 @@ class Exports(InBlender):
         material = self.stage.ball.data.materials[0]
         node = Stage.node(self.stage, material, "TexVoronoi")
         Stage.shader(self.stage, material, "BsdfDiffuse", Color=node.outputs["Color"])
-        self.stage.ball.visible_camera = False
+        self.stage.ball.visible_glossy = False
         report = self.exported(SceneExporter(os.path.join(self.folder.name, "report"))).report.lines()
         self.assertIn(
             "ball > Voronoi Texture: the node Voronoi Texture has no equal; the socket's own value is used", report
         )
-        self.assertIn("ball: objects are seen by all rays; this one is hidden from the camera", report)
+        self.assertIn("ball: objects are seen by all rays; this one is hidden from glossy rays", report)
 
     def test_operator(self):
         path = os.path.join(self.folder.name, "by hand.pbrt")

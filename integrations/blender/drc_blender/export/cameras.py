@@ -97,6 +97,8 @@ def film_lines(scene, width, height, filter_kind, filter_width):
     if render is not None and render.use_border:
         border = (render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y)
         params["integer pixelbounds"] = pixel_bounds(border, width, height)
+    if render is not None and render.film_transparent:
+        params["bool transparent"] = True
     lines = [statement("Film", "rgb", params=params)]
     if filter_kind == "BOX":
         half = filter_width / 2

@@ -9,6 +9,8 @@ from ..materials.node_links import active_output, tree_of
 from .pbrt_text import statement
 
 ELLIPSE_CORNERS = 128
+LEAST_RADIUS = 1e-6  # below which a lamp is a point
+LEAST_SPREAD = 1.0  # degrees: that of Cycles
 
 
 def colour_of(light, reader, report, place):
@@ -53,28 +55,24 @@ def is_normalized(light):
     return getattr(light, "normalize", True)
 
 
-def seen_by_the_camera(object_, report, place):
-    if not object_.visible_camera:
-        report.add("the camera sees lamps with an extent (Blender hides them from it)", *place)
+# Blender's camera does not see lamps, and they block no light.
+WITHOUT_BODY = {"bool visibletocamera": False, "bool blockslight": False}
 
 
 def point(light, matrix, colour, report, place, object_):
     radius = light.shadow_soft_size
-    if radius <= 1e-6:
-        return [
-            statement("LightSource", "point", params={"rgb I": colour / (4 * math.pi), "point3 from": matrix[:3, 3]})
-        ]
-    seen_by_the_camera(object_, report, place)
-    radiance = colour / (4 * math.pi)
-    radiance = radiance / (math.pi * radius**2) if is_normalized(light) else radiance
-    return [
-        "AttributeBegin",
-        "Translate " + " ".join(f"{v:.9g}" for v in matrix[:3, 3]),
-        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
-        'Material "diffuse" "rgb reflectance" [0 0 0]',
-        statement("Shape", "sphere", params={"float radius": radius}),
-        "AttributeEnd",
-    ]
+    intensity = colour / (4 * math.pi)
+    params = {"rgb I": intensity, "point3 from": matrix[:3, 3]}
+    return [statement("LightSource", "point", params=with_radius(params, light))]
+
+
+def with_radius(params, light):
+    """Of a point or a spot: with the lamp's extent. Without normalization, the intensity is the radiance's."""
+    radius = light.shadow_soft_size
+    if radius <= LEAST_RADIUS:
+        return params
+    size = 1 if is_normalized(light) else math.pi * radius**2
+    return {**params, "rgb I": params["rgb I"] * size, "float radius": radius}
 
 
 def direction_of(matrix):
@@ -86,9 +84,7 @@ def sun(light, matrix, colour, report, place, object_):
     """Its energy is an irradiance."""
     angle = min(light.angle, math.pi)
     irradiance = colour if is_normalized(light) else colour * disk_solid_angle(angle)
-    if angle > 0:
-        report.add("the camera sees a sun with an angle (Blender hides it from it)", *place)
-    return [sun_line(irradiance, -direction_of(matrix), angle)]
+    return [sun_line(irradiance, -direction_of(matrix), angle, visible=False)]
 
 
 def disk_solid_angle(angle):
@@ -96,18 +92,17 @@ def disk_solid_angle(angle):
     return math.pi * math.sin(angle / 2) ** 2
 
 
-def sun_line(irradiance, towards, angle):
-    """angle: that it is seen under; towards: the direction of its middle."""
+def sun_line(irradiance, towards, angle, visible):
+    """angle: that it is seen under; towards: the direction of its middle; visible: to the camera."""
     params = {"rgb L": irradiance, "point3 from": towards, "point3 to": (0, 0, 0)}
     if angle > 0:
         params["float angle"] = math.degrees(angle)
+        params["bool visibletocamera"] = visible
     return statement("LightSource", "distant", params=params)
 
 
 def spot(light, matrix, colour, report, place, object_):
     """Its cone does not change its intensity. pbrt's edge is the same curve of the angle's cosine."""
-    if light.shadow_soft_size > 1e-3:
-        report.add("a spot with a radius has no equal; it is a point, with sharp shadows", *place)
     scale = np.linalg.norm(matrix[:3, :3], axis=0)
     if np.ptp(scale) > 1e-3 * scale.max():
         report.add("a spot with unequal scales has no equal; its cone is round", *place)
@@ -116,26 +111,18 @@ def spot(light, matrix, colour, report, place, object_):
     cone = math.degrees(light.spot_size / 2)
     fade = cone - math.degrees(math.acos(min(1.0, full)))
     position = matrix[:3, 3]
-    return [
-        statement(
-            "LightSource",
-            "spot",
-            params={
-                "rgb I": colour / (4 * math.pi),
-                "point3 from": position,
-                "point3 to": position + direction_of(matrix),
-                "float coneangle": max(cone, 1e-3),
-                "float conedeltaangle": max(fade, 1e-3),
-            },
-        )
-    ]
+    params = {
+        "rgb I": colour / (4 * math.pi),
+        "point3 from": position,
+        "point3 to": position + direction_of(matrix),
+        "float coneangle": max(cone, 1e-3),
+        "float conedeltaangle": max(fade, 1e-3),
+    }
+    return [statement("LightSource", "spot", params=with_radius(params, light))]
 
 
 def area(light, matrix, colour, report, place, object_):
     """One-sided. Its energy is that of the whole lamp: Lambert's law makes it pi times area times radiance."""
-    if light.spread < math.pi - 1e-3:
-        report.add("the spread of area lamps has no equal; they shine to all sides", *place)
-    seen_by_the_camera(object_, report, place)
     wide = light.size
     tall = light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else light.size
     x, y, origin = matrix[:3, 0] * wide / 2, matrix[:3, 1] * tall / 2, matrix[:3, 3]
@@ -156,14 +143,13 @@ def area(light, matrix, colour, report, place, object_):
         triangles = [(0, 2, 1), (0, 3, 2)]
     if np.linalg.det(matrix[:3, :3]) < 0:  # mirrored: it still shines along its -z
         triangles = [t[::-1] for t in triangles]
+    emission = {"rgb L": radiance}
+    if light.spread < math.pi:
+        emission["float spread"] = max(math.degrees(light.spread), LEAST_SPREAD)
+    corners_and_faces = {"point3 P": corners.reshape(-1), "integer indices": np.array(triangles).reshape(-1)}
     return [
         "AttributeBegin",
-        statement("AreaLightSource", "diffuse", params={"rgb L": radiance}),
-        'Material "diffuse" "rgb reflectance" [0 0 0]',
-        statement(
-            "Shape",
-            "trianglemesh",
-            params={"point3 P": corners.reshape(-1), "integer indices": np.array(triangles).reshape(-1)},
-        ),
+        statement("AreaLightSource", "diffuse", params=emission),
+        statement("Shape", "trianglemesh", params={**corners_and_faces, **WITHOUT_BODY}),
         "AttributeEnd",
     ]

@@ -52,11 +52,13 @@ class Exported:
 
 @dataclass
 class Mesh:
-    """An object's evaluated mesh. data: MeshData; bounds: of the undeformed mesh; materials: of the slots."""
+    """An object's evaluated mesh. data: MeshData; bounds: of the undeformed mesh; materials: of the slots;
+    visibility: parameters of its shapes."""
 
     data: MeshData
     bounds: tuple
     materials: list
+    visibility: dict
 
 
 class SceneExporter:
@@ -123,8 +125,6 @@ class SceneExporter:
         return self.exported
 
     def _check(self, scene):
-        if scene.render.film_transparent:
-            self.report.add("a transparent film has no equal; the world is in the picture")
         unit = scene.unit_settings
         if unit.system != "NONE" and abs(unit.scale_length - 1) > 1e-6:
             self.report.add("the unit scale changes no lengths: one Blender unit is one unit of the scene file")
@@ -181,7 +181,6 @@ class SceneExporter:
             )
             if mesh_key not in read:
                 read[mesh_key] = self._mesh(object_)
-                self._visibility(object_)
             if read[mesh_key] is None:
                 continue
             matrix = np.array(instance.matrix_world)
@@ -210,12 +209,11 @@ class SceneExporter:
                 shapes += ["AttributeBegin", *transforms(matrices), *fixed, "AttributeEnd"]
 
     def _visibility(self, object_):
+        """Parameters of the object's shapes."""
         rays = {
-            "visible_camera": "the camera",
             "visible_diffuse": "diffuse rays",
             "visible_glossy": "glossy rays",
             "visible_transmission": "refracted rays",
-            "visible_shadow": "shadows",
         }
         hidden = [what for name, what in rays.items() if not getattr(object_, name, True)]
         if hidden:
@@ -223,6 +221,12 @@ class SceneExporter:
         for name, what in (("is_holdout", "holdouts"), ("is_shadow_catcher", "shadow catchers")):
             if getattr(object_, name, False):
                 self.report.add(f"{what} have no equal; the object is shown", object_.name)
+        params = {}
+        if not getattr(object_, "visible_camera", True):
+            params["bool visibletocamera"] = False
+        if not getattr(object_, "visible_shadow", True):
+            params["float shadowalpha"] = 0
+        return params
 
     def _mesh(self, object_):
         mesh = object_.data if object_.type == "MESH" else object_.to_mesh()
@@ -238,7 +242,8 @@ class SceneExporter:
         materials = [slot.material for slot in object_.material_slots] or [None]
         if object_.type != "MESH":
             object_.to_mesh_clear()
-        return Mesh(data, bounds, [m.original if m is not None else None for m in materials])
+        used = [m.original if m is not None else None for m in materials]
+        return Mesh(data, bounds, used, self._visibility(object_))
 
     def _parts(self, name, mesh, matrix, definitions):
         """(lines of what may be instanced, lines of what emits) of the parts of a mesh."""
@@ -257,7 +262,8 @@ class SceneExporter:
                 key = digest(mesh.data.key, index, len(mesh.materials), placed.uv)
                 file = self.meshes.file(key, "ply", lambda: mesh.data.ply(triangles, placed.uv))
             self.exported.triangles += len(triangles)
-            lines = [*placed.lines, statement("Shape", "plymesh", params={"string filename": file}) + placed.alpha]
+            shape = statement("Shape", "plymesh", params={"string filename": file, **mesh.visibility})
+            lines = [*placed.lines, shape + placed.alpha]
             if placed.emissive:
                 emitting += ["AttributeBegin", *lines, "AttributeEnd"]
             else:

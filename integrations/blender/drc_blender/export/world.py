@@ -18,13 +18,14 @@ def world_lines(world, reader, cache, side):
     """side: pixels of the picture's side."""
     if world is None:
         return []
+    visible = getattr(getattr(world, "cycles_visibility", None), "camera", True)
     tree = tree_of(world)
     if tree is None:
-        return constant_lines(np.array(world.color, dtype=float))
+        return constant_lines(np.array(world.color, dtype=float), visible)
     reader = reader.at(world.name)
     radiance = emitted(ClosureReader(reader).background(tree))
     if radiance.is_constant:
-        return constant_lines(np.broadcast_to(radiance.constant(), 3))
+        return constant_lines(np.broadcast_to(radiance.constant(), 3), visible)
 
     def make():
         # Four directions a pixel, so that small suns keep their energy.
@@ -34,14 +35,14 @@ def world_lines(world, reader, cache, side):
         return pfm_bytes(values.reshape(side, 2, side, 2, 3).mean(axis=(1, 3)))
 
     file = cache.file(digest("world", tree_key(tree), side), "pfm", make)
-    lines = [statement("LightSource", "infinite", params={"string filename": file})]
+    lines = [infinite({"string filename": file}, visible)]
     for sky in reader.skies:
         if sky.sun_radiance is not None:
-            lines += sun_lines(sky, radiance, reader)
+            lines += sun_lines(sky, radiance, reader, visible)
     return lines
 
 
-def sun_lines(sky, radiance, reader):
+def sun_lines(sky, radiance, reader, visible):
     """The sun of a Sky Texture, as bright as the nodes behind it make it."""
     way = np.asarray(sky.sun_direction, dtype=np.float32)[None]
     points = Points(1, {"": way[:, :2]}, generated=way, object=way, position=way, normal=way)
@@ -51,10 +52,15 @@ def sun_lines(sky, radiance, reader):
     reader.suns_shown = False
     if not np.any(added > 0):
         return []
-    return [sun_line(np.maximum(added, 0) * disk_solid_angle(sky.sun_angle), sky.sun_direction, sky.sun_angle)]
+    irradiance = np.maximum(added, 0) * disk_solid_angle(sky.sun_angle)
+    return [sun_line(irradiance, sky.sun_direction, sky.sun_angle, visible)]
 
 
-def constant_lines(radiance):
+def infinite(params, visible):
+    return statement("LightSource", "infinite", params=params if visible else {**params, "bool visibletocamera": False})
+
+
+def constant_lines(radiance, visible):
     if not np.any(radiance > 0):
         return []
-    return [statement("LightSource", "infinite", params={"rgb L": np.maximum(radiance, 0)})]
+    return [infinite({"rgb L": np.maximum(radiance, 0)}, visible)]
