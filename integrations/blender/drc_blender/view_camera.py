@@ -8,7 +8,8 @@ import numpy as np
 @dataclass(frozen=True)
 class View:
     """to_world: 4 x 4 rows, from Blender's camera space (along -z) to world space; window: as of camera_maths; near: the
-    distance from which on things are seen, negative in the orthographic views of a viewport, which see behind the eye."""
+    distance from which on things are seen, negative in the orthographic views of a viewport, which see behind the eye.
+    """
 
     to_world: tuple
     window: tuple

@@ -5,7 +5,7 @@
 
 Run it with a Python that has Blender's module bpy; without it the test is skipped: it ends with status 77. The mean of
 each channel must be within 2 per cent, and the mean over squares of 8 x 8 pixels of the relative squared difference
-within 1e-3, unless the scene has a reason (features.py). Prints a Markdown table. Ends with 1 if a scene is too far
+within 1e-3, unless the scene has a reason (scenes/). Prints a Markdown table. Ends with 1 if a scene is too far
 apart.
 """
 
@@ -128,10 +128,8 @@ def main():
     except ImportError:
         print("skipped: this Python has no bpy")
         return SKIPPED
-    import rooms  # registers its scenes as well
-    from features import FEATURES
+    from scenes import FEATURES
 
-    assert rooms
     chosen = {n: f for n, f in FEATURES.items() if not args.names or any(part in n for part in args.names)}
     wrong = 0
     print(f"Blender {bpy.app.version_string}, {len(chosen)} scenes\n")

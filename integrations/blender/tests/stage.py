@@ -7,6 +7,25 @@ from mathutils import Vector
 
 WIDTH, HEIGHT = 128, 96
 
+FEATURES = {}
+
+
+def feature(name, lit=True, reason=None, spp=256, mean=0.02, block=1e-3):
+    """Makes a function that changes a Stage a scene of FEATURES, to be compared with Cycles. reason: why the two pictures
+    cannot agree, where they cannot; mean, block: how far they may be apart."""
+
+    def add(function):
+        def build():
+            stage = Stage(lit)
+            function(stage)
+            bpy.context.view_layer.update()
+            return stage
+
+        FEATURES[name] = dict(build=build, reason=reason, spp=spp, mean=mean, block=block)
+        return function
+
+    return add
+
 
 class Stage:
     """A fresh scene. lit: with a square lamp and a grey world; else both are black, for scenes that light themselves."""
@@ -18,7 +37,7 @@ class Stage:
         scene.view_settings.view_transform = "Raw"
         scene.world = bpy.data.worlds.new("world")
         scene.world.use_nodes = True
-        self.background.inputs["Color"].default_value = (0.3, 0.35, 0.4, 1) if lit else (0, 0, 0, 1)
+        self.light_world((0.3, 0.35, 0.4) if lit else (0, 0, 0))
         self.camera = self.object("camera", bpy.data.cameras.new("camera"), (3.2, -5.0, 2.6))
         self.aim(self.camera, (0, 0, 0.7))
         self.camera.data.lens = 40
@@ -30,9 +49,11 @@ class Stage:
         if lit:
             self.lamp = self.light("AREA", 300, (2.5, -2.5, 4.5), (0, 0, 0.5), size=1.5)
 
-    @property
-    def background(self):
-        return self.scene.world.node_tree.nodes["Background"]
+    def light_world(self, colour, strength=1.0):
+        """colour: of the world, or an output of a node of its tree."""
+        background = self.scene.world.node_tree.nodes["Background"]
+        self.set(self.scene.world.node_tree, background.inputs["Color"], colour)
+        background.inputs["Strength"].default_value = strength
 
     def object(self, name, data, location=(0, 0, 0)):
         made = bpy.data.objects.new(name, data)
@@ -59,6 +80,16 @@ class Stage:
         made = bpy.data.materials.new(name)
         made.use_nodes = True
         self.shader(made, "BsdfDiffuse", Color=colour)
+        return made
+
+    def principled(self, name, **inputs):
+        made = self.material(name)
+        self.shader(made, "BsdfPrincipled", **inputs)
+        return made
+
+    def emission(self, name, colour, strength):
+        made = self.material(name)
+        self.shader(made, "Emission", Color=colour, Strength=strength)
         return made
 
     @staticmethod
@@ -142,6 +173,14 @@ class Stage:
         return self._primitive(name, location, material, False)
 
     # Images
+
+    def texture(self, material, image, vector=None):
+        """The colour of an image's node; vector: where it is looked up, None for the mesh's own coordinates."""
+        inputs = {} if vector is None else {"Vector": vector}
+        return self.node(material, "TexImage", {"image": image}, **inputs).outputs[0]
+
+    def striped(self, colourspace="sRGB"):
+        return self.image("stripes", 128, 128, stripes, colourspace)
 
     @staticmethod
     def image(name, width, height, value, colourspace="sRGB", is_float=False):

@@ -52,9 +52,7 @@ def camera_lines(object_, matrices, width, height, pixel_aspect, report):
     if panorama:
         if panorama_kind(camera) != "EQUIRECTANGULAR":
             report.add("of panoramas, only Equirectangular has an equal; it is used", *place)
-        return place_lines, [
-            statement("Camera", "spherical", params={"string mapping": "equirectangular", **params})
-        ]
+        return place_lines, [statement("Camera", "spherical", params={"string mapping": "equirectangular", **params})]
     lens = lens_of(camera)
     params["float screenwindow"] = screen_window(lens, width, height, pixel_aspect)
     if not lens.orthographic:

@@ -18,7 +18,6 @@ from .pbrt_text import Names, quoted, statement, transform
 from .report import Report
 from .world import world_lines
 
-
 FARTHEST = 1e18  # of what the renderer takes
 
 
@@ -236,7 +235,9 @@ class SceneExporter:
             return None
         data = MeshData.of(mesh)
         if not (np.abs(data.positions) < FARTHEST).all():
-            raise ValueError(f"{object_.name}: the mesh has a vertex at no number or farther than {FARTHEST:g}: delete it")
+            raise ValueError(
+                f"{object_.name}: the mesh has a vertex at no number or farther than {FARTHEST:g}: delete it"
+            )
         bounds = texture_space(object_, data)
         # Of the slots, which may have the object's materials rather than the mesh's.
         materials = [slot.material for slot in object_.material_slots] or [None]

@@ -1,10 +1,10 @@
-"""Three furnished rooms, made of what the feature scenes have one by one."""
+"""Three furnished rooms, made of what the other scenes have one by one."""
 
 import math
 
 import bpy
 
-from features import feature
+from stage import feature
 
 
 class Room:
@@ -41,11 +41,6 @@ class Room:
             made.modifiers.new("bevel", "BEVEL").width = bevel
         return made
 
-    def principled(self, name, **inputs):
-        made = self.s.material(name)
-        self.s.shader(made, "BsdfPrincipled", **inputs)
-        return made
-
     def table(self, at, material):
         x, y = at
         self.box("table", (1.2, 0.7, 0.05), (x, y, 0.72), material)
@@ -61,22 +56,21 @@ def _(s):
     ramp = s.node(room.wood, "ValToRGB", Fac=noise.outputs[0])
     ramp.color_ramp.elements[0].color, ramp.color_ramp.elements[1].color = (0.18, 0.08, 0.03, 1), (0.5, 0.3, 0.15, 1)
     s.shader(room.wood, "BsdfPrincipled", Base_Color=ramp.outputs[0], Roughness=0.4)
-    s.background.inputs["Color"].default_value = (0.6, 0.8, 1.0, 1)
-    s.background.inputs["Strength"].default_value = 4.0
+    s.light_world((0.6, 0.8, 1.0), 4.0)
     s.light("SUN", 12, (-5, 1, 4.5), angle=math.radians(0.5))
-    room.table((0.7, 1.2), room.principled("oak", Base_Color=(0.4, 0.22, 0.1), Roughness=0.3))
+    room.table((0.7, 1.2), s.principled("oak", Base_Color=(0.4, 0.22, 0.1), Roughness=0.3))
     s.sphere(
         "vase",
         0.16,
         (0.6, 1.2, 0.91),
-        room.principled("vase", Base_Color=(0.1, 0.2, 0.6), Coat_Weight=1.0, Roughness=0.4),
+        s.principled("vase", Base_Color=(0.1, 0.2, 0.6), Coat_Weight=1.0, Roughness=0.4),
         48,
     )
     room.box(
         "sofa",
         (0.9, 1.8, 0.45),
         (-1.2, 0.7, 0.3),
-        room.principled("cloth", Base_Color=(0.5, 0.12, 0.1), Sheen_Weight=0.6, Roughness=0.9),
+        s.principled("cloth", Base_Color=(0.5, 0.12, 0.1), Sheen_Weight=0.6, Roughness=0.9),
         0.06,
     )
 
@@ -94,13 +88,11 @@ def _(s):
     )
     s.shader(room.wood, "BsdfPrincipled", Base_Color=checker.outputs[0], Roughness=0.25)
     s.light("AREA", 40, (0, -1.6, 2.58), (0, -1.6, 0), size=0.8)  # out of sight
-    glow = s.material("glow")
-    s.shader(glow, "Emission", Color=(1.0, 0.7, 0.4), Strength=6.0)
-    s.sphere("lampshade", 0.18, (1.3, 1.8, 1.4), glow, 32)
+    s.sphere("lampshade", 0.18, (1.3, 1.8, 1.4), s.emission("glow", (1.0, 0.7, 0.4), 6.0), 32)
     mirror = s.material("mirror")
     s.shader(mirror, "BsdfAnisotropic", Color=(0.9, 0.9, 0.9), Roughness=0.0)
     room.box("mirror", (1.2, 0.04, 1.0), (-0.8, 2.47, 1.4), mirror)
-    room.table((-0.6, 1.2), room.principled("steel", Base_Color=(0.7, 0.7, 0.72), Metallic=1.0, Roughness=0.35))
+    room.table((-0.6, 1.2), s.principled("steel", Base_Color=(0.7, 0.7, 0.72), Metallic=1.0, Roughness=0.35))
 
 
 @feature("bathroom", lit=False, spp=1024)
@@ -127,19 +119,19 @@ def _(s):
         "tub",
         (0.8, 1.7, 0.55),
         (1.5, 1.5, 0.28),
-        room.principled("enamel", Base_Color=(0.85, 0.85, 0.85), Roughness=0.1),
+        s.principled("enamel", Base_Color=(0.85, 0.85, 0.85), Roughness=0.1),
         0.1,
     )
     room.box(
         "screen",
         (0.02, 1.4, 1.9),
         (-0.7, 1.7, 1.0),
-        room.principled("glass", Base_Color=(1, 1, 1), Transmission_Weight=1.0, Roughness=0.0),
+        s.principled("glass", Base_Color=(1, 1, 1), Transmission_Weight=1.0, Roughness=0.0),
     )
     s.sphere(
         "tap",
         0.1,
         (1.2, 0.7, 0.66),
-        room.principled("chrome", Base_Color=(0.9, 0.9, 0.9), Metallic=1.0, Roughness=0.15),
+        s.principled("chrome", Base_Color=(0.9, 0.9, 0.9), Metallic=1.0, Roughness=0.15),
         32,
     )

@@ -1,0 +1,7 @@
+"""The scenes that are compared with Cycles: FEATURES, by their names."""
+
+from stage import FEATURES
+
+from . import cameras, geometry, lamps, materials, rooms, textures, visibility, worlds  # each adds its scenes
+
+__all__ = ["FEATURES", "cameras", "geometry", "lamps", "materials", "rooms", "textures", "visibility", "worlds"]
