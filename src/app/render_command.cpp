@@ -6,10 +6,12 @@
 #include "app/command.h"
 #include "app/display_options.h"
 #include "app/display_server.h"
+#include "app/frame_list.h"
 #include "app/memory_table.h"
 #include "app/models.h"
 #include "app/picture_finisher.h"
 #include "app/render_options.h"
+#include "app/same_world.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/interrupt.h"
@@ -54,18 +56,25 @@ ChosenMapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& in
     return {makeNetworkMapDenoiser(weights, indirect.capture.layout, precision), weights->hash()};
 }
 
-std::unique_ptr<Scene> loadScene(RenderOptions& o) {
+pbrt::LoadOptions loadOptionsOf(const RenderOptions& o) {
     pbrt::LoadOptions load;
     if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
     load.overrides = o.overrides;
-    std::optional<CropWindow> crop;
+    return load;
+}
+
+std::optional<CropWindow> cropOf(const RenderOptions& o) {
     try {
-        if (!o.crop.empty()) crop = cropWindowOf(o.crop);
+        if (!o.crop.empty()) return cropWindowOf(o.crop);
     } catch (const Error& error) {
         throw Error(std::string("--crop: ") + error.what());
     }
-    auto scene = pbrt::loadPbrtFile(o.scene, load);
-    if (crop) std::copy(crop->begin(), crop->end(), scene->settings.cropWindow);
+    return {};
+}
+
+std::unique_ptr<Scene> loadScene(RenderOptions& o) {
+    cropOf(o);  // whatever is wrong with it is said first
+    auto scene = pbrt::loadPbrtFile(o.scene, loadOptionsOf(o));
     if (o.outputs.empty()) o.outputs = filmOutputs(scene->settings);
     return scene;
 }
@@ -175,9 +184,127 @@ void estimateErrors(RenderParams& params, double threshold) {
     if (threshold > 0 && !params.spp && params.seconds == 0) params.spp = kMostSamples;
 }
 
+// A scene that is rendered to one or, with several cameras, to several pictures.
+class SceneRender {
+  public:
+    // Loads o.scene. start: when the time of the first picture began.
+    SceneRender(RenderOptions& o, const CLI::App& command, Clock::time_point start)
+        : o_(o),
+          start_(start),
+          scene_(loadScene(o)),
+          world_(o.frames.empty() ? SameWorld() : SameWorld(*scene_)),
+          params_(paramsFor(command)),
+          denoiser_(denoiserFor()),
+          chosen_(usesMaps(params_.integrator) ? chooseMapDenoiser(o, params_.indirect) : ChosenMapDenoiser()) {
+        stats_.timer("load").add(Clock::now() - start);
+        params_.denoise = denoiser_.denoise;
+        if (const auto crop = cropOf(o)) std::copy(crop->begin(), crop->end(), scene_->settings.cropWindow);
+        const auto build = Clock::now();
+        session_.emplace(*scene_, params_, chosen_.mapDenoiser, &stats_, start);
+        stats_.timer("build").add(Clock::now() - build);
+        memory_.afterBuilding(*scene_);
+    }
+
+    // Renders o.outputs.
+    void render() {
+        PictureWriter writer(scene_->settings, o_.outputs, o_.aovs, o_.display);
+        PictureFinisher finisher(filtersFor(params_, denoiser_), writer, stats_, o_.noiseThreshold.has_value());
+        const auto rendering = Clock::now();
+        setSomethingToSave(false);
+        std::optional<Checkpoint> checkpoint;
+        if (!o_.checkpoint.empty() || !o_.resume.empty())
+            checkpoint.emplace(identityOf(*scene_, params_, othersOf(o_, chosen_.weightsHash)));
+        if (!o_.resume.empty()) {
+            checkpoint->resume(*session_, o_.resume);
+            logInfo(fmt::format("goes on from {}: {}", o_.resume, session_->status()));
+        }
+        std::optional<CheckpointWriter> saving;
+        if (!o_.checkpoint.empty())
+            saving.emplace(*checkpoint, o_.checkpoint,
+                           std::chrono::duration_cast<Clock::duration>(durationOf("--every", o_.every)));
+        std::unique_ptr<TevDisplay> viewer;
+        if (!o_.displayServer.empty()) viewer = showInTev(o_, *session_, scene_->settings);
+        run(*session_, finisher, o_, saving ? &*saving : nullptr);
+        if (viewer) viewer->stopTaking();
+        stats_.timer("render").add(Clock::now() - rendering);
+
+        const bool interrupted = interruptToken().cancelled();
+        ExrMetadata metadata{{"drc:version", DRC_VERSION},
+                             {"drc:command", processInfo().commandLine},
+                             {"drc:seed", std::to_string(params_.seed)},
+                             {"drc:integrator", params_.integrator},
+                             {"drc:map_denoiser", usesMaps(params_.integrator) ? o_.mapDenoiser : ""},
+                             {"drc:weights", chosen_.weightsHash},
+                             {"drc:spp", std::to_string(session_->samplesDone())},
+                             {"drc:passes", std::to_string(session_->mapPassesDone())}};
+        if (interrupted) {
+            metadata["drc:interrupted"] = "true";
+            writer.divertFromBetterPictures(session_->samplesDone());
+        }
+        memory_.afterRendering(*session_, stats_);
+        if (o_.frames.empty()) session_->endSampling();
+        memory_.beforeFinishing();
+        LayeredPicture finished = finisher.finish(session_->picture(), metadata);
+        memory_.afterFinishing();
+        std::string names;
+        for (const std::string& path : writer.outputs()) names += (names.empty() ? "" : ", ") + path;
+        logInfo(fmt::format("{}{}: {} in {:.1f} s", interrupted ? "interrupted; " : "", names, session_->status(),
+                            std::chrono::duration<double>(Clock::now() - start_).count()));
+        if (viewer) viewer->finish(tev::pictureOf(std::move(finished), scene_->settings.film));
+    }
+
+    // Goes on with the camera of o.scene, if its world is that of this scene. Otherwise false, and nothing has changed.
+    bool moveCamera(Clock::time_point start) {
+        const std::unique_ptr<Scene> camera = world_.cameraIn(o_.scene, *scene_, loadOptionsOf(o_));
+        if (!camera) return false;
+        start_ = start;
+        scene_->settings.outputFile = camera->settings.outputFile;
+        session_->moveCamera(camera->camera, camera->settings.film);
+        logDebug(o_.scene + " keeps the scene and what has been learnt of it: its camera alone is another one");
+        return true;
+    }
+
+    void report() {
+        if (!o_.timing.empty()) writeTiming(o_.timing, stats_);
+        if (!o_.stats) return;
+        memory_.report(stats_);
+        fmt::print("{}", stats_.report());
+    }
+
+  private:
+    RenderParams paramsFor(const CLI::App& command) {
+        for (const std::string& path : o_.outputs) checkOutput("-o", path);
+        if (o_.spacing) o_.params.firstSpacing = *o_.spacing / float(scene_->settings.film.height);
+        if (o_.aovs) o_.params.gBuffer = o_.params.parts = o_.params.variance = true;
+        if (o_.noiseThreshold) estimateErrors(o_.params, *o_.noiseThreshold);
+        RenderParams params = resolved(o_.params, *scene_);
+        if (o_.noiseThreshold && !hasHalves(params.integrator))
+            throw Error("--noise-threshold: with --integrator " + params.integrator +
+                        " the error cannot be estimated; it can with drc, path and direct");
+        refuseIdleOptions(command, params.integrator);
+        return params;
+    }
+    ChosenDenoiser denoiserFor() const {
+        ChosenDenoiser denoiser =
+            chooseDenoiser(o_.params.denoise, params_, [&] { return findOidn(OidnSearch::ofProcess(o_.oidnLibrary)); });
+        if (!o_.oidnLibrary.empty() && !denoiser.oidn)
+            throw Error("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
+        return denoiser;
+    }
+
+    RenderOptions& o_;
+    Clock::time_point start_;
+    Stats stats_;
+    MemoryTable memory_;
+    std::unique_ptr<Scene> scene_;
+    SameWorld world_;
+    RenderParams params_;
+    ChosenDenoiser denoiser_;
+    ChosenMapDenoiser chosen_;
+    std::optional<Session> session_;
+};
+
 void render(RenderOptions o, const CLI::App& command) {
-    const auto start = processInfo().start;
-    MemoryTable memory;
     setLogLevel(o.quiet ? LogLevel::Quiet : o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
     installInterruptHandler();
@@ -189,78 +316,26 @@ void render(RenderOptions o, const CLI::App& command) {
     if (!o.outputs.empty()) refuseDisplayOptionsWithoutPng(command, o.outputs);
     if (!o.timing.empty()) checkOutput("--timing", o.timing);
     if (!o.checkpoint.empty()) checkOutput("--checkpoint", o.checkpoint);
-    const std::chrono::duration<double> every = durationOf("--every", o.every);
+    durationOf("--every", o.every);
+    std::optional<FrameList> frames;
+    if (!o.frames.empty()) frames.emplace(o.frames);
 
-    Stats stats;
-    const auto scene = loadScene(o);
-    stats.timer("load").add(Clock::now() - start);
-    for (const std::string& path : o.outputs) checkOutput("-o", path);
-    if (o.spacing) o.params.firstSpacing = *o.spacing / float(scene->settings.film.height);
-    if (o.aovs) o.params.gBuffer = o.params.parts = o.params.variance = true;
-    if (o.noiseThreshold) estimateErrors(o.params, *o.noiseThreshold);
-    RenderParams params = resolved(o.params, *scene);
-    if (o.noiseThreshold && !hasHalves(params.integrator))
-        throw Error("--noise-threshold: with --integrator " + params.integrator +
-                    " the error cannot be estimated; it can with drc, path and direct");
-    refuseIdleOptions(command, params.integrator);
-    const ChosenDenoiser denoiser =
-        chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
-    if (!o.oidnLibrary.empty() && !denoiser.oidn)
-        throw Error("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
-    params.denoise = denoiser.denoise;
-    ChosenMapDenoiser chosen;
-    if (usesMaps(params.integrator)) chosen = chooseMapDenoiser(o, params.indirect);
-
-    const auto build = Clock::now();
-    Session session(*scene, params, chosen.mapDenoiser, &stats, start);
-    PictureWriter writer(scene->settings, o.outputs, o.aovs, o.display);
-    PictureFinisher finisher(filtersFor(params, denoiser), writer, stats, o.noiseThreshold.has_value());
-    memory.afterBuilding(*scene);
-    const auto rendering = Clock::now();
-    stats.timer("build").add(rendering - build);
-    std::optional<Checkpoint> checkpoint;
-    if (!o.checkpoint.empty() || !o.resume.empty())
-        checkpoint.emplace(identityOf(*scene, params, othersOf(o, chosen.weightsHash)));
-    if (!o.resume.empty()) {
-        checkpoint->resume(session, o.resume);
-        logInfo(fmt::format("goes on from {}: {}", o.resume, session.status()));
-    }
-    std::optional<CheckpointWriter> saving;
-    if (!o.checkpoint.empty())
-        saving.emplace(*checkpoint, o.checkpoint, std::chrono::duration_cast<Clock::duration>(every));
-    std::unique_ptr<TevDisplay> viewer;
-    if (!o.displayServer.empty()) viewer = showInTev(o, session, scene->settings);
-    run(session, finisher, o, saving ? &*saving : nullptr);
-    if (viewer) viewer->stopTaking();
-    stats.timer("render").add(Clock::now() - rendering);
-
-    const bool interrupted = interruptToken().cancelled();
-    ExrMetadata metadata{{"drc:version", DRC_VERSION},
-                         {"drc:command", processInfo().commandLine},
-                         {"drc:seed", std::to_string(params.seed)},
-                         {"drc:integrator", params.integrator},
-                         {"drc:map_denoiser", usesMaps(params.integrator) ? o.mapDenoiser : ""},
-                         {"drc:weights", chosen.weightsHash},
-                         {"drc:spp", std::to_string(session.samplesDone())},
-                         {"drc:passes", std::to_string(session.mapPassesDone())}};
-    if (interrupted) {
-        metadata["drc:interrupted"] = "true";
-        writer.divertFromBetterPictures(session.samplesDone());
-    }
-    memory.afterRendering(session, stats);
-    session.endSampling();
-    memory.beforeFinishing();
-    LayeredPicture finished = finisher.finish(session.picture(), metadata);
-    memory.afterFinishing();
-    std::string names;
-    for (const std::string& path : writer.outputs()) names += (names.empty() ? "" : ", ") + path;
-    logInfo(fmt::format("{}{}: {} in {:.1f} s", interrupted ? "interrupted; " : "", names, session.status(),
-                        std::chrono::duration<double>(Clock::now() - start).count()));
-    if (viewer) viewer->finish(tev::pictureOf(std::move(finished), scene->settings.film));
-    if (!o.timing.empty()) writeTiming(o.timing, stats);
-    if (o.stats) {
-        memory.report(stats);
-        fmt::print("{}", stats.report());
+    auto scene = std::make_unique<SceneRender>(o, command, processInfo().start);
+    scene->render();
+    scene->report();
+    while (frames && !interruptToken().cancelled()) {
+        FrameList::finished(o.outputs);
+        setSomethingToSave(false);
+        const std::optional<FrameList::Frame> next = frames->next();
+        if (!next) break;
+        const auto start = Clock::now();
+        o.scene = next->scene;
+        o.outputs = next->outputs;
+        if (!scene->moveCamera(start)) {
+            scene.reset();  // two scenes may not fit into memory
+            scene = std::make_unique<SceneRender>(o, command, start);
+        }
+        scene->render();
     }
 }
 

@@ -210,6 +210,15 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
                        "Goes on from a checkpoint of the same scene and settings, to the same bits as if it had not "
                        "stopped; --spp, --time and --nthreads may differ");
     command
+        .add_option(
+            "--frames", o.frames,
+            "File with the further frames of an animation, or - for standard input: lines of a scene file and, "
+            "after a tab, the picture to write. Where they differ in the camera alone, scene and radiance cells "
+            "are kept. --time is for each frame; a line on standard output tells that its picture is there")
+        ->excludes("--checkpoint")
+        ->excludes("--resume")
+        ->excludes("--timing");
+    command
         .add_option("--display-server", o.displayServer,
                     "HOST:PORT at which tev, the image viewer, listens: shows the picture there while it refines, and "
                     "when it is finished. tev's own port is 14158")

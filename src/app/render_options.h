@@ -29,6 +29,7 @@ struct RenderOptions {
     std::string checkpoint, every = "60s", resume;
     std::optional<double> noiseThreshold;
     std::string displayServer;
+    std::string frames;
     bool aovs = false, stats = false, quiet = false, verbose = false;
 };
 

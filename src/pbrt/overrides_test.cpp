@@ -92,9 +92,10 @@ TEST(Overrides, HaveTheErrorsOfAFileAtTheirOwnText) {
 }
 
 TEST(Overrides, UnknownNamesGetALineOfWhatThereIs) {
-    EXPECT_THAT(errorWith("film.xresolutoin=640"),
-                HasSubstr("-D:1:6: film 'image' has no parameter 'xresolutoin'; did you mean 'xresolution'?; it has "
-                          "cropwindow, diagonal, filename, maxsampleluminance, scale, transparent, xresolution, yresolution"));
+    EXPECT_THAT(
+        errorWith("film.xresolutoin=640"),
+        HasSubstr("-D:1:6: film 'image' has no parameter 'xresolutoin'; did you mean 'xresolution'?; it has "
+                  "cropwindow, diagonal, filename, maxsampleluminance, scale, transparent, xresolution, yresolution"));
     EXPECT_THAT(errorWith("sampler.xsamples=4"), HasSubstr("sampler 'halton' has no parameter 'xsamples'"));
     EXPECT_THAT(errorWith("fov=40"),
                 AllOf(HasSubstr("-D:1:1: no parameter is called 'fov'; film 'image' has cropwindow"),

@@ -38,11 +38,15 @@ void Parser::endImports() {
     }
 }
 
-std::unique_ptr<Scene> Parser::parse(const LoadOptions& options) {
+std::unique_ptr<Scene> Parser::parse(const LoadOptions& options) { return parse(options, false); }
+
+std::unique_ptr<Scene> Parser::parseCamera(const LoadOptions& options) { return parse(options, true); }
+
+std::unique_ptr<Scene> Parser::parse(const LoadOptions& options, bool untilWorld) {
     builder_.limitCurves(options.curvePieces);
     if (options.names) builder_.keepNames();
     try {
-        readDirectives();
+        readDirectives(untilWorld);
         std::unique_ptr<Scene> scene = builder_.finish(options);
         scene->files = files_.found();
         scene->files.insert(scene->files.begin(), main_->name());
@@ -54,7 +58,7 @@ std::unique_ptr<Scene> Parser::parse(const LoadOptions& options) {
     }
 }
 
-void Parser::readDirectives() {
+void Parser::readDirectives(bool untilWorld) {
     for (;;) {
         endImports();
         const Token token = tokens_.next();
@@ -62,6 +66,7 @@ void Parser::readDirectives() {
             builder_.checkComplete(token.pos);
             return;
         }
+        if (untilWorld && token.kind == TokenKind::Word && token.text == "WorldBegin") return;
         if (worldEnded_) {
             warn(token.pos, "only the first scene of a file is rendered; what follows WorldEnd is ignored");
             return;

@@ -14,12 +14,16 @@ class Parser {
   public:
     // origin: Scene::origin.
     explicit Parser(std::shared_ptr<const Source> main, const Vec3& origin = Vec3(0.f));
-    // Parses in the dialect of the file. To be called once.
+    // Parses in the dialect of the file. One of the two is to be called, once.
     std::unique_ptr<Scene> parse(const LoadOptions& options);
+    // What comes before WorldBegin alone: camera and settings, of a scene without a world.
+    std::unique_ptr<Scene> parseCamera(const LoadOptions& options);
 
   private:
     Parser(std::shared_ptr<const Source> main, const FileSearch& files, const Vec3& origin);
-    void readDirectives();
+    // untilWorld: stops before WorldBegin, if there is one.
+    void readDirectives(bool untilWorld);
+    std::unique_ptr<Scene> parse(const LoadOptions& options, bool untilWorld);
     void directive(const Token& word);
     // Ends the blocks of imported files that have ended.
     void endImports();

@@ -40,6 +40,10 @@ std::unique_ptr<Scene> loadPbrtFile(const std::string& path, const LoadOptions& 
     return load(isPipe ? Source::fromPipe(path) : Source::fromFile(path), options);
 }
 
+std::unique_ptr<Scene> loadPbrtCamera(const std::string& path, const Vec3& origin, const LoadOptions& options) {
+    return Parser(Source::fromFile(path), origin).parseCamera(options);
+}
+
 std::unique_ptr<Scene> loadPbrtString(const std::string& text, const std::string& directory, const LoadOptions& options,
                                       const std::string& name) {
     return load(Source::fromText(text, name, directory), options);

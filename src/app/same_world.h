@@ -1,0 +1,41 @@
+// Whether the next frame of an animation shows the scene that is loaded, so that its camera is all that has to be read.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pbrt/scene_file.h"
+
+namespace drc {
+
+class SameWorld {
+  public:
+    // No scene has this world.
+    SameWorld() = default;
+    // That of a scene as it was loaded from its file.
+    explicit SameWorld(const Scene& scene);
+
+    // The camera and the settings of a scene file, for the loaded scene. Null if the file has another world than this,
+    // or settings of the film that the loaded scene does not have: all but its size may differ in nothing. Files that
+    // the scene names, such as meshes and textures, are the same if their sizes and times are. Throws Error if the file
+    // cannot be read.
+    std::unique_ptr<Scene> cameraIn(const std::string& path, const Scene& loaded,
+                                    const pbrt::LoadOptions& options) const;
+
+  private:
+    struct Stamp {
+        std::string path;
+        std::filesystem::file_time_type time;
+        std::uintmax_t size;
+        bool operator==(const Stamp&) const = default;
+    };
+    static Stamp stampOf(const std::string& path);
+
+    std::optional<uint64_t> key_;
+    std::vector<Stamp> files_;
+    RenderSettings settings_;
+};
+
+}  // namespace drc

@@ -1,0 +1,100 @@
+// Animations (--frames), as a program on the other side of a pipe sees them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/atomic_file.h"
+#include "base/folder_testing.h"
+#include "image/image_io.h"
+
+namespace drc {
+namespace {
+
+class Animation : public FolderTest {
+  protected:
+    // A lamp in a room, seen from x.
+    static std::string scene(double x, const std::string& wall = ".5 .6 .7") {
+        return "LookAt " + std::to_string(x) +
+               " 0 -3  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 60\n"
+               "Film \"image\" \"integer xresolution\" 24 \"integer yresolution\" 16\nWorldBegin\n"
+               "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [8 8 8]\nTranslate 0 1.6 0\n"
+               "Shape \"sphere\" \"float radius\" .4\nAttributeEnd\nMaterial \"matte\" \"rgb Kd\" [" +
+               wall +
+               "]\nShape \"sphere\" \"float radius\" 1\nReverseOrientation\nShape \"sphere\" \"float radius\" 4\n"
+               "WorldEnd\n";
+    }
+
+    // Renders the frames' scenes with these words before them; returns what was said on both outputs, and the status.
+    std::string rendered(const std::string& scene, const std::string& output, const std::string& frames,
+                         const std::string& options, int& status) const {
+        folder_.write("frames.txt", frames);
+        const std::string command = std::string(DRC_PROGRAM) + " render -v --seed 3 --denoise off --nthreads 1 " +
+                                    options + " " + path(scene) + " -o " + path(output) + " --frames - < " +
+                                    path("frames.txt") + " 2>&1";
+        FILE* pipe = popen(command.c_str(), "r");
+        std::string said;
+        std::array<char, 4096> buffer;
+        while (const size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) said.append(buffer.data(), n);
+        const int result = pclose(pipe);
+        status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
+        return said;
+    }
+    std::string frame(const std::string& scene, const std::string& output) const {
+        return path(scene) + "\t" + path(output) + "\n";
+    }
+    std::vector<float> pixels(const std::string& name) const { return readLinearRgb(path(name)).data(); }
+};
+
+// With the path tracer, which learns nothing, each frame is what it is alone, whatever has been kept.
+TEST_F(Animation, FramesAreTheScenesPictures) {
+    folder_.write("a.pbrt", scene(0));
+    folder_.write("b.pbrt", scene(.5));
+    folder_.write("c.pbrt", scene(.5, ".9 .1 .1"));
+    int status = 0;
+    const std::string said =
+        rendered("a.pbrt", "a.exr", frame("b.pbrt", "b.exr") + frame("c.pbrt", "c.exr") + frame("a.pbrt", "a2.exr"),
+                 "--integrator path --spp 4", status);
+    EXPECT_EQ(status, 0) << said;
+    EXPECT_EQ(pixels("a.exr"), pixels("a2.exr"));
+    EXPECT_NE(pixels("a.exr"), pixels("b.exr"));
+    EXPECT_NE(pixels("b.exr"), pixels("c.exr"));
+    // A line for each picture, in order.
+    for (const char* name : {"a.exr", "b.exr", "c.exr", "a2.exr"})
+        EXPECT_THAT(said, testing::HasSubstr("\n" + path(name) + "\n"));
+    // The camera alone differs once: the others have another wall.
+    EXPECT_EQ(said.find("keeps the scene"), said.rfind("keeps the scene")) << said;
+    EXPECT_NE(said.find("keeps the scene"), std::string::npos) << said;
+    int alone = 0;
+    rendered("b.pbrt", "alone.exr", "", "--integrator path --spp 4", alone);
+    EXPECT_EQ(pixels("alone.exr"), pixels("b.exr"));
+}
+
+// What the radiance cells have learnt is kept: the second frame's differ from what it finds out by itself.
+TEST_F(Animation, RadianceCellsAreKeptWhereOnlyTheCameraMoves) {
+    folder_.write("a.pbrt", scene(0));
+    folder_.write("b.pbrt", scene(.5));
+    int status = 0;
+    rendered("a.pbrt", "a.exr", frame("b.pbrt", "b.exr"), "--spp 8", status);
+    EXPECT_EQ(status, 0);
+    rendered("b.pbrt", "alone.exr", "", "--spp 8", status);
+    EXPECT_NE(pixels("b.exr"), pixels("alone.exr"));
+}
+
+TEST_F(Animation, AFrameThatCannotBeRenderedEndsIt) {
+    folder_.write("a.pbrt", scene(0));
+    int status = 0;
+    const std::string said =
+        rendered("a.pbrt", "a.exr", frame("none.pbrt", "b.exr"), "--integrator path --spp 1", status);
+    EXPECT_EQ(status, 1);
+    EXPECT_THAT(said, testing::HasSubstr("none.pbrt"));
+    EXPECT_TRUE(std::filesystem::exists(path("a.exr")));
+    EXPECT_FALSE(std::filesystem::exists(path("b.exr")));
+}
+
+}  // namespace
+}  // namespace drc
