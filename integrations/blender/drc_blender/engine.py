@@ -13,10 +13,10 @@ import bpy
 from .commands import render_command
 from .export.camera_maths import pixel_bounds
 from .export.scene import SceneExporter, Settings
-from .program import Child, UserError
+from .frame_renderer import FrameRenderer
+from .program import UserError
 from .properties import preferences, program
 from .render_passes import BUILT_IN, PASSES, pass_values
-from .tev_receiver import TevReceiver
 from .view_client import resting
 
 LOOK_EVERY = 0.05  # seconds
@@ -103,34 +103,32 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         return exported
 
     def _render(self, scene, exported):
-        folder = tempfile.TemporaryDirectory(prefix="picture-", dir=os.path.dirname(exported.path))
-        output = os.path.join(folder.name, "picture.exr")
-        receiver, child = TevReceiver(), None
+        def command(scene_file, output, port):
+            return render_command(program(), scene_file, output, scene.drc, port, preferences().threads)
+
+        renderer = FrameRenderer.of_animation(command)
+        done = False
         try:
             resting.set()
-            child = Child(
-                render_command(program(), exported.path, output, scene.drc, receiver.port, preferences().threads)
-            )
             bounds = self._bounds(scene)
             began = time.monotonic()
-            while child.running():
+            renderer.begin(exported.path, more=self.is_animation)
+            while not renderer.is_there():
                 if self.is_cancelled():
-                    child.stop(CANCEL)
+                    renderer.close(CANCEL)
                     return
-                self._show(receiver, scene, bounds, began)
+                self._show(renderer.receiver, scene, bounds, began)
                 time.sleep(LOOK_EVERY)
-            if child.finish():
-                raise UserError(child.failure())
-            for line in child.warnings():
+            for line in renderer.finish(DRAIN):
                 self.tell("WARNING", line)
-            receiver.finish(DRAIN)
-            self._show(receiver, scene, bounds, began, last=True)
+            self._show(renderer.receiver, scene, bounds, began, last=True)
+            done = True
         finally:
-            if child is not None:
-                child.stop()
+            if done and self.is_animation:
+                renderer.keep()
+            else:
+                renderer.close()
             resting.clear()
-            receiver.close()
-            folder.cleanup()
 
     def _bounds(self, scene):
         """(x0, x1, y0, y1) of what is rendered, from the top left of the film."""
@@ -186,9 +184,20 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         viewport_of(self).draw(context, depsgraph)
 
 
+# An animation is over.
+ENDS = (bpy.app.handlers.render_complete, bpy.app.handlers.render_cancel, bpy.app.handlers.load_pre)
+
+
+@bpy.app.handlers.persistent
+def end_animation(*_):
+    FrameRenderer.end_animation()
+
+
 def register():
     DrcRenderEngine.ending = False
     bpy.utils.register_class(DrcRenderEngine)
+    for handlers in ENDS:
+        handlers.append(end_animation)
 
 
 def unregister():
@@ -197,4 +206,8 @@ def unregister():
         DrcRenderEngine.ending = True
         DrcRenderEngine.idle.wait(10)
         time.sleep(LEAVE)
+    for handlers in ENDS:
+        if end_animation in handlers:
+            handlers.remove(end_animation)
+    FrameRenderer.end_animation()
     bpy.utils.unregister_class(DrcRenderEngine)

@@ -50,7 +50,8 @@ class Child:
 
     MOST_LINES = 200
 
-    def __init__(self, command, keep_output=False):
+    def __init__(self, command, keep_output=False, asks=False):
+        """asks: whether ask() will be called."""
         # A group of its own: Ctrl-C in Blender's console is Blender's.
         options = (
             {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP} if os.name == "nt" else {"start_new_session": True}
@@ -60,7 +61,7 @@ class Child:
         try:
             self.process = subprocess.Popen(
                 [*ends_with_us(), *command],
-                stdin=subprocess.DEVNULL,
+                stdin=subprocess.PIPE if asks else subprocess.DEVNULL,
                 stderr=subprocess.PIPE,
                 text=True,
                 errors="replace",
@@ -85,11 +86,24 @@ class Child:
         thread.start()
         return thread
 
+    def ask(self, line):
+        """Writes a line to its standard input. If it has ended, nothing happens."""
+        try:
+            self.process.stdin.write(line + "\n")
+            self.process.stdin.flush()
+        except OSError:
+            pass
+
     def running(self):
         return self.process.poll() is None
 
     def finish(self):
         """After its end: the exit status, with all messages read."""
+        if self.process.stdin is not None:
+            try:
+                self.process.stdin.close()
+            except OSError:
+                pass
         status = self.process.wait()
         for thread in self._threads:
             thread.join(timeout=2)

@@ -70,7 +70,7 @@ class TevReceiver:
         self.port = self._listener.getsockname()[1]
         self._lock = threading.Lock()
         self._picture, self._version, self._taken, self._came_at = None, 0, 0, 0.0
-        self._last = False  # whether nobody will connect any more
+        self._quiet = threading.Event()  # nobody is connected, and nobody waits to be
         self.error = None
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self._serve, name="drc picture", daemon=True)
@@ -95,10 +95,15 @@ class TevReceiver:
         with self._lock:
             return self._picture if self._version else None
 
-    def finish(self, seconds):
-        """After the sender's end: reads what it has sent, for so long at most."""
-        self._last = True
-        self._thread.join(timeout=seconds)
+    def forget(self):
+        """The picture so far: what comes next is of another one."""
+        with self._lock:
+            self._picture, self._version, self._taken = None, 0, 0
+
+    def drain(self, seconds):
+        """After the sender has sent all: reads it, for so long at most."""
+        self._quiet.clear()
+        self._quiet.wait(seconds)
 
     # On the thread
 
@@ -108,8 +113,7 @@ class TevReceiver:
             try:
                 connection, _ = self._listener.accept()
             except (TimeoutError, socket.timeout):
-                if self._last:
-                    return
+                self._quiet.set()
                 continue
             except OSError:
                 return

@@ -32,6 +32,7 @@ from drc_blender.engine import DrcRenderEngine
 from drc_blender.export.camera_maths import screen_window
 from drc_blender.export.cameras import lens_of
 from drc_blender.export.scene import SceneExporter
+from drc_blender.frame_renderer import FrameRenderer
 from drc_blender.properties import Defaults
 from drc_blender.render_passes import pass_values
 from stage import HEIGHT, WIDTH, Stage, stripes
@@ -158,6 +159,50 @@ class Renders(InBlender):
         self.assertGreater(direct.mean(), 0.01)
         self.assertGreater(indirect.mean(), 0.01)
         np.testing.assert_allclose(direct + indirect, combined, rtol=1e-4, atol=1e-5)
+
+    def frames(self, last):
+        """The pictures of an animation from frame 1 on, and how many renderers it has started."""
+        log = os.path.join(self.folder.name, "starts.txt")
+        self.program(
+            f"import os, sys\nopen({log!r}, 'a').write('x')\nos.execv({DRC!r}, [{DRC!r}, *sys.argv[1:]])"
+        )
+        self.scene.frame_start, self.scene.frame_end = 1, last
+        self.scene.render.filepath = os.path.join(self.folder.name, "frame-")
+        settings = self.scene.render.image_settings
+        settings.file_format, settings.color_depth = "OPEN_EXR", "32"
+        quietly(lambda: bpy.ops.render.render(animation=True))
+        pictures = [read(os.path.join(self.folder.name, f"frame-{i:04}.exr")) for i in range(1, last + 1)]
+        with open(log) as f:
+            return pictures, len(f.read())
+
+    def test_an_animation_has_one_renderer(self):
+        self.scene.drc.cells = False
+        self.scene.drc.denoise = False
+        camera, ball = self.stage.camera, self.stage.ball
+        for frame, x in ((1, 3.2), (3, 3.6)):
+            camera.location.x = x
+            camera.keyframe_insert("location", frame=frame)
+        # In the third frame the world is another one.
+        for frame, x in ((1, -0.7), (2, -0.7), (3, -0.2)):
+            ball.location.x = x
+            ball.keyframe_insert("location", frame=frame)
+        pictures, starts = self.frames(3)
+        self.assertEqual(starts, 1)
+        self.assertIsNone(FrameRenderer._kept)
+        for frame, found in enumerate(pictures, 1):
+            self.scene.frame_set(frame)
+            self.render()
+            alone = self.picture()
+            np.testing.assert_array_equal(found, alone)
+        self.assertGreater(np.abs(pictures[0] - pictures[1]).max(), 0.1)
+
+    def test_an_animation_ends_with_what_is_wrong(self):
+        self.program("import sys\nprint('drc: error: no more', file=sys.stderr)\nsys.exit(1)")
+        self.scene.frame_start, self.scene.frame_end = 1, 2
+        self.scene.render.filepath = os.path.join(self.folder.name, "frame-")
+        with self.assertRaisesRegex(RuntimeError, "DRC: no more"):
+            quietly(lambda: bpy.ops.render.render(animation=True))
+        self.assertIsNone(FrameRenderer._kept)
 
     def test_region(self):
         render = self.scene.render

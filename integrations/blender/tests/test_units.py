@@ -345,7 +345,7 @@ class Receiver(unittest.TestCase):
     def test_tiles(self):
         data = create(4, 2, "R", "G") + update(["R", "G"], 1, 0, 2, 2, range(8)) + update(["G"], 3, 1, 1, 1, [9])
         self.send(data[:7], data[7:50], data[50:])
-        self.receiver.finish(PATIENCE)
+        self.receiver.drain(PATIENCE)
         picture = self.wait_for_picture()
         self.assertEqual(picture.channels, ["R", "G"])
         np.testing.assert_array_equal(picture.planes[0], [[0, 0, 2, 0], [0, 4, 6, 0]])
@@ -487,7 +487,7 @@ class WithTheProgram(unittest.TestCase):
                 ]
             )
             self.assertEqual(child.finish(), 0, child.lines)
-            receiver.finish(PATIENCE)
+            receiver.drain(PATIENCE)
             picture = receiver.last()
             self.assertEqual(picture.planes.shape[1:], (48, 64))
             self.assertTrue(
