@@ -36,13 +36,6 @@ std::string ball(const std::string& parameters) {
 test::Estimate seen(const std::string& text, const std::string& integrator) {
     return test::estimateOfMeans(test::pictures(text, integrator, 16, 64));
 }
-void expectSame(const test::Estimate& expected, const test::Estimate& found) {
-    for (size_t c = 0; c < 3; ++c) {
-        const double sigma = std::sqrt(expected.variance[c] + found.variance[c]);
-        EXPECT_NEAR(found.mean[c], expected.mean[c], 5 * sigma + 1e-6);
-        EXPECT_LT(sigma, 0.02 * expected.mean[c]);
-    }
-}
 
 // Direct light alone, and without a shadow.
 TEST(HiddenFromCamera, SurfacesLeaveWhatIsBehindThem) {
@@ -55,7 +48,7 @@ TEST(HiddenFromCamera, SurfacesLeaveWhatIsBehindThem) {
             const std::string shadowless = open + ball(kHidden + " \"float shadowalpha\" 0");
             // The sky is behind the ball, so that paths from the floor must not meet it either.
             const std::string floor = light == kSky ? "" : shadowless;
-            expectSame(seen(scene(light, "", 1), integrator), seen(scene(light, floor, 1), integrator));
+            test::expectSameMeans(seen(scene(light, "", 1), integrator), seen(scene(light, floor, 1), integrator));
         }
 }
 
@@ -65,7 +58,7 @@ TEST(HiddenFromCamera, SurfacesAreTheSameToEveryIntegrator) {
         const test::Estimate expected = seen(text, "path");
         for (const char* integrator : {"bdpt", "drc"}) {
             SCOPED_TRACE(integrator + light);
-            expectSame(expected, seen(text, integrator));
+            test::expectSameMeans(expected, seen(text, integrator));
         }
         // It is not as if it were not there, or as if it were seen.
         for (const std::string& other : {std::string(), ball("")}) {
@@ -89,8 +82,8 @@ TEST(HiddenFromCamera, LightsWithARadiusAreLampsThatBlockNoLight) {
     const std::string point = "LightSource \"point\" \"rgb I\" [3 2 1] \"point from\" [.2 .1 2]\n";
     for (const char* integrator : kIntegrators) {
         SCOPED_TRACE(integrator);
-        expectSame(seen(scene(light, ball(""), 3), integrator), seen(scene(lamp, ball(""), 3), integrator));
-        expectSame(seen(scene(point, ball(""), 3), integrator), seen(scene(small, ball(""), 3), integrator));
+        test::expectSameMeans(seen(scene(light, ball(""), 3), integrator), seen(scene(lamp, ball(""), 3), integrator));
+        test::expectSameMeans(seen(scene(point, ball(""), 3), integrator), seen(scene(small, ball(""), 3), integrator));
     }
 }
 
@@ -102,7 +95,8 @@ TEST(HiddenFromCamera, LampsThatBlockNoLightCastNoShadow) {
         kHidden + "\nAttributeEnd\n";
     for (const char* integrator : kIntegrators) {
         SCOPED_TRACE(integrator);
-        expectSame(seen(scene(kLamp + kSky, "", 3), integrator), seen(scene(kLamp + kSky + dark, "", 3), integrator));
+        test::expectSameMeans(seen(scene(kLamp + kSky, "", 3), integrator),
+                              seen(scene(kLamp + kSky + dark, "", 3), integrator));
     }
 }
 

@@ -47,13 +47,6 @@ test::Estimate seen(const std::string& text, const std::string& integrator, int 
     const auto scene = pbrt::loadPbrtString(text);
     return test::estimateOfMeans(test::pictures(*scene, {.integrator = integrator, .count = count, .spp = 16}));
 }
-void expectSame(const test::Estimate& expected, const test::Estimate& found) {
-    for (size_t c = 0; c < 3; ++c) {
-        const double sigma = std::sqrt(expected.variance[c] + found.variance[c]);
-        EXPECT_NEAR(found.mean[c], expected.mean[c], 5 * sigma + 1e-5);
-        EXPECT_LT(sigma, 0.02 * expected.mean[c]);
-    }
-}
 // anchored: whether the scene stays where it is when it is loaded.
 void expectSameEverywhere(const std::string& view, const std::string& world, std::span<const Place> places, int count,
                           bool anchored) {
@@ -61,7 +54,7 @@ void expectSameEverywhere(const std::string& view, const std::string& world, std
         const test::Estimate expected = seen(placed({"origin"}, view, world, false), integrator, count);
         for (const Place& place : places) {
             SCOPED_TRACE(std::string(integrator) + " " + place.name);
-            expectSame(expected, seen(placed(place, view, world, anchored), integrator, count));
+            test::expectSameMeans(expected, seen(placed(place, view, world, anchored), integrator, count));
         }
     }
 }

@@ -25,20 +25,13 @@ const std::string kSheet = "Shape \"disk\" \"float radius\" 3 \"float shadowalph
 test::Estimate seen(const std::string& text, const std::string& integrator) {
     return test::estimateOfMeans(test::pictures(text, integrator, 12, 32));
 }
-void expectSame(const test::Estimate& expected, const test::Estimate& found) {
-    for (size_t c = 0; c < 3; ++c) {
-        const double sigma = std::sqrt(expected.variance[c] + found.variance[c]);
-        EXPECT_NEAR(found.mean[c], expected.mean[c], 5 * sigma + 1e-6);
-        EXPECT_LT(sigma, 0.02 * expected.mean[c]);
-    }
-}
 
 // A lamp so wide that BSDF sampling would find most of its light, which the sheet keeps from it.
 TEST(ShadowMasks, LetAllOfALampsLightThrough) {
     for (const std::string& lamp : {kWide, kPoint})
         for (const char* integrator : kIntegrators) {
             SCOPED_TRACE(std::string(integrator) + lamp);
-            expectSame(seen(scene(lamp, "", 1), integrator), seen(scene(lamp, kSheet, 1), integrator));
+            test::expectSameMeans(seen(scene(lamp, "", 1), integrator), seen(scene(lamp, kSheet, 1), integrator));
         }
 }
 
@@ -48,7 +41,7 @@ TEST(ShadowMasks, AreTheSameToEveryIntegrator) {
         const test::Estimate expected = seen(text, "path");
         for (const char* integrator : {"bdpt", "drc"}) {
             SCOPED_TRACE(std::string(integrator) + lamp);
-            expectSame(expected, seen(text, integrator));
+            test::expectSameMeans(expected, seen(text, integrator));
         }
     }
 }

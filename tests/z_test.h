@@ -130,6 +130,15 @@ inline void expectSame(const Estimate& a, const Estimate& b, const std::string& 
     EXPECT_LT(z.meanSquare, correlated ? 2.5 : 1.5) << what;
 }
 
+// Means over whole pictures (estimateOfMeans), precise enough to tell two per cent apart. rounding: of the means.
+inline void expectSameMeans(const Estimate& expected, const Estimate& found, double rounding = 1e-6) {
+    for (size_t c = 0; c < 3; ++c) {
+        const double sigma = std::sqrt(expected.variance[c] + found.variance[c]);
+        EXPECT_NEAR(found.mean[c], expected.mean[c], 5 * sigma + rounding);
+        EXPECT_LT(sigma, 0.02 * expected.mean[c]);
+    }
+}
+
 inline Estimate constantEstimate(size_t size, double value) {
     return {std::vector<double>(size, value), std::vector<double>(size, 0), std::vector<double>(size, 1)};
 }

@@ -56,13 +56,14 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
     for (const std::string& path : outputs_) {
         if (outputKind(path) == OutputKind::Png) {
             // PNG's colours are not premultiplied.
-            const Image& beauty = picture.alpha ? unpremultiplied(picture.beauty, *picture.alpha) : picture.beauty;
-            files.push_back(encodePng(viewed(beauty, display_.view, stops), path, pngTexts(metadata),
-                                      picture.alpha ? &*picture.alpha : nullptr));
+            const Image* alpha = picture.alpha ? &*picture.alpha : nullptr;
+            const Image straight = alpha ? unpremultiplied(picture.beauty, *alpha) : Image();
+            files.push_back(encodePng(viewed(alpha ? straight : picture.beauty, display_.view, stops), path,
+                                      pngTexts(metadata), alpha));
             continue;
         }
-        const Image beauty = picture.beautyWithAlpha();
-        std::vector<ExrLayer> layers{{"", &beauty}};
+        const Image both = picture.alpha ? withAlpha(picture.beauty, *picture.alpha) : Image();
+        std::vector<ExrLayer> layers{{"", picture.alpha ? &both : &picture.beauty}};
         const bool parts = picture.hasParts();
         const Image direct = parts ? picture.part("direct") : Image(),
                     indirect = parts ? picture.part("indirect") : Image();

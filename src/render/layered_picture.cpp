@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "image/premultiply.h"
 #include "render/sample_pass.h"
 
 namespace drc {
@@ -49,8 +48,6 @@ Image LayeredPicture::variance() const {
             for (size_t i = 0; i < sum.data().size(); ++i) sum.data()[i] += layer.variance->data()[i];
     return sum;
 }
-
-Image LayeredPicture::beautyWithAlpha() const { return alpha ? withAlpha(beauty, *alpha) : beauty; }
 
 void LayeredPicture::compose() {
     beauty = part("");

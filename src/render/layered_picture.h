@@ -54,8 +54,6 @@ struct LayeredPicture {
     Image part(const std::string& name) const;
     // Variance of the sum of the layers.
     Image variance() const;
-    // The beauty, with a channel A if there is an alpha.
-    Image beautyWithAlpha() const;
     // Sets beauty to the sum of the layers.
     void compose();
     // Maps the colours of the layers and of the beauty, which is clamped at zero again. Variances become upper bounds.

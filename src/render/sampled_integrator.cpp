@@ -38,7 +38,8 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
                          params.independentHalves ? group : 0);
     if (context_.scene.settings.transparentFilm) {
         const float alpha[] = {gBuffer.covered ? 1.f : 0.f};
-        film.layer(kAlpha).add(x, y, 0, alpha, sample.filterWeight);
+        // With a transparent film there is a G-buffer, too: see resolved().
+        film.layer(keeps ? 3 : 2).add(x, y, 0, alpha, sample.filterWeight);
     }
 }
 

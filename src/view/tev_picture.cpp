@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "image/premultiply.h"
+
 namespace drc::tev {
 namespace {
 
@@ -25,7 +27,8 @@ Picture pictureOf(LayeredPicture picture, const FilmGeometry& film) {
         layers.push_back({"normal", std::move(picture.gBuffer->normal)});
         layers.push_back({"depth", std::move(picture.gBuffer->depth)});
     }
-    layers.insert(layers.begin(), {"", picture.beautyWithAlpha()});
+    if (picture.alpha) picture.beauty = withAlpha(picture.beauty, *picture.alpha);
+    layers.insert(layers.begin(), {"", std::move(picture.beauty)});
     return result;
 }
 

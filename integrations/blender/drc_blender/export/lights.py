@@ -60,9 +60,7 @@ WITHOUT_BODY = {"bool visibletocamera": False, "bool blockslight": False}
 
 
 def point(light, matrix, colour, report, place, object_):
-    radius = light.shadow_soft_size
-    intensity = colour / (4 * math.pi)
-    params = {"rgb I": intensity, "point3 from": matrix[:3, 3]}
+    params = {"rgb I": colour / (4 * math.pi), "point3 from": matrix[:3, 3]}
     return [statement("LightSource", "point", params=with_radius(params, light))]
 
 

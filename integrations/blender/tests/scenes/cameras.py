@@ -46,28 +46,26 @@ def _(s):
     r.border_min_x, r.border_max_x, r.border_min_y, r.border_max_y = 0.25, 0.75, 0.2, 0.7
 
 
-@feature("motion blur: object", spp=512)
-def _(s):
+def blurred(s, object_, x0, x1):
+    """An even movement along x while the shutter is open."""
     s.scene.render.use_motion_blur, s.scene.render.motion_blur_shutter = True, 0.8
-    for frame, x in ((0, -1.2), (2, -0.2)):
-        s.ball.location.x = x
-        s.ball.keyframe_insert("location", frame=frame)
-    for curve in curves_of(s.ball):
+    for frame, x in ((0, x0), (2, x1)):
+        object_.location.x = x
+        object_.keyframe_insert("location", frame=frame)
+    for curve in curves_of(object_):
         for point in curve.keyframe_points:
             point.interpolation = "LINEAR"
     s.scene.frame_set(1)
+
+
+@feature("motion blur: object", spp=512)
+def _(s):
+    blurred(s, s.ball, -1.2, -0.2)
 
 
 @feature("motion blur: camera", spp=512)
 def _(s):
-    s.scene.render.use_motion_blur, s.scene.render.motion_blur_shutter = True, 0.8
-    for frame, x in ((0, 3.0), (2, 3.4)):
-        s.camera.location.x = x
-        s.camera.keyframe_insert("location", frame=frame)
-    for curve in curves_of(s.camera):
-        for point in curve.keyframe_points:
-            point.interpolation = "LINEAR"
-    s.scene.frame_set(1)
+    blurred(s, s.camera, 3.0, 3.4)
 
 
 def curves_of(object_):
