@@ -43,6 +43,9 @@ class BdptIntegrator final : public SampledIntegrator {
         return picture;
     }
 
+    // Splats belong to the beauty, and to no row that could be locked.
+    Preview preview(const Film& film) const override { return Integrator::preview(film); }
+
   private:
     static constexpr const char* kSplats = "splats";
 

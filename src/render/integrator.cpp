@@ -38,6 +38,11 @@ const Entry& entry(const std::string& name) {
 
 }  // namespace
 
+Preview Integrator::preview(const Film& film) const {
+    LayeredPicture all = picture(film.snapshot());
+    return {std::move(all.beauty), std::move(all.alpha), sampleCounts(all.film->layer(0))};
+}
+
 std::unique_ptr<Integrator> makeIntegrator(const std::string& name, const RenderContext& context) {
     return entry(name).make(context);
 }

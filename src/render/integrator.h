@@ -13,6 +13,7 @@
 #include "integrators/path_tracer.h"
 #include "render/film.h"
 #include "render/layered_picture.h"
+#include "render/preview.h"
 #include "render/render_params.h"
 #include "render/sample_pass.h"
 
@@ -68,6 +69,9 @@ class Integrator {
     }
     // The layers of the picture, unfiltered.
     virtual LayeredPicture picture(std::shared_ptr<const Film> film) const = 0;
+    // The beauty of that, of a film that others may add to meanwhile, under lockRow. Cheaper, where it can be, than a
+    // snapshot of the film and its picture.
+    virtual Preview preview(const Film& film) const;
 };
 
 // Throws Error that lists the integrators if there is none of this name.

@@ -56,6 +56,12 @@ void LayeredPicture::compose() {
     for (float& v : beauty.data()) v = std::max(v, 0.f);
 }
 
+void balanceBeauty(Image& beauty, const RgbMatrix& matrix) {
+    forEachRow(beauty.height(), [&](int y) {
+        for (int x = 0; x < beauty.width(); ++x) beauty.setRgb(x, y, clampNonNegative(matrix * beauty.rgb(x, y)));
+    });
+}
+
 void LayeredPicture::balance(const RgbMatrix& matrix) {
     const auto forEachPixel = [](Image& image, const auto& f) {
         forEachRow(image.height(), [&](int y) {
@@ -67,7 +73,7 @@ void LayeredPicture::balance(const RgbMatrix& matrix) {
         if (layer.variance) forEachPixel(*layer.variance, [&](const Rgb& v) { return matrix.ofVariance(v); });
     }
     if (direct) forEachPixel(*direct, [&](const Rgb& c) { return matrix * c; });
-    forEachPixel(beauty, [&](const Rgb& c) { return clampNonNegative(matrix * c); });
+    balanceBeauty(beauty, matrix);
 }
 
 PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale) {
@@ -95,17 +101,19 @@ void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, fl
     layer.add(x, y, group, values, filterWeight);
 }
 
+float alphaAt(const FilmLayer& layer, int x, int y) {
+    const double expected = layer.expected(x, y);
+    if (expected == 0) return 0;
+    const double mean = layer.sum(x, y, 0) / filterDivisor(layer.sum(x, y, 1), expected);
+    return float(std::clamp(mean, 0., 1.));
+}
+
 Image alphaOf(const FilmLayer& layer) {
     const PixelRegion& region = layer.region();
     Image alpha(region.width(), region.height(), {"A"});
     forEachRow(region.height(), [&](int row) {
-        for (int column = 0; column < region.width(); ++column) {
-            const int x = region.x0 + column, y = region.y0 + row;
-            const double expected = layer.expected(x, y);
-            if (expected == 0) continue;
-            const double mean = layer.sum(x, y, 0) / filterDivisor(layer.sum(x, y, 1), expected);
-            alpha.at(column, row, 0) = float(std::clamp(mean, 0., 1.));
-        }
+        for (int column = 0; column < region.width(); ++column)
+            alpha.at(column, row, 0) = alphaAt(layer, region.x0 + column, region.y0 + row);
     });
     return alpha;
 }

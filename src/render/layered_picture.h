@@ -61,6 +61,9 @@ struct LayeredPicture {
     void balance(const RgbMatrix& matrix);
 };
 
+// Maps the colours of a beauty and clamps them at zero.
+void balanceBeauty(Image& beauty, const RgbMatrix& matrix);
+
 // Makes a picture's layer from a film's layer: means, and the variance of the mean if there are several groups.
 PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale);
 
@@ -73,6 +76,7 @@ void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& sampl
 GBuffer gBufferOf(const Film& film, std::optional<int> group = {});
 // LayeredPicture::alpha from a layer of one channel.
 Image alphaOf(const FilmLayer& layer);
+float alphaAt(const FilmLayer& layer, int x, int y);
 // X: the number of samples in each pixel of a layer.
 Image sampleCounts(const FilmLayer& layer);
 

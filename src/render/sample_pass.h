@@ -47,5 +47,7 @@ struct SamplePass {
 // Fills pixels that have no sample yet, during the first passes, with the value of the nearest sampled pixel up and
 // left on a coarser lattice. sampled: a layer of the images' region that every camera sample adds to.
 void fillUnsampled(std::initializer_list<Image*> images, const FilmLayer& sampled);
+// counts: X, the number of samples of each pixel, of the images' size.
+void fillUnsampled(std::initializer_list<Image*> images, const Image& counts);
 
 }  // namespace drc

@@ -70,4 +70,28 @@ LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) cons
     return picture;
 }
 
+Preview SampledIntegrator::preview(const Film& film) const {
+    const PixelRegion& region = film.region();
+    const FilmLayer& samples = film.layer(kBeauty);
+    const FilmLayer* alpha = context_.scene.settings.transparentFilm ? &film.layer(kAlpha) : nullptr;
+    const float scale = context_.scene.settings.filmScale;
+    Preview preview{Image(region.width(), region.height()), {}, Image(region.width(), region.height(), {"X"})};
+    if (alpha) preview.alpha.emplace(region.width(), region.height(), std::vector<std::string>{"A"});
+    parallelFor(0, region.height(), 8, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            const int y = region.y0 + row;
+            const auto lock = film.lockRow(y);
+            for (int column = 0; column < region.width(); ++column) {
+                const int x = region.x0 + column;
+                preview.beauty.setRgb(column, row, clampNonNegative(samples.mean(x, y) * scale));
+                preview.samples.at(column, row, 0) = float(samples.expected(x, y));
+                if (alpha) preview.alpha->at(column, row, 0) = alphaAt(*alpha, x, y);
+            }
+        }
+    });
+    fillUnsampled({&preview.beauty}, preview.samples);
+    if (alpha) fillUnsampled({&*preview.alpha}, preview.samples);
+    return preview;
+}
+
 }  // namespace drc

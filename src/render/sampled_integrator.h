@@ -11,6 +11,7 @@ class SampledIntegrator : public Integrator {
     std::vector<FilmLayerSpec> layers() const override;
     void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override;
     LayeredPicture picture(std::shared_ptr<const Film> film) const override;
+    Preview preview(const Film& film) const override;
 
   protected:
     static constexpr const char *kBeauty = "beauty", *kDirect = "direct", *kAlpha = "alpha";

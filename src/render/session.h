@@ -28,7 +28,9 @@ class Session {
     // The picture so far, unfiltered. Safe while step runs, from any thread. part: of the film's region.
     LayeredPicture snapshot() const { return integrator_->picture(film_->snapshot()); }
     LayeredPicture snapshot(const PixelRegion& part) const { return integrator_->picture(film_->snapshot(part)); }
-    // The same without copying the film: not while step runs, and valid only until the next step.
+    // The beauty of a snapshot, at a fraction of its price.
+    Preview preview() const { return integrator_->preview(*film_); }
+    // The picture without copying the film: not while step runs, and valid only until the next step.
     LayeredPicture picture() const;
 
     // Frees the memory that only further steps need, such as radiance cells, for the filters of the last picture. Only

@@ -14,9 +14,8 @@
 namespace drc {
 namespace {
 
-// The share of the time of all threads that pictures for the viewer may take. At 1280x720, with all layers, one costs a
-// third of a second of one core.
-constexpr double kShare = 0.05;
+// The share of the time of all threads that pictures of either extent may take.
+constexpr double kShare = 0.025;
 // Until a host that does not answer is given up.
 constexpr std::chrono::seconds kConnect{5};
 
@@ -33,7 +32,7 @@ uint64_t sumOf(const std::vector<float>& values) {
 
 }  // namespace
 
-TevDisplay::TevDisplay(TevSettings settings, std::function<tev::Picture()> take)
+TevDisplay::TevDisplay(TevSettings settings, std::function<tev::Picture(Extent)> take)
     : settings_(std::move(settings)), take_(std::move(take)), thread_([this] { run(); }) {}
 
 TevDisplay::~TevDisplay() {
@@ -72,7 +71,7 @@ void TevDisplay::run() {
 }
 
 void TevDisplay::work() {
-    auto due = Clock::now() + settings_.interval / 4;
+    auto due = Clock::now() + settings_.interval / 4, allDue = due;
     for (;;) {
         const Next next = waitUntil(due);
         if (next == Next::End) return;
@@ -80,19 +79,25 @@ void TevDisplay::work() {
         const double began = secondsOfThread();
         try {
             connect();
-            const std::optional<tev::Picture> picture = taken();
+            // A new image needs all layers.
+            const Extent extent = creation_.empty() || Clock::now() >= allDue ? Extent::All : Extent::Beauty;
+            const std::optional<tev::Picture> picture = taken(extent);
             if (!picture) {
                 due = Clock::time_point::max();
                 continue;
             }
             const double made = secondsOfThread() - began;
-            show(*picture);
+            show(*picture, extent);
             const double took = secondsOfThread() - began;
-            logDebug(fmt::format("--display-server: to take a picture took {:.3f} s, to send it {:.3f} s", made,
-                                 took - made));
+            const bool all = extent == Extent::All;
+            logDebug(fmt::format("--display-server: to take {} took {:.3f} s, to send it {:.3f} s",
+                                 all ? "all layers" : "the beauty", made, took - made));
             const std::chrono::duration<double> rest(took / (kShare * threadCount()));
-            due = Clock::now() +
-                  std::max<Clock::duration>(settings_.interval, std::chrono::duration_cast<Clock::duration>(rest));
+            const auto again =
+                Clock::now() +
+                std::max<Clock::duration>(settings_.interval, std::chrono::duration_cast<Clock::duration>(rest));
+            (all ? allDue : due) = again;
+            if (all) due = Clock::now() + settings_.interval;
         } catch (const TcpSender::GaveUp&) {
             throw;
         } catch (const Error& error) {
@@ -109,10 +114,10 @@ TevDisplay::Next TevDisplay::waitUntil(Clock::time_point due) {
     return ending_ ? Next::End : last_ ? Next::Last : Next::Take;
 }
 
-std::optional<tev::Picture> TevDisplay::taken() {
+std::optional<tev::Picture> TevDisplay::taken(Extent extent) {
     const std::lock_guard lock(takeMutex_);
     std::optional<tev::Picture> picture;
-    if (take_) onThisThread([&] { picture = take_(); });
+    if (take_) onThisThread([&] { picture = take_(extent); });
     return picture;
 }
 
@@ -128,27 +133,35 @@ void TevDisplay::connect() {
     logDebug(fmt::format("--display-server: connected to {}:{}", settings_.server.host, settings_.server.port));
 }
 
-void TevDisplay::show(const tev::Picture& picture) {
-    const auto patience = [&](Clock::duration idle) { return waits(idle); };
+void TevDisplay::makeImage(const tev::Picture& picture) {
+    std::string creation =
+        tev::createImage(settings_.name, true, picture.film.width, picture.film.height, tev::channelNames(picture));
+    if (creation == creation_ && picture.region == region_) return;
+    sender_->send(creation, [&](Clock::duration idle) { return waits(idle); });
+    creation_ = std::move(creation);
+    region_ = picture.region;
+    sums_.clear();
+    // It is made of zeros.
+    for (const auto& [layer, image] : picture.layers)
+        for (const PixelRegion& tile : tev::tilesOf(picture.region))
+            sums_[layer].push_back(sumOf(std::vector<float>(tile.count() * size_t(image.channels()))));
+}
+
+void TevDisplay::show(const tev::Picture& picture, Extent extent) {
+    if (extent == Extent::All) makeImage(picture);
     const std::vector<PixelRegion> tiles = tev::tilesOf(picture.region);
-    const std::vector<std::string> channels = tev::channelNames(picture);
-    std::string creation = tev::createImage(settings_.name, true, picture.film.width, picture.film.height, channels);
-    if (creation != creation_ || picture.region != region_) {
-        sender_->send(creation, patience);
-        creation_ = std::move(creation);
-        region_ = picture.region;
-        sums_.clear();
-        for (const PixelRegion& tile : tiles)
-            sums_.push_back(sumOf(std::vector<float>(tile.count() * channels.size())));
-    }
-    for (size_t i = 0; i < tiles.size(); ++i) {
-        if (isLate(picture)) return;
-        const std::vector<float> values = tev::valuesOf(picture, tiles[i]);
-        const uint64_t sum = sumOf(values);
-        if (sums_[i] == sum) continue;
-        sender_->send(tev::updateImage(settings_.name, false, tiles[i], channels, values), patience);
-        sums_[i] = sum;
-    }
+    for (size_t i = 0; i < tiles.size(); ++i)
+        for (const tev::Picture::Layer& layer : picture.layers) {
+            const auto shown = sums_.find(layer.name);
+            if (shown == sums_.end()) continue;
+            if (isLate(picture)) return;
+            const std::vector<float> values = tev::valuesOf(picture, layer, tiles[i]);
+            const uint64_t sum = sumOf(values);
+            if (shown->second[i] == sum) continue;
+            sender_->send(tev::updateImage(settings_.name, false, tiles[i], tev::channelNames(layer), values),
+                          [&](Clock::duration idle) { return waits(idle); });
+            shown->second[i] = sum;
+        }
 }
 
 void TevDisplay::showLast() {
@@ -156,7 +169,7 @@ void TevDisplay::showLast() {
     for (int attempt = 0; attempt < 2; ++attempt) {
         connect();
         try {
-            return show(*last_);
+            return show(*last_, Extent::All);
         } catch (const TcpSender::GaveUp&) {
             throw;
         } catch (const Error& error) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -26,9 +27,13 @@ struct TevSettings {
 
 class TevDisplay {
   public:
-    // take: the picture so far. Called on this object's thread, now and then, so rarely that it and what follows take
-    // five per cent of the machine's time at most; its parallel loops run on that thread alone.
-    TevDisplay(TevSettings settings, std::function<tev::Picture()> take);
+    // What is taken of the picture so far: its beauty, or all of its layers, which take many times as long.
+    enum class Extent { Beauty, All };
+
+    // take: the picture so far. Called on this object's thread, for all layers at first, then for the beauty and, more
+    // seldom, for all: so that they and what follows take five per cent of the machine's time at most, half of it for
+    // each. Its parallel loops run on that thread alone. Of a beauty, layers that all do not have are not shown.
+    TevDisplay(TevSettings settings, std::function<tev::Picture(Extent)> take);
     // Ends at once, whatever has been sent.
     ~TevDisplay();
     TevDisplay(const TevDisplay&) = delete;
@@ -46,11 +51,13 @@ class TevDisplay {
     void run();
     void work();
     Next waitUntil(Clock::time_point due);
-    std::optional<tev::Picture> taken();
+    std::optional<tev::Picture> taken(Extent extent);
     // Makes a connection if there is none that works. Throws Error if that fails.
     void connect();
-    // Sends the tiles that the viewer does not have yet, until there is a later picture. Throws as TcpSender::send.
-    void show(const tev::Picture& picture);
+    // Sends what the viewer does not have yet, until there is a later picture: makes the image of all layers, and
+    // replaces tiles of it. Throws as TcpSender::send.
+    void show(const tev::Picture& picture, Extent extent);
+    void makeImage(const tev::Picture& picture);
     void showLast();
     // Whether to go on waiting for the viewer, which has taken nothing for so long.
     bool waits(Clock::duration idle) const;
@@ -60,7 +67,7 @@ class TevDisplay {
 
     const TevSettings settings_;
     std::mutex takeMutex_;
-    std::function<tev::Picture()> take_;  // under takeMutex_; null after stopTaking()
+    std::function<tev::Picture(Extent)> take_;  // under takeMutex_; null after stopTaking()
 
     mutable std::mutex mutex_;
     std::condition_variable wake_;
@@ -70,9 +77,9 @@ class TevDisplay {
 
     // Of the thread.
     std::optional<TcpSender> sender_;
-    std::string creation_;        // the packet that made the image that the viewer has; empty: it has none
-    PixelRegion region_;          // that the image shows
-    std::vector<uint64_t> sums_;  // checksums of its tiles
+    std::string creation_;  // the packet that made the image that the viewer has; empty: it has none
+    PixelRegion region_;    // that the image shows
+    std::map<std::string, std::vector<uint64_t>> sums_;  // checksums of the tiles of each layer
     bool complained_ = false;
     std::thread thread_;
 };

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <atomic>
+#include <ctime>
 
 #include "base/log.h"
 #include "view/tev_testing.h"
@@ -12,6 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
+using Extent = TevDisplay::Extent;
 
 // A region of a film that has 40 columns and 30 rows more. Each value tells its place; `add` is added to all.
 tev::Picture numbered(int width, int height, float add) {
@@ -63,7 +65,7 @@ class TevDisplayTest : public testing::Test {
 TEST_F(TevDisplayTest, ShowsThePictureAsItRefinesAndTheLastOne) {
     test::FakeTev viewer;
     std::atomic<int> taken = 0;
-    TevDisplay display(hasty(viewer.port()), [&] { return numbered(300, 140, float(++taken)); });
+    TevDisplay display(hasty(viewer.port()), [&](Extent) { return numbered(300, 140, float(++taken)); });
     while (taken < 3) std::this_thread::sleep_for(1ms);
     viewer.awaitUpdates(12);
     const tev::Picture last = numbered(300, 140, -1);
@@ -71,7 +73,7 @@ TEST_F(TevDisplayTest, ShowsThePictureAsItRefinesAndTheLastOne) {
     viewer.awaitEnd();
     const auto shown = viewer.image("room");
     expectShown(shown, last);
-    EXPECT_GE(shown.updates, 18);  // six tiles each time
+    EXPECT_GE(shown.updates, 36);  // six tiles of two layers each time
     EXPECT_EQ(viewer.created(), 1);
     EXPECT_EQ(warningCount(), 0);
 }
@@ -85,7 +87,7 @@ TEST_F(TevDisplayTest, SendsOnlyTilesThatHaveChanged) {
         for (int y = 0; y < 128; ++y)
             for (int x = 128; x < 256; ++x)
                 for (int c = 0; c < image.channels(); ++c) image.at(x, y, c) = 0;
-    TevDisplay display(hasty(viewer.port()), [&] {
+    TevDisplay display(hasty(viewer.port()), [&](Extent) {
         ++taken;
         return picture;
     });
@@ -96,13 +98,46 @@ TEST_F(TevDisplayTest, SendsOnlyTilesThatHaveChanged) {
     display.finish(last);
     viewer.awaitEnd();
     expectShown(viewer.image("room"), last);
-    EXPECT_EQ(viewer.image("room").updates, 5 + 1);
+    EXPECT_EQ(viewer.image("room").updates, 2 * 5 + 1);
+}
+
+TEST_F(TevDisplayTest, TakesTheBeautyMoreOftenThanWhatTakesLong) {
+    test::FakeTev viewer;
+    std::atomic<int> all = 0, beauties = 0;
+    TevDisplay display(hasty(viewer.port()), [&](Extent extent) {
+        if (extent == Extent::All) {
+            ++all;
+            timespec begun{}, now{};
+            clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begun);
+            do clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+            while (double(now.tv_sec - begun.tv_sec) + 1e-9 * double(now.tv_nsec - begun.tv_nsec) < 0.03);
+            return numbered(200, 100, 1);
+        }
+        tev::Picture picture = numbered(200, 100, float(++beauties + 1));
+        picture.layers[1].name = "unknown";
+        return picture;
+    });
+    while (beauties < 12) std::this_thread::sleep_for(1ms);
+    display.stopTaking();
+    // At first, and once more if pictures of a few pixels took longer than a tenth of a second each.
+    EXPECT_LT(all, beauties / 2);
+    viewer.awaitUpdates(2 * 2 + 2 * 11);
+    const test::FakeTev::Shown shown = viewer.image("room");
+    EXPECT_EQ(viewer.created(), 1);
+    EXPECT_THAT(shown.channels, testing::UnorderedElementsAre(testing::Key("R"), testing::Key("G"), testing::Key("B"),
+                                                              testing::Key("depth.Z")));
+    const size_t at = 10 * size_t(shown.width) + 20;  // where the region begins
+    EXPECT_GE(shown.channels.at("R")[at], 12);
+    EXPECT_EQ(shown.channels.at("depth.Z")[at], 1);
+    display.finish(numbered(200, 100, -1));
+    viewer.awaitEnd();
+    expectShown(viewer.image("room"), numbered(200, 100, -1));
 }
 
 TEST_F(TevDisplayTest, TakesNothingOnceStopped) {
     test::FakeTev viewer;
     std::atomic<int> taken = 0;
-    TevDisplay display(hasty(viewer.port()), [&] {
+    TevDisplay display(hasty(viewer.port()), [&](Extent) {
         ++taken;
         return numbered(3, 2, 0);
     });
@@ -115,7 +150,7 @@ TEST_F(TevDisplayTest, TakesNothingOnceStopped) {
 
 TEST_F(TevDisplayTest, MakesTheImageAnewWhereTheConnectionBroke) {
     test::FakeTev viewer(0, 500'000);
-    TevDisplay display(hasty(viewer.port()), [] { return numbered(400, 300, 0); });
+    TevDisplay display(hasty(viewer.port()), [](Extent) { return numbered(400, 300, 0); });
     while (viewer.connections() < 2) std::this_thread::sleep_for(1ms);
     const tev::Picture last = numbered(400, 300, 5);
     display.finish(last);
@@ -128,7 +163,7 @@ TEST_F(TevDisplayTest, ShowsTheLastPictureAlthoughTheConnectionBreaks) {
     test::FakeTev viewer(0, 500'000);
     TevSettings settings = hasty(viewer.port());
     settings.interval = 1h;  // only the last picture is sent
-    TevDisplay display(settings, [] { return numbered(1, 1, 0); });
+    TevDisplay display(settings, [](Extent) { return numbered(1, 1, 0); });
     const tev::Picture last = numbered(kLarge, kLarge, 5);
     display.finish(last);
     viewer.awaitEnd();
@@ -142,7 +177,7 @@ TEST_F(TevDisplayTest, ViewersMayComeAndGo) {
     const uint16_t port = viewer->port();
     viewer.reset();
     std::atomic<int> taken = 0;
-    TevDisplay display(hasty(port), [&] { return numbered(200, 100, float(++taken)); });
+    TevDisplay display(hasty(port), [&](Extent) { return numbered(200, 100, float(++taken)); });
     std::this_thread::sleep_for(50ms);
     EXPECT_EQ(taken, 0);
     for (int i = 0; i < 3; ++i) {
@@ -165,7 +200,7 @@ TEST_F(TevDisplayTest, IsNotHeldUpByAViewerThatDoesNotRead) {
         viewer.read(false);
         std::atomic<int> taken = 0;
         const tev::Picture small = numbered(3, 2, 0), large = numbered(kLarge, kLarge, 0);
-        TevDisplay display(hasty(viewer.port()), [&] {
+        TevDisplay display(hasty(viewer.port()), [&](Extent) {
             ++taken;
             return fromTheStart ? large : small;
         });
@@ -190,7 +225,7 @@ TEST_F(TevDisplayTest, TheLatestPictureWins) {
     std::atomic<int> taken = 0;
     TevSettings settings = hasty(viewer.port());
     settings.patience = 60s;
-    TevDisplay display(settings, [&] { return numbered(kLarge, kLarge, float(++taken)); });
+    TevDisplay display(settings, [&](Extent) { return numbered(kLarge, kLarge, float(++taken)); });
     while (taken < 1) std::this_thread::sleep_for(1ms);
     std::this_thread::sleep_for(200ms);
     const tev::Picture last = numbered(kLarge, kLarge, -1);
@@ -202,15 +237,15 @@ TEST_F(TevDisplayTest, TheLatestPictureWins) {
     later.join();
     viewer.awaitEnd();
     expectShown(viewer.image("room"), last);
-    // The first picture's 256 tiles were not all sent.
-    EXPECT_LT(viewer.image("room").updates, 256 + 200);
+    // The first picture's 256 tiles of two layers were not all sent.
+    EXPECT_LT(viewer.image("room").updates, 512 + 400);
     EXPECT_EQ(taken, 1);
 }
 
 TEST_F(TevDisplayTest, WithoutAViewerItWarnsOnce) {
     uint16_t port = 0;
     { port = test::FakeTev().port(); }
-    TevDisplay display(hasty(port), [] { return numbered(3, 2, 0); });
+    TevDisplay display(hasty(port), [](Extent) { return numbered(3, 2, 0); });
     std::this_thread::sleep_for(100ms);
     EXPECT_EQ(warningCount(), 1);
     const auto start = Clock::now();
@@ -226,7 +261,7 @@ TEST_F(TevDisplayTest, EndsAtOnceInTheMiddle) {
     const tev::Picture large = numbered(kLarge, kLarge, 0);
     auto start = Clock::now();
     {
-        TevDisplay display(hasty(viewer.port()), [&] {
+        TevDisplay display(hasty(viewer.port()), [&](Extent) {
             ++taken;
             return large;
         });
@@ -238,7 +273,7 @@ TEST_F(TevDisplayTest, EndsAtOnceInTheMiddle) {
 
 TEST_F(TevDisplayTest, LivesWithPicturesThatCannotBeMade) {
     test::FakeTev viewer;
-    TevDisplay display(hasty(viewer.port()), []() -> tev::Picture { throw std::bad_alloc(); });
+    TevDisplay display(hasty(viewer.port()), [](Extent) -> tev::Picture { throw std::bad_alloc(); });
     std::this_thread::sleep_for(100ms);
     display.finish(numbered(3, 2, 0));
     EXPECT_EQ(warningCount(), 1);

@@ -1,9 +1,10 @@
-// A picture as tev is shown it: all layers as channels of one image of the film's size, which goes over in tiles.
+// A picture as tev is shown it: layers as channels of one image of the film's size, which goes over in tiles.
 #pragma once
 #include <string>
 #include <vector>
 
 #include "render/layered_picture.h"
+#include "render/preview.h"
 
 namespace drc::tev {
 
@@ -19,12 +20,16 @@ struct Picture {
 
 // The layers that the picture has of: the beauty, direct, indirect, albedo, normal, depth, variance, samples.
 Picture pictureOf(LayeredPicture picture, const FilmGeometry& film);
+// The beauty and the samples alone.
+Picture pictureOf(Preview preview, const PixelRegion& region, const FilmGeometry& film);
 
-// "R", "G", "B", "direct.R" and so on.
+// "R", "G", "B", "direct.R" and so on: of all layers, or of one.
 std::vector<std::string> channelNames(const Picture& picture);
+std::vector<std::string> channelNames(const Picture::Layer& layer);
 // Squares of 128 pixels, or what is left of them at the right and at the bottom, that cover the region.
 std::vector<PixelRegion> tilesOf(const PixelRegion& region);
-// The values of a tile of the region, those of all channels of a pixel together, row by row.
-std::vector<float> valuesOf(const Picture& picture, const PixelRegion& tile);
+// The values of a tile of the region in one of the picture's layers, those of all channels of a pixel together, row by
+// row.
+std::vector<float> valuesOf(const Picture& picture, const Picture::Layer& layer, const PixelRegion& tile);
 
 }  // namespace drc::tev

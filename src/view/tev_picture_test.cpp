@@ -22,8 +22,10 @@ Picture numbered() {
 TEST(TevPicture, HasTheValuesOfAPixelTogether) {
     const Picture picture = numbered();
     EXPECT_THAT(channelNames(picture), ElementsAre("R", "G", "B", "depth.Z"));
-    EXPECT_THAT(valuesOf(picture, {4, 2, 6, 3}), ElementsAre(420, 421, 422, 429, 520, 521, 522, 529));
-    EXPECT_THAT(valuesOf(picture, {5, 2, 6, 4}), ElementsAre(520, 521, 522, 529, 530, 531, 532, 539));
+    EXPECT_THAT(channelNames(picture.layers[1]), ElementsAre("depth.Z"));
+    EXPECT_THAT(valuesOf(picture, picture.layers[0], {4, 2, 6, 3}), ElementsAre(420, 421, 422, 520, 521, 522));
+    EXPECT_THAT(valuesOf(picture, picture.layers[0], {5, 2, 6, 4}), ElementsAre(520, 521, 522, 530, 531, 532));
+    EXPECT_THAT(valuesOf(picture, picture.layers[1], {5, 2, 6, 4}), ElementsAre(529, 539));
 }
 
 TEST(TevPicture, TilesCoverEachPixelOnce) {
@@ -63,7 +65,25 @@ TEST(TevPicture, HasTheLayersThatThereAre) {
     EXPECT_THAT(channelNames(shown),
                 ElementsAre("R", "G", "B", "variance.R", "variance.G", "variance.B", "samples.X", "albedo.R",
                             "albedo.G", "albedo.B", "normal.X", "normal.Y", "normal.Z", "depth.Z"));
-    EXPECT_THAT(valuesOf(shown, {3, 2, 4, 3}), ElementsAre(7, 7, 7, .5f, .5f, .5f, 0, 0, 0, 0, 0, 0, 0, 0));
+    EXPECT_THAT(valuesOf(shown, shown.layers[0], {3, 2, 4, 3}), ElementsAre(7, 7, 7));
+    EXPECT_THAT(valuesOf(shown, shown.layers[1], {3, 2, 4, 3}), ElementsAre(.5f, .5f, .5f));
+}
+
+TEST(TevPicture, APreviewIsBeautyAndSamples) {
+    Preview preview{Image(2, 1), {}, Image(2, 1, {"X"})};
+    preview.beauty.setRgb(1, 0, {3, 4, 5});
+    preview.samples.at(1, 0, 0) = 6;
+    const PixelRegion region{7, 2, 9, 3};
+    Picture shown = pictureOf(preview, region, {20, 10});
+    EXPECT_EQ(shown.region, region);
+    EXPECT_THAT(channelNames(shown), ElementsAre("R", "G", "B", "samples.X"));
+    EXPECT_THAT(valuesOf(shown, shown.layers[0], {8, 2, 9, 3}), ElementsAre(3, 4, 5));
+    EXPECT_THAT(valuesOf(shown, shown.layers[1], {8, 2, 9, 3}), ElementsAre(6));
+    preview.alpha = Image(2, 1, {"A"});
+    preview.alpha->at(1, 0, 0) = .5f;
+    shown = pictureOf(preview, region, {20, 10});
+    EXPECT_THAT(channelNames(shown), ElementsAre("R", "G", "B", "A", "samples.X"));
+    EXPECT_THAT(valuesOf(shown, shown.layers[0], {8, 2, 9, 3}), ElementsAre(3, 4, 5, .5f));
 }
 
 }  // namespace
