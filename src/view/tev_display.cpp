@@ -16,6 +16,8 @@ namespace {
 
 // The share of the time of all threads that pictures of either extent may take.
 constexpr double kShare = 0.025;
+// All layers are taken at first when so many pictures could have been.
+constexpr int kUntilAll = 5;
 // Until a host that does not answer is given up.
 constexpr std::chrono::seconds kConnect{5};
 
@@ -32,8 +34,11 @@ uint64_t sumOf(const std::vector<float>& values) {
 
 }  // namespace
 
-TevDisplay::TevDisplay(TevSettings settings, std::function<tev::Picture(Extent)> take)
-    : settings_(std::move(settings)), take_(std::move(take)), thread_([this] { run(); }) {}
+TevDisplay::TevDisplay(TevSettings settings, tev::Picture outline, std::function<tev::Picture(Extent)> take)
+    : settings_(std::move(settings)),
+      outline_(std::move(outline)),
+      take_(std::move(take)),
+      thread_([this] { run(); }) {}
 
 TevDisplay::~TevDisplay() {
     {
@@ -71,7 +76,7 @@ void TevDisplay::run() {
 }
 
 void TevDisplay::work() {
-    auto due = Clock::now() + settings_.interval / 4, allDue = due;
+    auto due = Clock::now() + settings_.interval / 4, allDue = Clock::now() + kUntilAll * settings_.interval;
     for (;;) {
         const Next next = waitUntil(due);
         if (next == Next::End) return;
@@ -79,15 +84,15 @@ void TevDisplay::work() {
         const double began = secondsOfThread();
         try {
             connect();
-            // A new image needs all layers.
-            const Extent extent = creation_.empty() || Clock::now() >= allDue ? Extent::All : Extent::Beauty;
+            if (creation_.empty()) makeImage(outline_);
+            const Extent extent = Clock::now() >= allDue ? Extent::All : Extent::Beauty;
             const std::optional<tev::Picture> picture = taken(extent);
             if (!picture) {
                 due = Clock::time_point::max();
                 continue;
             }
             const double made = secondsOfThread() - began;
-            show(*picture, extent);
+            show(*picture);
             const double took = secondsOfThread() - began;
             const bool all = extent == Extent::All;
             logDebug(fmt::format("--display-server: to take {} took {:.3f} s, to send it {:.3f} s",
@@ -133,22 +138,21 @@ void TevDisplay::connect() {
     logDebug(fmt::format("--display-server: connected to {}:{}", settings_.server.host, settings_.server.port));
 }
 
-void TevDisplay::makeImage(const tev::Picture& picture) {
+void TevDisplay::makeImage(const tev::Picture& outline) {
     std::string creation =
-        tev::createImage(settings_.name, true, picture.film.width, picture.film.height, tev::channelNames(picture));
-    if (creation == creation_ && picture.region == region_) return;
+        tev::createImage(settings_.name, true, outline.film.width, outline.film.height, tev::channelNames(outline));
+    if (creation == creation_ && outline.region == region_) return;
     sender_->send(creation, [&](Clock::duration idle) { return waits(idle); });
     creation_ = std::move(creation);
-    region_ = picture.region;
+    region_ = outline.region;
     sums_.clear();
     // It is made of zeros.
-    for (const auto& [layer, image] : picture.layers)
-        for (const PixelRegion& tile : tev::tilesOf(picture.region))
+    for (const auto& [layer, image] : outline.layers)
+        for (const PixelRegion& tile : tev::tilesOf(region_))
             sums_[layer].push_back(sumOf(std::vector<float>(tile.count() * size_t(image.channels()))));
 }
 
-void TevDisplay::show(const tev::Picture& picture, Extent extent) {
-    if (extent == Extent::All) makeImage(picture);
+void TevDisplay::show(const tev::Picture& picture) {
     const std::vector<PixelRegion> tiles = tev::tilesOf(picture.region);
     for (size_t i = 0; i < tiles.size(); ++i)
         for (const tev::Picture::Layer& layer : picture.layers) {
@@ -169,7 +173,8 @@ void TevDisplay::showLast() {
     for (int attempt = 0; attempt < 2; ++attempt) {
         connect();
         try {
-            return show(*last_, Extent::All);
+            makeImage(*last_);
+            return show(*last_);
         } catch (const TcpSender::GaveUp&) {
             throw;
         } catch (const Error& error) {

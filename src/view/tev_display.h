@@ -30,10 +30,12 @@ class TevDisplay {
     // What is taken of the picture so far: its beauty, or all of its layers, which take many times as long.
     enum class Extent { Beauty, All };
 
-    // take: the picture so far. Called on this object's thread, for all layers at first, then for the beauty and, more
-    // seldom, for all: so that they and what follows take five per cent of the machine's time at most, half of it for
-    // each. Its parallel loops run on that thread alone. Of a beauty, layers that all do not have are not shown.
-    TevDisplay(TevSettings settings, std::function<tev::Picture(Extent)> take);
+    // outline: the region, and the layers that there will be, whose images may have any size.
+    // take: the picture so far, of the same region. Called on this object's thread, for the beauty soon and often, for
+    // all layers more seldom: so that each of the two, and what follows, takes a fortieth of the machine's time at
+    // most. Its parallel loops run on that thread alone. Of a beauty, layers that the outline does not have are not
+    // shown.
+    TevDisplay(TevSettings settings, tev::Picture outline, std::function<tev::Picture(Extent)> take);
     // Ends at once, whatever has been sent.
     ~TevDisplay();
     TevDisplay(const TevDisplay&) = delete;
@@ -54,10 +56,10 @@ class TevDisplay {
     std::optional<tev::Picture> taken(Extent extent);
     // Makes a connection if there is none that works. Throws Error if that fails.
     void connect();
-    // Sends what the viewer does not have yet, until there is a later picture: makes the image of all layers, and
-    // replaces tiles of it. Throws as TcpSender::send.
-    void show(const tev::Picture& picture, Extent extent);
-    void makeImage(const tev::Picture& picture);
+    // Makes the image that can show these layers, if the viewer has another one or none. Throws as TcpSender::send.
+    void makeImage(const tev::Picture& outline);
+    // Sends the tiles that the viewer does not have yet, until there is a later picture. Throws as TcpSender::send.
+    void show(const tev::Picture& picture);
     void showLast();
     // Whether to go on waiting for the viewer, which has taken nothing for so long.
     bool waits(Clock::duration idle) const;
@@ -66,6 +68,7 @@ class TevDisplay {
     void complain(const std::string& reason);
 
     const TevSettings settings_;
+    const tev::Picture outline_;
     std::mutex takeMutex_;
     std::function<tev::Picture(Extent)> take_;  // under takeMutex_; null after stopTaking()
 
