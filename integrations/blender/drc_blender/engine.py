@@ -80,7 +80,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
 
     def tell(self, kind, message):
         """kind: ERROR or WARNING. One line in Blender's reports."""
-        self.report({kind}, f"DRC: {message}")
+        self.report({kind}, f"DRC: {' '.join(message.split())}")
 
     def is_cancelled(self):
         return DrcRenderEngine.ending or self.test_break()

@@ -267,6 +267,11 @@ class Failures(InBlender):
         self.stage.box.data.vertices[0].co.x = float("inf")
         self.assertRegex(self.error(), "^box: the mesh has a vertex at no number")
 
+    def test_a_number_that_is_none_is_named(self):
+        self.broken = True
+        self.stage.shader(self.stage.ball.data.materials[0], "BsdfDiffuse", Color=(0.5, float("nan"), 0.5, 1))
+        self.assertEqual(self.error(), "ball: reflectance is nan, which a scene file cannot have")
+
     def test_killed(self):
         self.program("import os, time\ntime.sleep(0.3)\nos.kill(os.getpid(), 9)")
         self.assertEqual(self.error(), "the renderer was ended from outside (SIGKILL)")
@@ -348,6 +353,20 @@ class Exports(InBlender):
         image.pixels.foreach_set([0.25] * (32 * 32 * 4))
         image.update()
         self.assertNotEqual(first, self.text(exporter))
+
+    def test_what_is_scaled_to_nothing(self):
+        """Flat objects are shown, and others and their lamps are left out, as by Blender."""
+        self.stage.ball.scale = 0, 0, 0
+        self.stage.box.scale.x = 0
+        spot = bpy.data.objects.new("spot", bpy.data.lights.new("spot", "SPOT"))
+        spot.scale = 0, 0, 0
+        self.scene.collection.objects.link(spot)
+        exported = self.exported(SceneExporter(os.path.join(self.folder.name, "nothing")))
+        self.assertEqual(exported.instances, 2)
+        self.assertEqual(
+            exported.report.lines(), ["spot: a lamp that is scaled to nothing has no direction; it is left out"]
+        )
+        self.assertEqual([s for s in self.render() if s[0] == "ERROR"], [])
 
     def test_what_has_no_equal_is_named(self):
         material = self.stage.ball.data.materials[0]

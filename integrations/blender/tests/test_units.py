@@ -31,6 +31,7 @@ from drc_blender.export.cache import FileCache, digest
 from drc_blender.export.camera_maths import Lens, lens_radius, pixel_bounds, screen_window
 from drc_blender.export.equal_area import directions
 from drc_blender.export.image_files import pfm_bytes, png_bytes, srgb_to_linear
+from drc_blender.export.objects import invertible
 from drc_blender.export.pbrt_text import Names, number, quoted, statement, transform
 from drc_blender.export.ply import merged_corners, ply_bytes
 from drc_blender.export.report import Report
@@ -97,8 +98,10 @@ class SceneText(unittest.TestCase):
 
     def test_what_a_file_cannot_say(self):
         for value in (math.inf, math.nan):
-            with self.assertRaisesRegex(ValueError, "cannot have the number"):
+            with self.assertRaisesRegex(ValueError, "^(inf|nan), which a scene file cannot have$"):
                 number(value)
+        with self.assertRaisesRegex(ValueError, "^radius is nan, "):
+            statement("Shape", "sphere", params={"float radius": math.nan})
         self.assertEqual(quoted('a"b\\c\nd'), '"a_b_c_d"')
 
     def test_transform_is_written_by_columns(self):
@@ -115,6 +118,11 @@ class SceneText(unittest.TestCase):
             report.add("no equal", name, "node")
         report.add("whole")
         self.assertEqual(report.lines(), ["a > node, b > node, c > node and 2 more: no equal", "whole"])
+
+    def test_report_has_a_line_for_each_message_whatever_the_names(self):
+        report = Report()
+        report.add("no equal", "of two\nlines", "node\t")
+        self.assertEqual(report.lines(), ["of two lines > node: no equal"])
 
 
 class Files(unittest.TestCase):
@@ -248,6 +256,39 @@ class Cameras(unittest.TestCase):
     def test_frame_sizes(self):
         self.assertEqual(frame_size(1920, 1080, 640), (640, 360))
         self.assertEqual(frame_size(10000, 5), (4096, 16))
+
+
+class Placings(unittest.TestCase):
+    def place(self, *scale):
+        turned = np.linalg.qr(np.random.default_rng(3).standard_normal((3, 3)))[0]
+        matrix = np.eye(4)
+        matrix[:3, :3] = turned @ np.diag(scale)
+        matrix[:3, 3] = 4, 5, 6
+        return matrix
+
+    def test_what_can_be_inverted_stays(self):
+        for scale in ((1, 1, 1), (-1, 2, 3), (1e-6, 1e-6, 1e-6), (1, 1, 1e-5), (1e5, 1, 1)):
+            np.testing.assert_array_equal(invertible(self.place(*scale)), self.place(*scale))
+
+    def test_flat_objects_get_the_thickness_of_paper(self):
+        for axis in range(3):
+            scale = [2.0, 3.0, 4.0]
+            scale[axis] = 0
+            flat, made = self.place(*scale), invertible(self.place(*scale))
+            self.assertLess(np.abs(made - flat).max(), 4e-4)
+            self.assertLess(np.linalg.cond(made[:3, :3]), 1e5)
+            np.testing.assert_array_equal(made[:, 3], flat[:, 3])
+
+    def test_lines_and_points_are_not_seen(self):
+        self.assertIsNone(invertible(self.place(0, 0, 0)))
+        self.assertIsNone(invertible(self.place(0, 7, 0)))
+
+    def test_no_numbers(self):
+        with self.assertRaisesRegex(ValueError, "no number"):
+            invertible(self.place(1, math.nan, 1))
+        for scale in ((0, 1, 1), (1, math.inf, 1)):
+            with self.assertRaisesRegex(ValueError, "camera has a scale"):
+                world_to_camera(np.diag([*scale, 1]))
 
 
 class Pictures(unittest.TestCase):

@@ -46,6 +46,9 @@ def lamp_lines(object_, matrix, reader, report):
         colour = np.maximum(colour, 0)
     if not getattr(light, "use_shadow", True):
         report.add("a lamp without shadows has no equal; it has them", *place)
+    if light.type in ("SUN", "SPOT") and not np.any(np.array(matrix)[:3, 2]):
+        report.add("a lamp that is scaled to nothing has no direction; it is left out", *place)
+        return []
     kinds = {"POINT": point, "SUN": sun, "SPOT": spot, "AREA": area}
     return kinds[light.type](light, np.array(matrix, dtype=float), colour, report, place, object_)
 

@@ -11,6 +11,25 @@ def key_of(instance):
     return (object_.name_full, parent, tuple(instance.persistent_id) if instance.is_instance else ())
 
 
+SQUEEZED = 1e-7  # an axis is nothing, as a share of the longest
+THIN = 1e-4  # what it is made, as a share of the second
+
+
+def invertible(matrix):
+    """The matrix of an object that the renderer can invert: what a scale of zero has made flat is as thin as paper. None
+    for what is squeezed to a line or a point, which nobody sees. Raises ValueError if there is no number in it."""
+    if not np.isfinite(matrix).all():
+        raise ValueError("its place or scale is no number")
+    turn, scale, along = np.linalg.svd(matrix[:3, :3])
+    if scale[2] > SQUEEZED * scale[0]:
+        return matrix
+    if scale[1] <= SQUEEZED * scale[0]:
+        return None
+    made = matrix.copy()
+    made[:3, :3] = turn @ np.diag([scale[0], scale[1], THIN * scale[1]]) @ along
+    return made
+
+
 def visible(instance):
     return instance.show_self and not getattr(instance.object, "hide_render", False)
 

@@ -7,7 +7,7 @@ def number(value):
     """Shortest text that gives the same 32-bit float; pbrt has no words for infinities."""
     value = float(value)
     if not math.isfinite(value):
-        raise ValueError(f"a scene file cannot have the number {value}")
+        raise ValueError(f"{value}, which a scene file cannot have")
     return f"{value:.9g}"
 
 
@@ -32,7 +32,11 @@ def statement(word, *names, **options):
     """
     parts = [word] + [quoted(name) for name in names]
     for declared, value in (options.get("params") or {}).items():
-        parts.append(f'"{declared}" [{_values(declared.split()[0], value)}]')
+        kind, name = declared.split()
+        try:
+            parts.append(f'"{declared}" [{_values(kind, value)}]')
+        except ValueError as error:
+            raise ValueError(f"{name} is {error}") from error
     return " ".join(parts)
 
 

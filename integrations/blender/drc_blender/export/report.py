@@ -8,8 +8,10 @@ class Report:
         self._places = {}
 
     def add(self, what, *place):
-        """place: names, from the outside to the inside, as of an object, its material and a node."""
-        self._places.setdefault(what, {})[" > ".join(str(p) for p in place if p)] = None
+        """place: names, from the outside to the inside, as of an object, its material and a node; in one line, whatever
+        is in them."""
+        names = (" ".join(str(p).split()) for p in place if p)
+        self._places.setdefault(what, {})[" > ".join(names)] = None
 
     def __bool__(self):
         return bool(self._places)

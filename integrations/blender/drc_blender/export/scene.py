@@ -1,5 +1,6 @@
 """The whole scene: one file of text, with meshes and images beside it."""
 
+import contextlib
 import os
 from dataclasses import dataclass, field
 
@@ -13,7 +14,7 @@ from .cache import FileCache, digest
 from .cameras import camera_lines, film_lines, transforms, view_lines
 from .lights import lamp_lines
 from .mesh_data import MeshData
-from .objects import MESHES, key_of, matrices_at, visible
+from .objects import MESHES, invertible, key_of, matrices_at, visible
 from .pbrt_text import Names, quoted, statement, transform
 from .report import Report
 from .world import world_lines
@@ -58,6 +59,15 @@ class Mesh:
     bounds: tuple
     materials: list
     visibility: dict
+
+
+@contextlib.contextmanager
+def naming(object_name):
+    """What cannot be exported is found by the object's name."""
+    try:
+        yield
+    except ValueError as error:
+        raise ValueError(f"{object_name}: {error}") from error
 
 
 class SceneExporter:
@@ -167,7 +177,8 @@ class SceneExporter:
             if not visible(instance):
                 continue
             if object_.type == "LIGHT":
-                lamps += lamp_lines(object_.original, np.array(instance.matrix_world), self.reader, self.report)
+                with naming(object_.name):
+                    lamps += lamp_lines(object_.original, np.array(instance.matrix_world), self.reader, self.report)
                 continue
             if object_.type not in MESHES:
                 if object_.type in ("CURVES", "POINTCLOUD", "VOLUME"):
@@ -182,8 +193,13 @@ class SceneExporter:
                 read[mesh_key] = self._mesh(object_)
             if read[mesh_key] is None:
                 continue
-            matrix = np.array(instance.matrix_world)
-            matrices = moving.get(key_of(instance), [matrix])
+            with naming(object_.name):
+                matrix = invertible(np.array(instance.matrix_world))
+                matrices = [invertible(m) for m in moving.get(key_of(instance), [])]
+            if matrix is None:
+                continue
+            if not matrices or any(m is None for m in matrices):
+                matrices = [matrix]
             counts[mesh_key] = counts.get(mesh_key, 0) + 1
             placings.append((mesh_key, object_.name, matrix, matrices))
         for mesh_key, name, matrix, matrices in placings:
@@ -192,7 +208,8 @@ class SceneExporter:
             bounds.append(corners_of(mesh.data.positions, matrix))
             moves = len(matrices) > 1 and not np.allclose(matrices[0], matrices[-1], rtol=0, atol=1e-7)
             if mesh_key not in groups:
-                groups[mesh_key] = self._parts(name, mesh, matrix, definitions)
+                with naming(name):
+                    groups[mesh_key] = self._parts(name, mesh, matrix, definitions)
             fixed, emitting = groups[mesh_key]
             if emitting and moves:
                 self.report.add("lamps and emissive surfaces that move stand still", name)

@@ -8,9 +8,12 @@ import numpy as np
 
 
 def rigid(matrix):
-    """A camera's matrix without its scale, which Blender ignores."""
+    """A camera's matrix without its scale, which Blender ignores. Raises ValueError if an axis of it is nothing."""
     m = np.array(matrix, dtype=float)
-    m[:3, :3] /= np.linalg.norm(m[:3, :3], axis=0)
+    scale = np.linalg.norm(m[:3, :3], axis=0)
+    if not (np.isfinite(m).all() and scale.all()):
+        raise ValueError("the camera has a scale of zero, or a place or scale that is no number")
+    m[:3, :3] /= scale
     return m
 
 
