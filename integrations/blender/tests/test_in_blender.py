@@ -165,9 +165,7 @@ class Renders(InBlender):
     def frames(self, last):
         """The pictures of an animation from frame 1 on, and how many renderers it has started."""
         log = os.path.join(self.folder.name, "starts.txt")
-        self.program(
-            f"import os, sys\nopen({log!r}, 'a').write('x')\nos.execv({DRC!r}, [{DRC!r}, *sys.argv[1:]])"
-        )
+        self.program(f"import os, sys\nopen({log!r}, 'a').write('x')\nos.execv({DRC!r}, [{DRC!r}, *sys.argv[1:]])")
         self.scene.frame_start, self.scene.frame_end = 1, last
         self.scene.render.filepath = os.path.join(self.folder.name, "frame-")
         settings = self.scene.render.image_settings

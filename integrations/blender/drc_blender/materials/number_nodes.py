@@ -132,9 +132,7 @@ def _light_path(reader, at):
     reader.rays_matter = True
     if reader.ray is not None and name in KNOWN:
         return value
-    return reader.unsupported(
-        at, f"'{name}' of Light Path has no equal; it is that of the camera's rays", value
-    )
+    return reader.unsupported(at, f"'{name}' of Light Path has no equal; it is that of the camera's rays", value)
 
 
 NODES = {
