@@ -1,5 +1,5 @@
 // What the camera does not see: surfaces ("bool visibletocamera"), lamps that block no light ("bool blockslight"),
-// lights with a radius, the sky.
+// lights with a radius, the sky; and a sky that it alone sees ("bool illuminates").
 #include <gtest/gtest.h>
 
 #include "pictures.h"
@@ -131,6 +131,41 @@ TEST(HiddenFromCamera, TheSkyLightsTheFloorAlone) {
             }
         EXPECT_EQ(black, 16);
         EXPECT_EQ(lit, 30);
+    }
+}
+
+// One sky and one sun light the scene, and the camera sees two others, also through a surface without a material: where
+// it sees them alone, with a black floor, the picture is theirs, and where they are hidden, it is that of the others.
+TEST(HiddenFromCamera, SkiesThatLightNothingAreSeenByTheCameraAlone) {
+    const std::string sun = "LightSource \"distant\" \"point from\" [0 3 1] \"float angle\" 60 \"rgb L\" ";
+    const std::string backdrop = "LightSource \"infinite\" \"rgb L\" [3 1 2] \"bool illuminates\" \"false\"\n" + sun +
+                                 "[1 .5 .2] \"bool illuminates\" \"false\"\n";
+    const std::string lit = kHiddenSky + sun + "[.4 .4 .2]" + kHidden + "\n";
+    const std::string open =
+        "AttributeBegin\nMaterial \"\"\nTranslate 0 -2 1\nShape \"sphere\" \"float radius\" .8\nAttributeEnd\n";
+    const std::string objects = open + kMirror + ball("");
+    const std::string black =
+        "Material \"matte\" \"rgb Kd\" [0 0 0]\nShape \"disk\" \"float radius\" 3\nTranslate -.3 "
+        "-.3 .7\nShape \"sphere\" \"float radius\" .6\n";
+    const auto alone =
+        "LookAt 0 -4 1.4  0 0 .6  0 0 1\nCamera \"perspective\" \"float fov\" 50\n"
+        "Film \"image\" \"integer xresolution\" 16 \"integer yresolution\" 8\nWorldBegin\n";
+    const std::string mirror = "AttributeBegin\n" + kMirror + "AttributeEnd\n";
+    // What the camera sees of the skies past black surfaces.
+    const std::string seenSky = "LightSource \"infinite\" \"rgb L\" [3 1 2]\n" + sun + "[1 .5 .2]\n";
+    const std::string dark =
+        "AttributeBegin\nMaterial \"matte\" \"rgb Kd\" [0 0 0]\n" + mirror.substr(mirror.find("Shape"));
+    const test::Estimate background = seen(alone + seenSky + dark + black + "WorldEnd\n", "path");
+    for (const char* integrator : kIntegrators) {
+        SCOPED_TRACE(integrator);
+        const test::Estimate both = seen(scene(backdrop + lit, objects, 4), integrator);
+        test::Estimate sum = seen(scene(lit, objects, 4), integrator);
+        for (int c = 0; c < 3; ++c) {
+            sum.mean[c] += background.mean[c];
+            sum.variance[c] += background.variance[c];
+        }
+        test::expectSameMeans(sum, both);
+        EXPECT_GT(background.mean[0], 20 * std::sqrt(both.variance[0]));
     }
 }
 

@@ -53,6 +53,9 @@ inline const LightCase kLightCases[] = {
      "Translate 0.3 -0.6 2.2\nRotate 180 1 0 0\nShape \"disk\" \"float radius\" 0.5 \"bool visibletocamera\" "
      "\"false\" \"bool blockslight\" \"false\"\nAttributeEnd\n"},
     {"HiddenSky", "LightSource \"infinite\" \"rgb L\" [0.6 0.7 0.9] \"bool visibletocamera\" \"false\"\n"},
+    {"SkyForTheCamera",
+     "LightSource \"infinite\" \"rgb L\" [0.6 0.7 0.9] \"bool illuminates\" \"false\"\n"
+     "LightSource \"distant\" \"rgb L\" [2 3 2] \"point from\" [1 -2 3] \"float angle\" 20\n"},
     {"Distant", "LightSource \"distant\" \"rgb L\" [3 2 2] \"point from\" [1 -2 3] \"point to\" [0 0 0]\n"},
     {"Infinite", "LightSource \"infinite\" \"rgb L\" [0.6 0.7 0.9]\n"},
     {"InfiniteMap",

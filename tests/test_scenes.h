@@ -42,6 +42,7 @@ inline std::vector<std::pair<std::string, std::string>> allMaterials() {
 // Materials of pbrt-v4 without an equivalent in pbrt-v3, by name, for scenes in the syntax of pbrt-v4.
 inline std::vector<std::pair<std::string, std::string>> materialsOfV4() {
     return {
+        {"rough_diffuse", R"(Material "diffuse" "rgb reflectance" [0.6 0.3 0.2] "float diffuseroughness" 0.8)"},
         {"coated_diffuse", R"(Material "coateddiffuse" "rgb reflectance" [0.6 0.3 0.2] "float roughness" 0)"},
         {"rough_coated_diffuse", R"(Material "coateddiffuse" "rgb reflectance" [0.6 0.3 0.2] "float roughness" 0.3
                                     "float thickness" 0.1 "rgb albedo" [0.5 0.4 0.3])"},

@@ -94,11 +94,14 @@ bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId
     return isHole(data, *alpha, hit, ray, primId);
 }
 
-// RTCRay::id of a ray, by Ray::fromCamera.
-constexpr unsigned kFromElsewhere = 0, kFromCamera = 1;
+// RTCRay::id of a ray, by Ray::fromCamera and Ray::mirrored.
+constexpr unsigned kDiffuse = 0, kFromCamera = 1, kMirrored = 2;
+
+bool isOpenToLight(const Primitive& primitive) { return !primitive.material || !primitive.visibleToDiffuse; }
 
 bool isHidden(const Primitive& primitive, RTCRayN* ray, unsigned n, unsigned i) {
-    return !primitive.visibleToCamera && RTCRayN_id(ray, n, i) == kFromCamera;
+    const unsigned kind = RTCRayN_id(ray, n, i);
+    return (!primitive.visibleToCamera && kind == kFromCamera) || (!primitive.visibleToDiffuse && kind == kDiffuse);
 }
 
 Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
@@ -130,7 +133,8 @@ void filterOccluded(const RTCFilterFunctionNArguments* a) {
             return isHole(data, alpha, RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
                           RTCHitN_v(a->hit, a->N, i), rayOf(a->ray, a->N, i), RTCRayN_tfar(a->ray, a->N, i));
         };
-        if (!primitive.material || hole(primitive.alpha.get()) || hole(primitive.shadowAlpha.get())) a->valid[i] = 0;
+        if (isOpenToLight(primitive) || hole(primitive.alpha.get()) || hole(primitive.shadowAlpha.get()))
+            a->valid[i] = 0;
     }
 }
 
@@ -187,7 +191,7 @@ void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
 void shapeOccluded(const RTCOccludedFunctionNArguments* a) {
     const GeometryData& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
     const Primitive& primitive = *data.primitive;
-    if (!primitive.material) return;
+    if (isOpenToLight(primitive)) return;
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
         if (intersectSolid(data, {primitive.alpha.get(), primitive.shadowAlpha.get()}, rayOf(a->ray, a->N, i),
@@ -216,7 +220,7 @@ struct Accel::Impl {
     const Instance* firstInstance = nullptr;
     bool anythingMoves = false;
     bool hasShadowMasks = false;
-    bool hidesFromCamera = false;
+    bool hidesFromCamera = false, hidesFromDiffuse = false;
     bool hasOpenMedia = false;
     float reachOfMedia = 0;
     uint32_t geometries = 0;  // so far
@@ -280,6 +284,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
         data->index = geometries++;
         hasShadowMasks |= primitive.shadowAlpha != nullptr;
         hidesFromCamera |= !primitive.visibleToCamera;
+        hidesFromDiffuse |= !primitive.visibleToDiffuse;
         hasOpenMedia |= primitive.media.changes() && !primitive.material;
         data->lobes = lobesOf(primitive.material.get());
         RTCGeometry geometry = nullptr;
@@ -304,9 +309,9 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
         }
         // Our own intersection functions, for shapes, make these tests themselves.
         if (data->mesh || data->curves) {
-            if (primitive.alpha || !primitive.visibleToCamera)
+            if (primitive.alpha || !primitive.visibleToCamera || !primitive.visibleToDiffuse)
                 rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
-            if (primitive.alpha || primitive.shadowAlpha || !primitive.material)
+            if (primitive.alpha || primitive.shadowAlpha || isOpenToLight(primitive))
                 rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);
         }
         rtcSetGeometryUserData(geometry, data.get());
@@ -376,7 +381,7 @@ bool Accel::find(const Ray& ray, Found& found) const {
     q.ray.time = ray.time;
     q.ray.tfar = ray.tMax;
     q.ray.mask = ~0u;
-    q.ray.id = ray.fromCamera ? kFromCamera : kFromElsewhere;
+    q.ray.id = ray.fromCamera ? kFromCamera : ray.mirrored ? kMirrored : kDiffuse;
     q.ray.flags = 0;
     q.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     q.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -445,6 +450,7 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
 bool Accel::anythingMoves() const { return impl_->anythingMoves; }
 bool Accel::hasShadowMasks() const { return impl_->hasShadowMasks; }
 bool Accel::hidesFromCamera() const { return impl_->hidesFromCamera; }
+bool Accel::hidesFromDiffuse() const { return impl_->hidesFromDiffuse; }
 bool Accel::hasOpenMedia() const { return impl_->hasOpenMedia; }
 float Accel::lengthInMedium(float length) const { return std::isinf(length) ? impl_->reachOfMedia : length; }
 
@@ -463,7 +469,7 @@ bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax, float time) const
     r.time = time;
     r.tfar = tMax;
     r.mask = ~0u;
-    r.id = kFromElsewhere;
+    r.id = kDiffuse;
     r.flags = 0;
     rtcOccluded1(impl_->world.scene, &context, &r);
     return r.tfar < 0;

@@ -41,6 +41,8 @@ class Accel {
     bool hasShadowMasks() const;
     // Whether any surface is hidden from the camera, which find() passes through for the camera's rays alone.
     bool hidesFromCamera() const;
+    // Whether any is hidden from diffuse rays.
+    bool hidesFromDiffuse() const;
     // Whether rays change from one medium to another where no material stops them.
     bool hasOpenMedia() const;
     // How much of a medium is passed on a way of this length. If it is infinite, that is as much as the scene is wide,

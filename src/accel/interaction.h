@@ -47,10 +47,17 @@ struct SurfaceInteraction {
     // the given spread, but at least with that of the arriving ray.
     Ray spawnRay(const Vec3& d, float spread) const;
     Ray spawnRay(const Vec3& d) const { return spawnRay(d, coneSpread); }
+    // The same by a specular lobe.
+    Ray mirroredRay(const Vec3& d) const {
+        Ray ray = spawnRay(d);
+        ray.mirrored = true;
+        return ray;
+    }
     // The arriving ray, going on behind p as if there were no surface.
     Ray onward(const Ray& ray) const {
         Ray next = spawnRay(ray.d);
         next.fromCamera = ray.fromCamera;
+        next.mirrored = ray.mirrored;
         return next;
     }
 };

@@ -33,6 +33,15 @@ struct BidirectionalTracer::Vertex {
     float reverse = 0;    // pdf per area from the opposite end; known once the subpath is two vertices longer
     bool specular = false;
     int scattered = 0;  // number of non-specular vertices before this one
+
+    // Surfaces that are hidden from diffuse rays are met only from the camera, from mirrors and from smooth glass. A
+    // light path does not know where it will have come from, seen from the camera, before it is scattered again. So it
+    // passes such surfaces, as diffuse rays do, and if there are any it ends where it would be mirrored; camera paths
+    // make all that is left out. joined: whether the path leaves this vertex by its other lobes.
+    Node node(const Accel& accel, bool joined = false) const {
+        const bool mirrors = specular && !joined;
+        return {own, reverse, mirrors, accel.hidesFromDiffuse() && (mirrors || !hit.primitive->visibleToDiffuse)};
+    }
 };
 
 struct BidirectionalTracer::LightEnd {
@@ -94,6 +103,7 @@ struct BidirectionalTracer::Step {
         reverse = at.specular ? 1 : at.bsdf.pdf(s->wi, at.hit.wo);
         eta = s->eta;
         ray = at.hit.spawnRay(s->wi, spreadAfter(*s, at.hit.coneSpread));
+        ray.mirrored = at.specular && mode == TransportMode::Radiance;
         return true;
     }
     // Russian roulette. importance: a scalar measure of the throughput.
@@ -113,7 +123,7 @@ BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Accel& accel,
     std::vector<float> powers;
     for (const LightPtr& light : scene.lights) {
         const float power = luminance(light->power(sphere_.radius));
-        if (!(power > 0)) continue;
+        if (!(power > 0) || !light->illuminates()) continue;
         emitting_.push_back(light.get());
         powers.push_back(power);
     }
@@ -125,9 +135,12 @@ float BidirectionalTracer::weight(std::span<const Node> nodes, size_t s, const E
     const size_t n = nodes.size();
     // Nodes count from 1, the vertex next to the lens, to n, the point on the light.
     const auto node = [&](size_t i) -> const Node& { return nodes[i - 1]; };
+    size_t mostFromLight = 1;  // the light's point and what light paths can have behind it
+    while (mostFromLight < n && !node(n - mostFromLight).lightEndsBefore) ++mostFromLight;
     const auto possible = [&](size_t other) {
         const size_t t = n + 1 - other;
         if (other == 0) return ends.lightCanBeMet;
+        if (other > mostFromLight) return false;
         if (t == 1 ? other < 2 || !ends.lensCanBeJoined : node(t - 1).specular) return false;
         return other == 1 || !node(t).specular;
     };
@@ -297,6 +310,7 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
         const auto u = sampler.getFour2D();
         if (at.bsdf.hasNonSpecular()) joinLens(paths, time, u[0], splats);
         if (!step.sample(at, u[2].y, u[1], TransportMode::Importance)) break;
+        if (at.node(accel_).lightEndsBefore) break;
         if (first) {
             paths.endFromCamera = paths.end.from(hit.p, step.reverse);
         } else {
@@ -358,7 +372,7 @@ float BidirectionalTracer::weight(const Paths& paths, size_t s) const { return w
 
 float BidirectionalTracer::weightOfMet(Paths& paths, const LightEnd& end, float fromCamera) const {
     paths.nodes.clear();
-    for (const Vertex& v : paths.camera) paths.nodes.push_back({v.own, v.reverse, v.specular});
+    for (const Vertex& v : paths.camera) paths.nodes.push_back(v.node(accel_));
     paths.nodes.back().fromLight = end.to(paths.camera.back().hit);
     paths.nodes.push_back({fromCamera, end.density.origin, false});
     paths.ends = {end.chosen, !end.delta, paths.lensCanBeJoined, lightPaths_};
@@ -367,10 +381,10 @@ float BidirectionalTracer::weightOfMet(Paths& paths, const LightEnd& end, float 
 
 float BidirectionalTracer::weightOfSampled(Paths& paths, const LightEnd& end, const Vec3& wi, float pdf) const {
     paths.nodes.clear();
-    for (const Vertex& v : paths.camera) paths.nodes.push_back({v.own, v.reverse, v.specular});
+    for (const Vertex& v : paths.camera) paths.nodes.push_back(v.node(accel_));
     const size_t last = paths.camera.size() - 1;
     const Vertex& at = paths.camera[last];
-    paths.nodes[last].specular = false;
+    paths.nodes[last] = at.node(accel_, true);
     paths.nodes[last].fromLight = end.to(at.hit);
     if (last > 0)
         paths.nodes[last - 1].fromLight = perArea(at.bsdf.pdf(wi, at.hit.wo), at.hit.p, paths.camera[last - 1].hit);
@@ -391,9 +405,8 @@ void BidirectionalTracer::appendLight(Paths& paths, size_t first, float fromCame
 float BidirectionalTracer::weightOfJoined(Paths& paths, size_t camera, size_t light, const Vec3& d) const {
     const Vertex &z = paths.camera[camera], &y = paths.light[light];
     paths.nodes.clear();
-    for (size_t i = 0; i <= camera; ++i)
-        paths.nodes.push_back({paths.camera[i].own, paths.camera[i].reverse, paths.camera[i].specular});
-    paths.nodes[camera].specular = false;
+    for (size_t i = 0; i <= camera; ++i) paths.nodes.push_back(paths.camera[i].node(accel_));
+    paths.nodes[camera] = z.node(accel_, true);
     paths.nodes[camera].fromLight = perArea(y.bsdf.pdf(y.hit.wo, -d), y.hit.p, z.hit);
     if (camera > 0)
         paths.nodes[camera - 1].fromLight = perArea(z.bsdf.pdf(d, z.hit.wo), z.hit.p, paths.camera[camera - 1].hit);

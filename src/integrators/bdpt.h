@@ -39,6 +39,7 @@ class BidirectionalTracer {
     struct Node {
         float fromCamera = 0, fromLight = 0;
         bool specular = false;
+        bool lightEndsBefore = false;  // whether no light path has it as a vertex and goes on
     };
     // Properties of a path's ends that the weights depend on.
     struct Ends {

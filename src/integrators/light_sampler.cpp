@@ -19,9 +19,10 @@ LightSampler::LightSampler(const Scene& scene) {
         const float power = luminance(light->power(sceneRadius));
         if (!(power > 0)) continue;
         if (light->isInfinite()) {
-            infinite_.push_back(light.get());
             if (light->visibleToCamera() && !scene.settings.transparentFilm) backdrop_.push_back(light.get());
+            if (light->illuminates()) infinite_.push_back(light.get());
         }
+        if (!light->illuminates()) continue;
         if (light->bounds().empty()) {
             distant.push_back(light.get());
             distant_.push_back(power / sqr(sceneRadius));

@@ -23,8 +23,9 @@ class LightSampler {
     Choice sample(const Vec3& p, float u) const;
     // Probability with which sample(p) chooses this light; 0 if the light does not belong to the scene.
     float probability(const Vec3& p, const Light* light) const;
+    // Those that illuminate.
     const std::vector<const Light*>& infiniteLights() const { return infinite_; }
-    // Those of them that the camera sees.
+    // Those that the camera sees.
     const std::vector<const Light*>& backdrop() const { return backdrop_; }
 
   private:

@@ -25,7 +25,7 @@ bool SpecularChain::follow(const Bsdf& bsdf, float uLobe, const Vec2& u, float p
     throughput_ *= s->f * (absDot(s->wi, bsdf.frame().n) / (s->pdf * probability));
     if (isBlack(throughput_)) return false;
     from_ = surface_.p;
-    ray_ = surface_.spawnRay(s->wi);
+    ray_ = surface_.mirroredRay(s->wi);
     ++bounces_;
     return true;
 }
@@ -46,7 +46,7 @@ bool PathWalker::scatter(PathState& path, const SurfaceInteraction& hit, const B
         ++path.depth;
     }
     path.from = hit.p;
-    path.ray = hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
+    path.ray = s->isSpecular() ? hit.mirroredRay(s->wi) : hit.spawnRay(s->wi, spreadAfter(*s, hit.coneSpread));
     return survives(path, u.roulette);
 }
 

@@ -67,7 +67,8 @@ bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, const S
 }
 
 bool hiddenFromLens(const Accel& accel, const SurfaceInteraction& at, const Vec3& d, float distance) {
-    if (!accel.hidesFromCamera()) return screened(accel, at.spawnPoint(), d, distance, at.time);
+    if (!accel.hidesFromCamera() && !accel.hidesFromDiffuse())
+        return screened(accel, at.spawnPoint(), d, distance, at.time);
     return !at.primitive->visibleToCamera || isScreened(accel, Segment(at.spawnPoint(), d, distance), at.time, true);
 }
 

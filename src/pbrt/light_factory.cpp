@@ -56,7 +56,7 @@ SourceLight makeInfinite(const LightContext& context) {
     const Rgb radiance = context.params.getColor("L", Rgb(1.f)) * scaleOf(context.params);
     samplesNotNeeded(context.params);
     return makeInfiniteLight(context.toWorld, radiance, pictureOf(context, "environment map"),
-                             isVisibleToCamera(context.params));
+                             audienceOf(context.params));
 }
 
 using LightMaker = SourceLight (*)(const LightContext&);

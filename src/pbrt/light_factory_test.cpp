@@ -162,7 +162,19 @@ TEST(LightFactory, LampsMayBeNarrowHiddenAndWithoutABody) {
         EXPECT_FALSE(bodiless->primitives[0].material);
         EXPECT_TRUE(bodiless->primitives[0].areaLight);
         EXPECT_FALSE(load("LightSource \"infinite\" \"bool visibletocamera\" false")->lights.at(0)->visibleToCamera());
+        for (const std::string source : {"LightSource \"infinite\" ", "LightSource \"distant\" \"float angle\" 3 "}) {
+            const auto backdrop = load(source + "\"bool illuminates\" false");
+            EXPECT_TRUE(backdrop->lights.at(0)->visibleToCamera());
+            EXPECT_FALSE(backdrop->lights[0]->illuminates());
+            EXPECT_TRUE(load(source)->lights.at(0)->illuminates());
+        }
+        // The camera would not see it, so that nothing is left.
+        EXPECT_TRUE(load("LightSource \"distant\" \"bool illuminates\" false")->lights.empty());
+        EXPECT_FALSE(load("Shape \"disk\" \"bool visibletodiffuse\" false")->primitives.at(0).visibleToDiffuse);
+        EXPECT_TRUE(load("Shape \"disk\"")->primitives.at(0).visibleToDiffuse);
     }
+    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"bool visibletocamera\" false \"bool illuminates\" false"),
+                AllOf(StartsWith("s.pbrt:2:"), HasSubstr("is seen by nothing")));
     for (const char* wrong : {"0", "-3", "181"})
         EXPECT_THAT(errorOfWorld(std::string("AreaLightSource \"diffuse\" \"float spread\" ") + wrong),
                     AllOf(StartsWith("s.pbrt:2:"), HasSubstr("must be above 0 and at most 180 degrees")));

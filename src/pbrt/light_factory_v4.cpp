@@ -108,7 +108,7 @@ SourceLight makeInfinite(const LightContext& context) {
     const double own = square.empty() ? double(kPi) : horizontalIlluminance(square);
     const Rgb radiance = params.getColor("L", Rgb(1.f)) * brightness(params, "illuminance", own);
     LightPtr environment =
-        makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square), isVisibleToCamera(params));
+        makeInfiniteLight(context.toWorld, radiance, latLongFromEqualArea(square), audienceOf(params));
     const auto portal = portalOf(context);
     return portal ? makePortalLight(std::move(environment), *portal) : environment;
 }

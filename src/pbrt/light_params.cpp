@@ -66,8 +66,10 @@ LightPtr distantLight(const LightContext& context, const Rgb& irradiance) {
     if (!(angle >= 0 && angle <= 180))
         context.params.failAt(*context.params.find("angle", {ParamType::Float}),
                               fmt::format("must be from 0 to 180 degrees, not {:g}", angle));
-    const bool visible = isVisibleToCamera(context.params);
-    return angle > 0 ? makeSunLight(direction, irradiance, angle, visible) : makeDistantLight(direction, irradiance);
+    const LightAudience audience = audienceOf(context.params);
+    if (angle > 0) return makeSunLight(direction, irradiance, angle, audience);
+    // The camera sees no light of no extent.
+    return audience == LightAudience::Camera ? nullptr : makeDistantLight(direction, irradiance);
 }
 
 SpotFalloff spotFalloff(const ParamSet& params, SpotEdge edge) {
@@ -88,7 +90,14 @@ SourceLight lampOf(const ParamSet& params, const Transform& toWorld, const Rgb& 
     return {makeShapeAreaLight(bulb, Emission(intensity / (kPi * sqr(radius))).with(profile), false), bulb};
 }
 
-bool isVisibleToCamera(const ParamSet& params) { return params.getBool("visibletocamera", true); }
+LightAudience audienceOf(const ParamSet& params) {
+    const bool camera = params.getBool("visibletocamera", true), others = params.getBool("illuminates", true);
+    if (!camera && !others)
+        fail(params.pos(),
+             "the " + params.owner() + " is seen by nothing: one of 'visibletocamera' and 'illuminates' must be true");
+    if (!others) return LightAudience::Camera;
+    return camera ? LightAudience::All : LightAudience::Surfaces;
+}
 
 EmissionProfile emissionProfile(const ParamSet& params) {
     const float spread = params.getFloat("spread", 180);

@@ -43,8 +43,8 @@ SpotFalloff spotFalloff(const ParamSet& params, SpotEdge edge);
 // spot's profile: the shadows are soft, and `bulb` is set.
 SourceLight lampOf(const ParamSet& params, const Transform& toWorld, const Rgb& intensity, const SpotFalloff* spot);
 
-// DRC's own parameter "bool visibletocamera" of distant and infinite lights.
-bool isVisibleToCamera(const ParamSet& params);
+// DRC's own parameters "bool visibletocamera" and "bool illuminates" of distant and infinite lights.
+LightAudience audienceOf(const ParamSet& params);
 // What DRC's own parameter "float spread" of area lights says.
 EmissionProfile emissionProfile(const ParamSet& params);
 

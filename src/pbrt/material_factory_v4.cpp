@@ -50,7 +50,12 @@ void checkReflectance(const TextureParams& p, bool indices, bool reflectance, co
 }
 
 MaterialPtr diffuse(const MaterialContext& c) {
-    return makeMatte({.kd = reflectanceOf(c.params), .sigma = {}, .relief = reliefOf(c)});
+    // The roughness is DRC's own. By the name "roughness", which pbrt's diffuse does not have, it could be set by an
+    // attribute that is meant for other materials.
+    return makeMatte({.kd = reflectanceOf(c.params),
+                      .sigma = {},
+                      .roughness = c.params.scalarOrNull("diffuseroughness"),
+                      .relief = reliefOf(c)});
 }
 
 MaterialPtr conductor(const MaterialContext& c) {

@@ -54,7 +54,9 @@ TEST(MaterialFactoryV4, Defaults) {
 
 TEST(MaterialFactoryV4, EveryParameterCountsAndMayBeATexture) {
     const ParameterCase kCases[] = {
-        {"diffuse", "", "", "reflectance"},
+        {"diffuse", "", "diffuseroughness", "reflectance"},
+        {"principled", "", "diffuseroughness", "basecolor"},
+        {"principled", "\"float transmission\" 1", "roughness ior", "basecolor reflectiontint"},
         {"diffusetransmission", "", "", "reflectance transmittance"},
         {"dielectric", "", "eta roughness uroughness vroughness", ""},
         {"thindielectric", "", "eta", ""},

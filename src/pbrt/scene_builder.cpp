@@ -288,6 +288,7 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     pending.primitive.shadowAlpha = pending.geometry.shadowAlpha;
     pending.primitive.alphaIsShare = pending.geometry.alphaIsShare;
     pending.primitive.visibleToCamera = params.getBool("visibletocamera", true);
+    pending.primitive.visibleToDiffuse = params.getBool("visibletodiffuse", true);
     const bool blocks = params.getBool("blockslight", true);
     pending.primitive.media = state_.media;
     pending.primitive.material = make_.materialOfShape(*state_.material, params, materialSources());
@@ -346,7 +347,8 @@ bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
         last.geometry.curves && last.geometry.curves->looksLike(*next.geometry.curves) && last.object == next.object &&
         last.primitive.material == next.primitive.material && last.primitive.alpha == next.primitive.alpha &&
         last.primitive.shadowAlpha == next.primitive.shadowAlpha && last.primitive.media == next.primitive.media &&
-        last.primitive.visibleToCamera == next.primitive.visibleToCamera;
+        last.primitive.visibleToCamera == next.primitive.visibleToCamera &&
+        last.primitive.visibleToDiffuse == next.primitive.visibleToDiffuse;
     if (last.areaLight || !alike) return false;
     last.geometry.curves->append(*next.geometry.curves);
     return true;

@@ -138,7 +138,8 @@ void Session::warnIfBlack() const {
         return;
     }
     const auto isSky = [](const Light* light) { return !light->isDelta(); };
-    bool seesAnything = distance_ > 0 || std::ranges::any_of(lights_.infiniteLights(), isSky);
+    bool seesAnything =
+        distance_ > 0 || std::ranges::any_of(lights_.infiniteLights(), isSky) || !lights_.backdrop().empty();
     // Surfaces that only emit, or are black, have no distance above.
     if (!seesAnything)
         probe(kProbes, [&](const Ray& ray, Sampler&) {

@@ -8,8 +8,15 @@ LayeredDiffuse::LayeredDiffuse(const Rgb& albedo, const CosineCurve& curve, cons
     perMean_ = mean > 0 ? kInvPi / mean : 0;
 }
 
+LayeredDiffuse LayeredDiffuse::rough(const Rgb& albedo, float roughness, const LayersAbove& above) {
+    LayeredDiffuse lobe(albedo, above);
+    lobe.rough_.emplace(albedo, roughness);
+    return lobe;
+}
+
 Rgb LayeredDiffuse::f(const Vec3& wo, const Vec3& wi) const {
-    return albedo_ * colour_.bothWays(wo, wi) * (curve_.at(wo.z) * curve_.at(wi.z) * perMean_);
+    const Rgb below = rough_ ? rough_->f(wo, wi) * kPi : albedo_;
+    return below * colour_.bothWays(wo, wi) * (curve_.at(wo.z) * curve_.at(wi.z) * perMean_);
 }
 
 LobeSample LayeredDiffuse::sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {

@@ -1,9 +1,12 @@
 // A diffuse lobe of a layered surface: its value is a product over both directions, so that it is reciprocal, and its
 // albedo is known exactly.
 #pragma once
+#include <optional>
+
 #include "math/warp.h"
 #include "scene/layers_above.h"
 #include "scene/lobe.h"
+#include "scene/rough_diffuse.h"
 
 namespace drc {
 
@@ -15,6 +18,8 @@ class LayeredDiffuse {
         : LayeredDiffuse(albedo, above.passed, above.colour, side) {}
     LayeredDiffuse(const Rgb& albedo, const CosineCurve& curve, const CoatColour& colour = {},
                    Side side = Side::Reflects);
+    // Reflects as RoughDiffuse does; its albedo is then as near as that lobe's is even.
+    static LayeredDiffuse rough(const Rgb& albedo, float roughness, const LayersAbove& above);
 
     LobeFlags flags() const {
         return LobeFlags::Diffuse | (transmits_ ? LobeFlags::Transmission : LobeFlags::Reflection);
@@ -25,8 +30,10 @@ class LayeredDiffuse {
         return sameHemisphere(wo, wi) == transmits_ ? 0 : absCosTheta(wi) * kInvPi;
     }
     LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const;
-    // Exact if the coat is clear.
-    Rgb albedo(const Vec3& wo) const { return albedo_ * curve_.at(wo.z) * colour_.at(wo.z); }
+    // Exact if the coat is clear and the surface is smooth.
+    Rgb albedo(const Vec3& wo) const {
+        return (rough_ ? rough_->albedo(wo) : albedo_) * curve_.at(wo.z) * colour_.at(wo.z);
+    }
 
   private:
     Rgb albedo_;
@@ -34,6 +41,7 @@ class LayeredDiffuse {
     float perMean_;  // 1 / (pi times the mean of the curve)
     CoatColour colour_;
     bool transmits_;
+    std::optional<RoughDiffuse> rough_;  // none: smooth
 };
 
 }  // namespace drc

@@ -71,6 +71,9 @@ struct EmittedRay {
     EmissionDensity density;
 };
 
+// Who sees a light at infinity: the rays that nothing has scattered since they left the camera, and what is lit.
+enum class LightAudience { All, Surfaces, Camera };
+
 class Light {
   public:
     virtual ~Light() = default;
@@ -89,8 +92,10 @@ class Light {
     virtual bool isInfinite() const { return false; }
     virtual Rgb escaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Rgb(0.f); }
     virtual float pdfEscaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return 0; }
-    // Whether the camera sees it; surfaces do anyway.
-    virtual bool visibleToCamera() const { return true; }
+    virtual LightAudience audience() const { return LightAudience::All; }
+    bool visibleToCamera() const { return audience() != LightAudience::Surfaces; }
+    // Whether anything is lit by it. What does not is seen by the camera's rays, and is never sampled.
+    bool illuminates() const { return audience() != LightAudience::Camera; }
     // Whether light arrives from all around, so that it pays to learn from where it does (EnvironmentGuide).
     virtual bool surrounds() const { return isInfinite(); }
     // The u in the unit square for which sample() at `from` returns direction wi.
@@ -152,14 +157,15 @@ LightPtr makeProjectionLight(const Transform& lightToWorld, const Rgb& intensity
 // direction: from lit points towards the light, world space.
 LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
 // The same, seen as a disk. angle: its diameter, in degrees, in (0, 180]. irradiance: on a surface that faces it.
-LightPtr makeSunLight(const Vec3& direction, const Rgb& irradiance, float angle, bool visibleToCamera = true);
+LightPtr makeSunLight(const Vec3& direction, const Rgb& irradiance, float angle,
+                      LightAudience audience = LightAudience::All);
 
 // An environment map in pbrt's lat-long layout: v = theta / pi from +z of the light's space, with row 0 at theta = 0,
 // and u = phi / 2 pi.
 using EnvironmentMap = LightImage;
 // map: empty for a constant environment. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {},
-                           bool visibleToCamera = true);
+                           LightAudience audience = LightAudience::All);
 // An environment seen through a portal alone: a rectangle in world space, oriented as Portal says. Points outside, and
 // rays that do not pass it, receive nothing.
 LightPtr makePortalLight(LightPtr environment, const std::array<Vec3, 4>& corners);

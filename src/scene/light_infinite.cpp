@@ -15,8 +15,8 @@ float cellAverage(float before, float here, float after) { return (before + 6 * 
 
 class InfiniteLight final : public Light {
   public:
-    InfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map, bool visibleToCamera)
-        : lightToWorld_(lightToWorld), worldToLight_(lightToWorld.inverse()), visibleToCamera_(visibleToCamera) {
+    InfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map, LightAudience audience)
+        : lightToWorld_(lightToWorld), worldToLight_(lightToWorld.inverse()), audience_(audience) {
         if (map.empty()) map = {1, 1, {Rgb(1.f)}};
         width_ = map.width;
         height_ = map.height;
@@ -71,7 +71,7 @@ class InfiniteLight final : public Light {
     bool isInfinite() const override { return true; }
 
     int mapRows() const override { return height_; }
-    bool visibleToCamera() const override { return visibleToCamera_; }
+    LightAudience audience() const override { return audience_; }
     Rgb escaped(const Vec3&, const Vec3& wi) const override { return lookup(mapCoordinates(worldToLight_(wi))); }
 
     float pdfEscaped(const Vec3&, const Vec3& wi) const override {
@@ -181,7 +181,7 @@ class InfiniteLight final : public Light {
     }
 
     Turn lightToWorld_, worldToLight_;
-    bool visibleToCamera_;
+    LightAudience audience_;
     int width_ = 1, height_ = 1;
     std::vector<Rgb> texels_;      // multiplied by scale
     Distribution2D distribution_;  // over cells of one or more texels
@@ -196,8 +196,9 @@ class InfiniteLight final : public Light {
 
 }  // namespace
 
-LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map, bool visibleToCamera) {
-    return std::make_shared<InfiniteLight>(lightToWorld, scale, std::move(map), visibleToCamera);
+LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map,
+                           LightAudience audience) {
+    return std::make_shared<InfiniteLight>(lightToWorld, scale, std::move(map), audience);
 }
 
 }  // namespace drc

@@ -56,7 +56,7 @@ class PortalLight final : public Light {
 
     bool isAtInfinity() const override { return true; }
     bool isInfinite() const override { return true; }
-    bool visibleToCamera() const override { return environment_->visibleToCamera(); }
+    LightAudience audience() const override { return environment_->audience(); }
     Rgb escaped(const Vec3& from, const Vec3& wi) const override {
         return portal_.isPassed(from, wi) ? environment_->escaped(from, wi) : Rgb(0.f);
     }

@@ -11,8 +11,8 @@ namespace {
 
 class SunLight final : public Light {
   public:
-    SunLight(const Vec3& direction, const Rgb& irradiance, float angle, bool visibleToCamera)
-        : frame_(Frame::fromNormal(normalize(direction))), irradiance_(irradiance), visibleToCamera_(visibleToCamera) {
+    SunLight(const Vec3& direction, const Rgb& irradiance, float angle, LightAudience audience)
+        : frame_(Frame::fromNormal(normalize(direction))), irradiance_(irradiance), audience_(audience) {
         // In double precision: the sun's own disk is within 1e-5 of a cosine of one.
         const double half = std::min(double(angle), 180.0) * std::numbers::pi / 360;
         oneMinusCos_ = float(2 * std::pow(std::sin(half / 2), 2));
@@ -40,7 +40,7 @@ class SunLight final : public Light {
     bool isAtInfinity() const override { return true; }
     bool isInfinite() const override { return true; }
     bool surrounds() const override { return false; }
-    bool visibleToCamera() const override { return visibleToCamera_; }
+    LightAudience audience() const override { return audience_; }
     Rgb escaped(const Vec3&, const Vec3& wi) const override {
         return heightOf(wi) <= oneMinusCos_ ? radiance_ : Rgb(0.f);
     }
@@ -60,13 +60,13 @@ class SunLight final : public Light {
     Frame frame_;  // its normal points to the middle of the disk
     Rgb irradiance_, radiance_;
     float oneMinusCos_;
-    bool visibleToCamera_;
+    LightAudience audience_;
 };
 
 }  // namespace
 
-LightPtr makeSunLight(const Vec3& direction, const Rgb& irradiance, float angle, bool visibleToCamera) {
-    return std::make_shared<SunLight>(direction, irradiance, angle, visibleToCamera);
+LightPtr makeSunLight(const Vec3& direction, const Rgb& irradiance, float angle, LightAudience audience) {
+    return std::make_shared<SunLight>(direction, irradiance, angle, audience);
 }
 
 }  // namespace drc

@@ -19,6 +19,7 @@
 #include "scene/microfacet_reflection.h"
 #include "scene/microfacet_transmission.h"
 #include "scene/oren_nayar.h"
+#include "scene/rough_diffuse.h"
 #include "scene/sheet_transmission.h"
 #include "scene/specular_reflection.h"
 #include "scene/specular_transmission.h"
@@ -33,6 +34,6 @@ using Lobe =
                  CoatedConductor, CoatedMirror, LayeredDiffuse, LayeredLobe<MicrofacetReflection>,
                  LayeredLobe<MicrofacetDielectric>, LayeredLobe<SpecularReflection>, LayeredLobe<SpecularTransmission>,
                  LayeredLobe<FresnelSpecular>, LayeredLobe<ThinDielectric>, LayeredLobe<SheetTransmission>, FourierBsdf,
-                 MeasuredBsdf>;
+                 MeasuredBsdf, RoughDiffuse>;
 
 }  // namespace drc

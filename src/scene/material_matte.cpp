@@ -10,19 +10,23 @@ class Matte final : public Material {
     explicit Matte(MatteParams params) : params_(std::move(params)) {
         params_.kd = orConstant(params_.kd, Rgb(0.5f));
         params_.sigma = orConstant(params_.sigma, 0);
+        params_.roughness = orConstant(params_.roughness, 0);
         setRelief(params_.relief);
     }
     void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const override {
         const Rgb kd = evalClamped(*params_.kd, at);
         if (isBlack(kd)) return;
         const float sigma = std::clamp(params_.sigma->eval(at), 0.f, 90.f);
-        if (sigma == 0)
+        const float roughness = std::clamp(params_.roughness->eval(at), 0.f, 1.f);
+        if (roughness > 0)
+            bsdf.add(RoughDiffuse(kd, roughness), weight);
+        else if (sigma == 0)
             bsdf.add(LambertReflection(kd), weight);
         else
             bsdf.add(OrenNayar(kd, sigma), weight);
     }
 
-    bool isConstant() const override { return areConstant(params_.kd, params_.sigma); }
+    bool isConstant() const override { return areConstant(params_.kd, params_.sigma, params_.roughness); }
     int maxLobes() const override { return 1; }
 
   private:

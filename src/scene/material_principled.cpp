@@ -31,9 +31,9 @@ std::optional<TrowbridgeReitz> distributionOf(float roughness, float anisotropic
 
 // The parameters at one point, in their ranges.
 struct Point {
-    Rgb baseColor, specularTint, coatTint, sheenTint;
-    float metallic, roughness, ior, specularLevel, anisotropic, rotation, transmission, coat, coatRoughness, coatIor,
-        sheen, sheenRoughness, subsurface;
+    Rgb baseColor, specularTint, reflectionTint, coatTint, sheenTint;
+    float metallic, roughness, diffuseRoughness, ior, specularLevel, anisotropic, rotation, transmission, coat,
+        coatRoughness, coatIor, sheen, sheenRoughness, subsurface;
 };
 
 class Emitted final : public RgbTexture {
@@ -57,12 +57,14 @@ class Principled final : public Material {
         p.baseColor = orConstant(p.baseColor, Rgb(0.8f));
         p.metallic = orConstant(p.metallic, 0);
         p.roughness = orConstant(p.roughness, 0.5f);
+        p.diffuseRoughness = orConstant(p.diffuseRoughness, 0);
         p.ior = orConstant(p.ior, 1.5f);
         p.specularLevel = orConstant(p.specularLevel, 0.5f);
         p.specularTint = orConstant(p.specularTint, Rgb(1.f));
         p.anisotropic = orConstant(p.anisotropic, 0);
         p.anisotropicRotation = orConstant(p.anisotropicRotation, 0);
         p.transmission = orConstant(p.transmission, 0);
+        p.reflectionTint = orConstant(p.reflectionTint, Rgb(1.f));
         p.coat = orConstant(p.coat, 0);
         p.coatRoughness = orConstant(p.coatRoughness, 0.03f);
         p.coatIor = orConstant(p.coatIor, 1.5f);
@@ -91,9 +93,10 @@ class Principled final : public Material {
 
     bool isConstant() const override {
         const PrincipledParams& p = params_;
-        return areConstant(p.baseColor, p.metallic, p.roughness, p.ior, p.specularLevel, p.specularTint, p.anisotropic,
-                           p.anisotropicRotation, p.transmission, p.coat, p.coatRoughness, p.coatIor, p.coatTint,
-                           p.sheen, p.sheenRoughness, p.sheenTint, p.subsurface);
+        return areConstant(p.baseColor, p.metallic, p.roughness, p.diffuseRoughness, p.ior, p.specularLevel,
+                           p.specularTint, p.anisotropic, p.anisotropicRotation, p.transmission, p.reflectionTint,
+                           p.coat, p.coatRoughness, p.coatIor, p.coatTint, p.sheen, p.sheenRoughness, p.sheenTint,
+                           p.subsurface);
     }
     int maxLobes() const override {
         const auto may = [](const FloatTexturePtr& t, float without) {
@@ -119,12 +122,14 @@ class Principled final : public Material {
         point.baseColor = colour(p.baseColor);
         point.metallic = unit(p.metallic);
         point.roughness = unit(p.roughness);
+        point.diffuseRoughness = unit(p.diffuseRoughness);
         point.ior = index(p.ior);
         point.specularLevel = std::max(0.f, p.specularLevel->eval(at));
         point.specularTint = colour(p.specularTint);
         point.anisotropic = unit(p.anisotropic);
         point.rotation = p.anisotropicRotation->eval(at);
         point.transmission = unit(p.transmission);
+        point.reflectionTint = colour(p.reflectionTint);
         point.coat = unit(p.coat);
         point.coatRoughness = unit(p.coatRoughness);
         point.coatIor = std::max(1.f, index(p.coatIor));
@@ -179,14 +184,14 @@ class Principled final : public Material {
         const Fresnel fresnel =
             isTinted ? Fresnel::tinted(atNormal, eta, Fresnel::Of::Boundary) : Fresnel::dielectric(1, eta);
         if (distribution && eta != 1) {
-            bsdf.add(LayeredLobe(MicrofacetDielectric(Rgb(1.f), transmittance, *distribution, eta, fresnel), above,
-                                 MultipleScattering::ofBoundary(distribution->meanAlpha(), eta, transmittance)),
+            bsdf.add(LayeredLobe(MicrofacetDielectric(point.reflectionTint, transmittance, *distribution, eta, fresnel),
+                                 above, MultipleScattering::ofBoundary(distribution->meanAlpha(), eta, transmittance)),
                      weight);
         } else if (isTinted) {
-            bsdf.add(LayeredLobe(SpecularReflection(Rgb(1.f), fresnel), above), weight);
+            bsdf.add(LayeredLobe(SpecularReflection(point.reflectionTint, fresnel), above), weight);
             bsdf.add(LayeredLobe(SpecularTransmission(transmittance, 1, eta), above), weight);
         } else {
-            bsdf.add(LayeredLobe(FresnelSpecular(Rgb(1.f), transmittance, 1, eta), above), weight);
+            bsdf.add(LayeredLobe(FresnelSpecular(point.reflectionTint, transmittance, 1, eta), above), weight);
         }
     }
 
@@ -221,7 +226,11 @@ class Principled final : public Material {
                 rest(dielectricAlbedo(distribution ? distribution->meanAlpha() : 0, eta, maxComponent(tinted)), 1));
         }
         const float through = params_.thinWall ? 0.5f * point.subsurface : 0;
-        bsdf.add(LayeredDiffuse(point.baseColor * (1 - through), above), weight);
+        const Rgb reflected = point.baseColor * (1 - through);
+        if (point.diffuseRoughness > 0)
+            bsdf.add(LayeredDiffuse::rough(reflected, point.diffuseRoughness, above), weight);
+        else
+            bsdf.add(LayeredDiffuse(reflected, above), weight);
         if (through > 0)
             bsdf.add(LayeredDiffuse(point.baseColor * through, above, LayeredDiffuse::Side::Transmits), weight);
     }

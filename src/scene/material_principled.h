@@ -18,12 +18,14 @@ struct PrincipledParams {
     RgbTexturePtr baseColor;              // 0.8
     FloatTexturePtr metallic;             // 0; weight
     FloatTexturePtr roughness;            // 0.5; alpha is its square
+    FloatTexturePtr diffuseRoughness;     // 0; of the diffuse base, see RoughDiffuse
     FloatTexturePtr ior;                  // 1.5; index inside, relative to outside
     FloatTexturePtr specularLevel;        // 0.5; scales the dielectric's reflectance at normal incidence by twice this
     RgbTexturePtr specularTint;           // 1; of that reflectance, and of metal towards grazing angles
     FloatTexturePtr anisotropic;          // 0; up to 1, stretches highlights of metal and dielectric along the tangent
     FloatTexturePtr anisotropicRotation;  // 0; of the tangent, in turns
     FloatTexturePtr transmission;         // 0; weight of glass
+    RgbTexturePtr reflectionTint;         // 1; of all that glass reflects; not of a thin wall's
     FloatTexturePtr coat;                 // 0; weight
     FloatTexturePtr coatRoughness;        // 0.03
     FloatTexturePtr coatIor;              // 1.5

@@ -55,6 +55,24 @@ std::vector<Case> cases() {
         p.roughness = number(0.6f);
         p.thinWall = true;
     });
+    add("clear glass with red reflections", [](PrincipledParams& p) {
+        p.transmission = number(1);
+        p.roughness = number(0);
+        p.reflectionTint = colour(1, 1, 0.3f);
+    });
+    add("frosted glass with red reflections", [](PrincipledParams& p) {
+        p.transmission = number(1);
+        p.roughness = number(0.5f);
+        p.reflectionTint = colour(0.9f, 1, 0.3f);
+    });
+    add("rough base", [](PrincipledParams& p) {
+        p.diffuseRoughness = number(1);
+        p.roughness = number(0.6f);
+    });
+    add("rough plaster", [](PrincipledParams& p) {
+        p.diffuseRoughness = number(0.7f);
+        p.specularLevel = number(0);
+    });
     add("clear pane", [](PrincipledParams& p) {
         p.transmission = number(1);
         p.roughness = number(0);
@@ -161,6 +179,9 @@ TEST(Principled, HandComputed) {
     glass.transmission = number(1);
     glass.roughness = number(0);
     EXPECT_NEAR(weightAtNormal(makePrincipled(glass)), 0.04f + 0.96f * 0.5f, 1e-3f);
+    // Its reflections may be tinted.
+    glass.reflectionTint = colour(0.5f, 0.5f, 0.5f);
+    EXPECT_NEAR(weightAtNormal(makePrincipled(glass)), 0.02f + 0.96f * 0.5f, 1e-3f);
     // A pane: both faces reflect, 2 R / (1 + R), and light crosses it once, with the whole colour.
     glass.thinWall = true;
     EXPECT_NEAR(weightAtNormal(makePrincipled(glass)), 0.08f / 1.04f + (1 - 0.08f / 1.04f) * 0.25f, 1e-3f);
@@ -175,6 +196,19 @@ TEST(Principled, SubsurfaceLeavesAThinWallOnBothSides) {
     p.subsurface = number(0.6f);
     EXPECT_NEAR(weightAtNormal(makePrincipled(p), kThrough), 0.3f, 1e-3f);
     EXPECT_NEAR(weightAtNormal(makePrincipled(p)), 1, 1e-3f);
+}
+
+TEST(Principled, ARoughBaseAloneIsRoughDiffuse) {
+    PrincipledParams p;
+    p.baseColor = colour(0.6f, 0.3f, 0.1f);
+    p.specularLevel = number(0);
+    p.diffuseRoughness = number(0.8f);
+    const Bsdf bsdf = bsdfOf(makePrincipled(p));
+    const RoughDiffuse expected(Rgb(0.6f, 0.3f, 0.1f), 0.8f);
+    for (const float azimuth : {0.f, 1.f, 3.f}) {
+        const Vec3 wo = direction(0.2f), wi = direction(0.4f, azimuth);
+        expectClose(bsdf.f(bsdf.frame().toWorld(wo), bsdf.frame().toWorld(wi)), expected.f(wo, wi), 1e-5f);
+    }
 }
 
 TEST(Principled, AnisotropyTurnsWithItsRotation) {
@@ -220,10 +254,10 @@ TEST(Principled, CountsItsLobes) {
 
 TEST(Principled, IsConstantUnlessATextureVaries) {
     using P = PrincipledParams;
-    checkConstancy<P>(makePrincipled, {}, &P::baseColor, &P::metallic, &P::roughness, &P::ior, &P::specularLevel,
-                      &P::specularTint, &P::anisotropic, &P::anisotropicRotation, &P::transmission, &P::coat,
-                      &P::coatRoughness, &P::coatIor, &P::coatTint, &P::sheen, &P::sheenRoughness, &P::sheenTint,
-                      &P::subsurface);
+    checkConstancy<P>(makePrincipled, {}, &P::baseColor, &P::metallic, &P::roughness, &P::diffuseRoughness, &P::ior,
+                      &P::specularLevel, &P::specularTint, &P::anisotropic, &P::anisotropicRotation, &P::transmission,
+                      &P::reflectionTint, &P::coat, &P::coatRoughness, &P::coatIor, &P::coatTint, &P::sheen,
+                      &P::sheenRoughness, &P::sheenTint, &P::subsurface);
 }
 
 }  // namespace

@@ -19,6 +19,9 @@ struct Ray {
     // Whether nothing has scattered it since it left the camera: it does not see what Primitive and Light hide from the
     // camera.
     bool fromCamera = false;
+    // Whether a mirror or smooth glass has sent it here, on its way from the camera. Neither of the two: it does not
+    // see what Primitive hides from diffuse rays.
+    bool mirrored = false;
 };
 
 }  // namespace drc

@@ -28,6 +28,7 @@ struct Primitive {
     FloatTexturePtr shadowAlpha;                 // the same for shadow rays only; null: as alpha
     bool alphaIsShare = false;                   // of the rays that alpha lets hit the surface (pbrt-v4), at random
     bool visibleToCamera = true;                 // if not, rays from the camera pass through
+    bool visibleToDiffuse = true;                // if not, shadow rays and all but Camera and Mirrored ones pass
     uint32_t name = SurfaceNames::kNone;         // its row in Scene::names
     MediumInterface media = {};                  // owned by Scene::media
 };

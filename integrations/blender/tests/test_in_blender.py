@@ -7,6 +7,7 @@ Run it with a Python that has Blender's module bpy (4.5 or later); without it th
 """
 
 import os
+import re
 import resource
 import signal
 import stat
@@ -35,6 +36,7 @@ from drc_blender.export.scene import SceneExporter
 from drc_blender.frame_renderer import FrameRenderer
 from drc_blender.properties import Defaults
 from drc_blender.render_passes import pass_values
+from scenes import light_paths
 from stage import HEIGHT, WIDTH, Stage, stripes
 
 DRC = None
@@ -163,9 +165,7 @@ class Renders(InBlender):
     def frames(self, last):
         """The pictures of an animation from frame 1 on, and how many renderers it has started."""
         log = os.path.join(self.folder.name, "starts.txt")
-        self.program(
-            f"import os, sys\nopen({log!r}, 'a').write('x')\nos.execv({DRC!r}, [{DRC!r}, *sys.argv[1:]])"
-        )
+        self.program(f"import os, sys\nopen({log!r}, 'a').write('x')\nos.execv({DRC!r}, [{DRC!r}, *sys.argv[1:]])")
         self.scene.frame_start, self.scene.frame_end = 1, last
         self.scene.render.filepath = os.path.join(self.folder.name, "frame-")
         settings = self.scene.render.image_settings
@@ -378,6 +378,81 @@ class Exports(InBlender):
             "ball > Voronoi Texture: the node Voronoi Texture has no equal; the socket's own value is used", report
         )
         self.assertIn("ball: objects are seen by all rays; this one is hidden from glossy rays", report)
+
+    def rays(self, *names, glass="BsdfGlass", scale=1.0, **inputs):
+        """(parameters of the ball's Shape, report) where it is clear to the rays that Light Path calls by these names."""
+        material = self.stage.ball.data.materials[0]
+        factor = light_paths.told(self.stage, material, *names)
+        if scale != 1:
+            factor = self.stage.node(material, "Math", {"operation": "MULTIPLY"}, i0=factor, i1=scale).outputs[0]
+        light_paths.mixed(
+            self.stage,
+            material,
+            factor,
+            self.stage.node(material, glass, **inputs),
+            self.stage.node(material, "BsdfTransparent", Color=(1, 1, 1)),
+        )
+        exported = self.exported(SceneExporter(os.path.join(self.folder.name, "rays")))
+        with open(exported.path, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        at = next(i for i, line in enumerate(lines) if line == 'NamedMaterial "ball"')
+        parameters = dict(re.findall(r'"(\w+ \w+)" \[([^]]*)\]', lines[at + 1]))
+        return parameters, [line for line in exported.report.lines() if "ball" in line]
+
+    def test_shadows_of_light_paths(self):
+        parameters, report = self.rays("Is Shadow Ray", Roughness=0.0)
+        self.assertEqual(parameters["float shadowalpha"], "0")
+        self.assertNotIn("bool visibletodiffuse", parameters)
+        self.assertEqual(report, [])
+
+    def test_shadows_that_light_paths_make_lighter(self):
+        parameters, report = self.rays("Is Shadow Ray", glass="BsdfDiffuse", scale=0.25)
+        self.assertEqual(parameters["float shadowalpha"], "0.75")
+        self.assertEqual(report, [])
+
+    def test_windows_of_light_paths(self):
+        parameters, report = self.rays("Is Shadow Ray", "Is Diffuse Ray", Roughness=0.0)
+        self.assertEqual(parameters["bool visibletodiffuse"], "false")
+        self.assertNotIn("float shadowalpha", parameters)
+        self.assertEqual(report, [])
+
+    def test_frosted_windows_of_light_paths(self):
+        parameters, report = self.rays("Is Shadow Ray", "Is Diffuse Ray", Roughness=0.4)
+        self.assertEqual(parameters["float shadowalpha"], "0")
+        self.assertNotIn("bool visibletodiffuse", parameters)
+        self.assertEqual(report, ["ball: diffuse rays meet the surface that the camera sees"])
+
+    def test_light_paths_that_hide_from_the_camera(self):
+        parameters, report = self.rays("Is Camera Ray", glass="BsdfDiffuse")
+        self.assertEqual(parameters["bool visibletocamera"], "false")
+        self.assertEqual(len(parameters), 2)
+        self.assertEqual(report, [])
+
+    def test_light_paths_without_an_equal_are_named(self):
+        _, report = self.rays("Is Glossy Ray", "Ray Depth", Roughness=0.0)
+        self.assertIn("ball: mirrors show the surface that the camera sees", report)
+        self.assertTrue(any("'Ray Depth' of Light Path has no equal" in line for line in report), report)
+
+    def test_two_worlds(self):
+        light_paths.backdrop(self.stage, (0.25, 0.5, 1.0), (1.0, 0.75, 0.5))
+        exported = self.exported(SceneExporter(os.path.join(self.folder.name, "worlds")))
+        with open(exported.path, encoding="utf-8") as file:
+            lights = [line for line in file.read().splitlines() if line.startswith('LightSource "infinite"')]
+        self.assertEqual(
+            lights,
+            [
+                'LightSource "infinite" "rgb L" [1 0.75 0.5] "bool visibletocamera" [false]',
+                'LightSource "infinite" "rgb L" [0.25 0.5 1] "bool illuminates" [false]',
+            ],
+        )
+        self.assertEqual(exported.report.lines(), [])
+
+    def test_objects_that_diffuse_rays_and_shadows_pass(self):
+        self.stage.ball.visible_diffuse = self.stage.ball.visible_shadow = False
+        exported = self.exported(SceneExporter(os.path.join(self.folder.name, "pane")))
+        with open(exported.path, encoding="utf-8") as file:
+            self.assertEqual(file.read().count('"bool visibletodiffuse" [false]'), 1)
+        self.assertEqual(exported.report.lines(), [])
 
     def test_operator(self):
         path = os.path.join(self.folder.name, "by hand.pbrt")

@@ -8,6 +8,7 @@ from ..materials.closures import ClosureReader, emitted
 from ..materials.node_links import active_output, tree_of
 from .pbrt_text import statement
 
+HIDDEN = {"bool visibletocamera": False}
 ELLIPSE_CORNERS = 128
 LEAST_RADIUS = 1e-6  # below which a lamp is a point
 LEAST_SPREAD = 1.0  # degrees: that of Cycles
@@ -85,7 +86,7 @@ def sun(light, matrix, colour, report, place, object_):
     """Its energy is an irradiance."""
     angle = min(light.angle, math.pi)
     irradiance = colour if is_normalized(light) else colour * disk_solid_angle(angle)
-    return [sun_line(irradiance, -direction_of(matrix), angle, visible=False)]
+    return [sun_line(irradiance, -direction_of(matrix), angle, HIDDEN)]
 
 
 def disk_solid_angle(angle):
@@ -93,12 +94,12 @@ def disk_solid_angle(angle):
     return math.pi * math.sin(angle / 2) ** 2
 
 
-def sun_line(irradiance, towards, angle, visible):
-    """angle: that it is seen under; towards: the direction of its middle; visible: to the camera."""
+def sun_line(irradiance, towards, angle, audience):
+    """angle: that it is seen under; towards: the direction of its middle; audience: parameters that say who sees it."""
     params = {"rgb L": irradiance, "point3 from": towards, "point3 to": (0, 0, 0)}
     if angle > 0:
         params["float angle"] = math.degrees(angle)
-        params["bool visibletocamera"] = visible
+        params.update(audience)
     return statement("LightSource", "distant", params=params)
 
 

@@ -232,7 +232,8 @@ class SceneExporter:
             "visible_transmission": "refracted rays",
         }
         hidden = [what for name, what in rays.items() if not getattr(object_, name, True)]
-        if hidden:
+        is_pane = hidden == ["diffuse rays"] and not object_.visible_shadow
+        if hidden and not is_pane:
             self.report.add(f"objects are seen by all rays; this one is hidden from {', '.join(hidden)}", object_.name)
         for name, what in (("is_holdout", "holdouts"), ("is_shadow_catcher", "shadow catchers")):
             if getattr(object_, name, False):
@@ -240,7 +241,9 @@ class SceneExporter:
         params = {}
         if not getattr(object_, "visible_camera", True):
             params["bool visibletocamera"] = False
-        if not getattr(object_, "visible_shadow", True):
+        if is_pane:
+            params["bool visibletodiffuse"] = False
+        elif not getattr(object_, "visible_shadow", True):
             params["float shadowalpha"] = 0
         return params
 
@@ -280,8 +283,11 @@ class SceneExporter:
                 key = digest(mesh.data.key, index, len(mesh.materials), placed.uv)
                 file = self.meshes.file(key, "ply", lambda: mesh.data.ply(triangles, placed.uv))
             self.exported.triangles += len(triangles)
-            shape = statement("Shape", "plymesh", params={"string filename": file, **mesh.visibility})
-            lines = [*placed.lines, shape + placed.alpha]
+            # What the object says of shadows counts, whatever its materials do.
+            named = {declared.split()[1] for declared in mesh.visibility}
+            own = {declared: v for declared, v in placed.shape.items() if declared.split()[1] not in named}
+            shape = statement("Shape", "plymesh", params={"string filename": file, **mesh.visibility, **own})
+            lines = [*placed.lines, shape]
             if placed.emissive:
                 emitting += ["AttributeBegin", *lines, "AttributeEnd"]
             else:

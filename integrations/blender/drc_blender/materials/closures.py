@@ -30,6 +30,7 @@ PRINCIPLED = {  # parameter: sockets, of which the first that a version has coun
     "rgb basecolor": ("Base Color",),
     "float metallic": ("Metallic",),
     "float roughness": ("Roughness",),
+    "float diffuseroughness": ("Diffuse Roughness",),
     "float ior": ("IOR",),
     "float specularlevel": ("Specular IOR Level",),
     "rgb speculartint": ("Specular Tint",),
@@ -45,7 +46,7 @@ PRINCIPLED = {  # parameter: sockets, of which the first that a version has coun
     "rgb sheentint": ("Sheen Tint",),
     "float subsurface": ("Subsurface Weight",),
 }
-PRINCIPLED_ABSENT = (("Diffuse Roughness", 0.0), ("Thin Film Thickness", 0.0), ("Transmission Dispersion Scale", 0.0))
+PRINCIPLED_ABSENT = (("Thin Film Thickness", 0.0), ("Transmission Dispersion Scale", 0.0))
 SCHLICK_AT_82 = (6 / 7) ** 5  # 1 - cos to the fifth, at the angle at which F82 tints
 
 
@@ -180,9 +181,11 @@ class ClosureReader:
         made.scattering.append(self._closure(at, "principled", parameters, weight))
 
     def _diffuse(self, at, weight, made):
-        if not self._value(at, "Roughness").is_always(0):
-            self.reader.unsupported(at, "a rough Diffuse BSDF has no equal; it is Lambert's")
-        made.scattering.append(self._closure(at, "diffuse", {"rgb reflectance": self._value(at, "Color")}, weight))
+        parameters = {"rgb reflectance": self._value(at, "Color")}
+        roughness = self._value(at, "Roughness")
+        if not roughness.is_always(0):
+            parameters["float diffuseroughness"] = roughness
+        made.scattering.append(self._closure(at, "diffuse", parameters, weight))
 
     def _glossy(self, at, weight, made):
         colour = self._value(at, "Color")
@@ -238,7 +241,7 @@ class ClosureReader:
                 {
                     # The principled glass tints by the root of its colour at each surface, Glass by the colour itself.
                     "rgb basecolor": combined(lambda c: np.clip(c, 0, 1) ** 2, colour),
-                    "rgb speculartint": colour,
+                    "rgb reflectiontint": colour,
                     "float transmission": ONE,
                     "float roughness": self._value(at, "Roughness"),
                     "float ior": self._value(at, "IOR"),

@@ -1,16 +1,18 @@
 """Materials of a scene file, as they are needed: one for each Blender material and way to place its textures."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from ..export.cache import digest
 from ..export.pbrt_text import quoted, statement
+from ..export.report import Report
 from .atlas import Atlas, points_of
 from .closures import Closure, ClosureReader
 from .expressions import Expression, constant
 from .node_links import Socket, active_output, tree_of
 from .plan import MaterialPlan, add_relief, plan_of
+from .ray_kinds import TOLD, heed_rays
 from .textures import Window, texture, value_at_nowhere
 from .tree_key import tree_key
 
@@ -25,7 +27,7 @@ class Placed:
     atlas: Atlas = None
     emissive: bool = False
     invisible: bool = False
-    alpha: str = ""  # a parameter of the Shape
+    shape: dict = field(default_factory=dict)  # parameters of the Shape
 
 
 class MaterialWriter:
@@ -51,13 +53,25 @@ class MaterialWriter:
         if tree is None:
             colour = tuple(material.diffuse_color)[:3]
             return MaterialPlan([Closure("diffuse", {"rgb reflectance": constant(*colour)})], []), digest(colour)
-        plan = plan_of(ClosureReader(reader).surface(tree), reader)
+        plan = self._plan_of(tree, reader)
         output = active_output(tree, "OUTPUT_MATERIAL")
         displacement = Socket(output.inputs["Displacement"]).source() if output is not None else None
         add_relief(plan, reader, displacement)
         if output is not None and output.inputs["Volume"].is_linked:
             reader.report.add("volumes of materials are not exported", *reader.place)
         return plan, tree_key(tree)
+
+    @staticmethod
+    def _plan_of(tree, reader):
+        seen = reader.for_ray("camera")
+        surface = ClosureReader(seen).surface(tree)
+        if not seen.rays_matter:
+            return plan_of(surface, reader)
+        surfaces = {"camera": surface}
+        for ray in TOLD.keys() - surfaces.keys():
+            # What such rays meet besides is told of the camera's.
+            surfaces[ray] = ClosureReader(reader.for_ray(ray, Report())).surface(tree)
+        return heed_rays(surfaces, lambda surface: plan_of(surface, reader), reader)
 
     # Parts of meshes
 
@@ -130,10 +144,16 @@ class MaterialWriter:
             whole = mixed
         lines = [f"NamedMaterial {quoted(whole)}"] if whole else ['Material "diffuse" "rgb reflectance" [0 0 0]']
         lines += self._emission(plan, values)
-        alpha = ""
+        shape = {}
         if not plan.alpha.is_always(1):
-            alpha = " " + statement("", params=values.parameter("float alpha", plan.alpha, f"{name}.alpha")).strip()
-        return Placed(lines, emissive=len(lines) > 1, alpha=alpha)
+            shape.update(values.parameter("float alpha", plan.alpha, f"{name}.alpha"))
+        if plan.shadow_alpha is not None:
+            shape.update(values.parameter("float shadowalpha", plan.shadow_alpha, f"{name}.shadowalpha"))
+        if not plan.visible_to_camera:
+            shape["bool visibletocamera"] = False
+        if not plan.visible_to_diffuse:
+            shape["bool visibletodiffuse"] = False
+        return Placed(lines, emissive=len(lines) > 1, shape=shape)
 
     def _relief(self, plan, values):
         if plan.bump is not None and plan.bump.needs:

@@ -6,6 +6,7 @@ import numpy as np
 from .blackbody import blackbody
 from .colour_maths import NUMBERS, mapped_range
 from .expressions import as_colour, as_number, combined, constant
+from .ray_kinds import KNOWN, TOLD
 
 
 def _value(reader, at):
@@ -126,10 +127,12 @@ def _at_the_normal(reader, at):
 
 
 def _light_path(reader, at):
-    value = 1.0 if at.socket.name == "Is Camera Ray" else 0.0
-    return reader.unsupported(
-        at, "surfaces are the same for all rays; they are as the camera sees them", constant(value)
-    )
+    name = at.socket.name
+    value = constant(1.0 if name in TOLD[reader.ray or "camera"] else 0.0)
+    reader.rays_matter = True
+    if reader.ray is not None and name in KNOWN:
+        return value
+    return reader.unsupported(at, f"'{name}' of Light Path has no equal; it is that of the camera's rays", value)
 
 
 NODES = {

@@ -31,10 +31,14 @@ class MaterialPlan:
     emission: Expression = field(default_factory=lambda: ZERO)
     bump: Expression = None  # a height in world units
     normal_map: Expression = None  # a colour
+    shadow_alpha: Expression = None  # instead of alpha, to shadow rays; never more than alpha
+    visible_to_camera: bool = True
+    visible_to_diffuse: bool = True  # and blocking light
 
     def expressions(self):
         yield from self.shares
-        yield from (e for e in (self.alpha, self.emission, self.bump, self.normal_map) if e is not None)
+        others = (self.alpha, self.emission, self.bump, self.normal_map, self.shadow_alpha)
+        yield from (e for e in others if e is not None)
         for closure in self.closures:
             yield from (v for v in closure.parameters.values() if isinstance(v, Expression))
 

@@ -16,9 +16,17 @@ class Reader:
         self.report, self.images, self.place = report, images or Images(), place
         self.skies = []  # the export.sky.Sky of each Sky Texture that was read
         self.suns_shown = False  # whether Sky Textures show their sun in every direction, to learn what it becomes
+        self.ray = None  # the kind of ray, of ray_kinds.TOLD, that nodes are told of; None: they are the same for all
+        self.rays_matter = False  # whether a node has asked
 
     def at(self, *place):
         return Reader(self.report, self.images, place)
+
+    def for_ray(self, ray, report=None):
+        """What a kind of ray meets. report: instead of this reader's."""
+        made = Reader(report or self.report, self.images, self.place)
+        made.ray = ray
+        return made
 
     def sky(self, node):
         """The rendered sky of a Sky Texture, or why there is none."""

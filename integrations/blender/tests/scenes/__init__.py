@@ -2,6 +2,27 @@
 
 from stage import FEATURES
 
-from . import cameras, geometry, lamps, materials, rooms, textures, visibility, worlds  # each adds its scenes
+from . import (
+    cameras,
+    geometry,
+    lamps,
+    light_paths,
+    materials,
+    rooms,
+    textures,
+    visibility,
+    worlds,
+)  # each adds its scenes
 
-__all__ = ["FEATURES", "cameras", "geometry", "lamps", "materials", "rooms", "textures", "visibility", "worlds"]
+__all__ = [
+    "FEATURES",
+    "cameras",
+    "geometry",
+    "lamps",
+    "light_paths",
+    "materials",
+    "rooms",
+    "textures",
+    "visibility",
+    "worlds",
+]

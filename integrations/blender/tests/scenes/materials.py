@@ -16,6 +16,7 @@ def on_ball(name, kind, settings=(), **inputs):
 
 
 on_ball("Principled, plastic", "BsdfPrincipled", Base_Color=(0.8, 0.3, 0.1), Roughness=0.3)
+on_ball("Principled, rough diffuse", "BsdfPrincipled", Base_Color=(0.8, 0.3, 0.1), Diffuse_Roughness=0.8, Roughness=0.5)
 on_ball("Principled, metal", "BsdfPrincipled", Base_Color=(1.0, 0.72, 0.32), Metallic=1.0, Roughness=0.3)
 on_ball("Principled, glass", "BsdfPrincipled", Base_Color=(0.9, 0.95, 1.0), Transmission_Weight=1.0, Roughness=0.1)
 on_ball("Principled, coat", "BsdfPrincipled", Base_Color=(0.6, 0.05, 0.05), Coat_Weight=1.0, Roughness=0.5)
@@ -29,7 +30,7 @@ on_ball(
     Emission_Strength=2.0,
 )
 on_ball("Diffuse", "BsdfDiffuse", Color=(0.3, 0.7, 0.4))
-on_ball("Diffuse, rough", "BsdfDiffuse", reason="it is as smooth as Lambert's", Color=(0.3, 0.7, 0.4), Roughness=0.8)
+on_ball("Diffuse, rough", "BsdfDiffuse", Color=(0.3, 0.7, 0.4), Roughness=0.8)
 on_ball("Glossy, sharp", "BsdfAnisotropic", Color=(0.8, 0.7, 0.5), Roughness=0.0)
 on_ball("Glossy, rough 0.4", "BsdfAnisotropic", Color=(0.8, 0.5, 0.3), Roughness=0.4)
 on_ball("Metallic", "BsdfMetallic", Base_Color=(0.9, 0.6, 0.4), Edge_Tint=(0.7, 0.8, 1.0), Roughness=0.3)
@@ -37,7 +38,6 @@ on_ball("Glass, clear", "BsdfGlass", Color=(1.0, 1.0, 1.0), Roughness=0.0, IOR=1
 on_ball(
     "Glass, coloured, rough",
     "BsdfGlass",
-    reason="reflections at its rim are not tinted",
     Color=(0.7, 0.9, 0.8),
     Roughness=0.3,
     IOR=1.4,

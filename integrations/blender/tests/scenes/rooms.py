@@ -6,6 +6,8 @@ import bpy
 
 from stage import feature
 
+from .light_paths import backdrop, make_window_glass
+
 
 class Room:
     """4 x 5 x 2.6 m, with a camera at the wall of least y."""
@@ -73,6 +75,23 @@ def _(s):
         s.principled("cloth", Base_Color=(0.5, 0.12, 0.1), Sheen_Weight=0.6, Roughness=0.9),
         0.06,
     )
+
+
+@feature("room with glass in its window", lit=False, spp=1024)
+def _(s):
+    room = Room(s, (0.75, 0.72, 0.68), window=True)
+    s.shader(room.wood, "BsdfPrincipled", Base_Color=(0.35, 0.2, 0.1), Roughness=0.4)
+    s.camera.location = (1.7, -2.2, 1.5)
+    s.aim(s.camera, (-1.6, 1.2, 1.1))
+    backdrop(s, (0.5, 0.8, 1.0), (2.4, 3.2, 4.0))
+    s.aim(s.camera, (-1.6, 1.2, 1.1))
+    s.light("SUN", 12, (-5, 1, 4.5), angle=0.0)  # no paths find it by chance, in the pane's reflection
+    pane = room.box("pane", (0.02, 2.0, 1.3), (-2.03, 0.5, 1.55), s.material("glass"))
+    make_window_glass(s, pane.active_material, "Is Shadow Ray", "Is Diffuse Ray")
+    room.table((0.2, 1.2), s.principled("oak", Base_Color=(0.4, 0.22, 0.1), Roughness=0.3))
+    mirror = s.material("mirror")
+    s.shader(mirror, "BsdfAnisotropic", Color=(0.9, 0.9, 0.9), Roughness=0.0)
+    room.box("mirror", (1.2, 0.04, 1.0), (0.8, 2.47, 1.4), mirror)
 
 
 @feature("room in the evening", lit=False, spp=1024)
