@@ -89,7 +89,8 @@ TEST(Gather, MapsThatAreTurnedAwayLoseNoLight) {
         const auto half = std::make_shared<ConstantTexture<Rgb>>(Rgb(0.5f));
         Case s;
         makeCase(
-            transmits ? makeTranslucent({}) : makeMatte({half, nullptr, {}}), [](Vec3) { return Rgb(3.f); }, s);
+            transmits ? makeTranslucent({}) : makeMatte({half, nullptr, nullptr, {}}), [](Vec3) { return Rgb(3.f); },
+            s);
         const double expected = integrate(s.hit, [](Vec3) { return Rgb(3.f); });
         s.site.n = tilted;
         s.site.front = mapOf(tilted, [](Vec3) { return Rgb(3.f); });
@@ -102,7 +103,8 @@ TEST(Gather, MapsThatAreTurnedAwayLoseNoLight) {
 TEST(Gather, ConstantRadianceOnALambertianSurfaceGivesItsAlbedo) {
     Case s;
     makeCase(
-        makeMatte({std::make_shared<ConstantTexture<Rgb>>(Rgb(0.5f)), nullptr, {}}), [](Vec3) { return Rgb(3.f); }, s);
+        makeMatte({std::make_shared<ConstantTexture<Rgb>>(Rgb(0.5f)), nullptr, nullptr, {}}),
+        [](Vec3) { return Rgb(3.f); }, s);
     const Mean m = gatherMean(s, 8);
     EXPECT_NEAR(m.value, 1.5, 4 * m.sigma + 1e-3);
     EXPECT_LT(m.sigma, 0.005);

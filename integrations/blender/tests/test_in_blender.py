@@ -368,6 +368,30 @@ class Exports(InBlender):
         )
         self.assertEqual([s for s in self.render() if s[0] == "ERROR"], [])
 
+    def test_settings_of_the_view_layer(self):
+        exporter = SceneExporter(os.path.join(self.folder.name, "layer"))
+        layer = bpy.context.view_layer
+
+        def hidden_meshes():
+            return [line for line in self.text(exporter).splitlines() if "plymesh" in line and "visibletocamera" in line]
+
+        self.assertEqual(hidden_meshes(), [])
+        collection = bpy.data.collections.new("indirect")
+        self.scene.collection.children.link(collection)
+        collection.objects.link(self.stage.ball)
+        self.scene.collection.objects.unlink(self.stage.ball)
+        layer.layer_collection.children["indirect"].indirect_only = True
+        self.assertEqual(len(hidden_meshes()), 1)
+        layer.layer_collection.children["indirect"].indirect_only = False
+        layer.layer_collection.children["indirect"].holdout = True
+        report = self.exported(exporter).report.lines()
+        self.assertIn("ball: holdouts have no equal; the object is shown", report)
+        layer.layer_collection.children["indirect"].holdout = False
+        layer.material_override = bpy.data.materials.new("clay")
+        clay = self.text(exporter)
+        self.assertEqual(clay.count("MakeNamedMaterial"), 1)
+        self.assertIn('"clay', clay)
+
     def test_what_has_no_equal_is_named(self):
         material = self.stage.ball.data.materials[0]
         node = Stage.node(self.stage, material, "TexVoronoi")

@@ -17,6 +17,7 @@ from .mesh_data import MeshData
 from .objects import MESHES, invertible, key_of, matrices_at, visible
 from .pbrt_text import Names, quoted, statement, transform
 from .report import Report
+from .visibility import shape_visibility
 from .world import world_lines
 
 FARTHEST = 1e18  # of what the renderer takes
@@ -87,6 +88,7 @@ class SceneExporter:
         if camera is None and view is None:
             raise ValueError("the scene has no camera: add one, and make it the active camera")
         self.report = Report()
+        self.layer = depsgraph.view_layer
         self.meshes = FileCache(self.folder, "meshes")
         self.files = FileCache(self.folder, "textures")
         images = Images()
@@ -124,7 +126,7 @@ class SceneExporter:
             "WorldBegin",
             "",
         ]
-        world = world_lines(scene.world, self.reader, self.files, self.settings.world_side)
+        world = world_lines(getattr(self.layer, "world_override", None) or scene.world, self.reader, self.files, self.settings.world_side)
         text = "\n".join(head + world + lamps + definitions + shapes) + "\n"
         write_text(self.exported.path, "\n".join(title + place) + "\n" + text)
         self.exported.content = digest(text)
@@ -224,29 +226,6 @@ class SceneExporter:
             elif fixed:
                 shapes += ["AttributeBegin", *transforms(matrices), *fixed, "AttributeEnd"]
 
-    def _visibility(self, object_):
-        """Parameters of the object's shapes."""
-        rays = {
-            "visible_diffuse": "diffuse rays",
-            "visible_glossy": "glossy rays",
-            "visible_transmission": "refracted rays",
-        }
-        hidden = [what for name, what in rays.items() if not getattr(object_, name, True)]
-        is_pane = hidden == ["diffuse rays"] and not object_.visible_shadow
-        if hidden and not is_pane:
-            self.report.add(f"objects are seen by all rays; this one is hidden from {', '.join(hidden)}", object_.name)
-        for name, what in (("is_holdout", "holdouts"), ("is_shadow_catcher", "shadow catchers")):
-            if getattr(object_, name, False):
-                self.report.add(f"{what} have no equal; the object is shown", object_.name)
-        params = {}
-        if not getattr(object_, "visible_camera", True):
-            params["bool visibletocamera"] = False
-        if is_pane:
-            params["bool visibletodiffuse"] = False
-        elif not getattr(object_, "visible_shadow", True):
-            params["float shadowalpha"] = 0
-        return params
-
     def _mesh(self, object_):
         mesh = object_.data if object_.type == "MESH" else object_.to_mesh()
         if mesh is None or not len(mesh.polygons):
@@ -263,8 +242,10 @@ class SceneExporter:
         materials = [slot.material for slot in object_.material_slots] or [None]
         if object_.type != "MESH":
             object_.to_mesh_clear()
+        if self.layer.material_override is not None:
+            materials = [self.layer.material_override] * len(materials)
         used = [m.original if m is not None else None for m in materials]
-        return Mesh(data, bounds, used, self._visibility(object_))
+        return Mesh(data, bounds, used, shape_visibility(object_, self.layer, self.report))
 
     def _parts(self, name, mesh, matrix, definitions):
         """(lines of what may be instanced, lines of what emits) of the parts of a mesh."""
