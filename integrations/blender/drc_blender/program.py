@@ -97,6 +97,15 @@ class Child:
     def running(self):
         return self.process.poll() is None
 
+    def has_ended(self, within):
+        """Whether it ends within so many seconds. The connections of a program that is killed break before it has
+        ended."""
+        try:
+            self.process.wait(timeout=within)
+        except subprocess.TimeoutExpired:
+            return False
+        return True
+
     def finish(self):
         """After its end: the exit status, with all messages read."""
         if self.process.stdin is not None:

@@ -16,6 +16,7 @@ import numpy as np
 from .program import Child, UserError
 
 START = 120.0  # seconds that a renderer may take to read the scene and print its address
+ENDING = 2.0  # that a renderer whose connection breaks has to end
 ASK_EVERY = 0.03  # seconds
 MOST_BYTES = 1 << 30
 
@@ -97,7 +98,7 @@ class ViewClient:
                 self._serve()
         except (OSError, ValueError, KeyError, http.client.HTTPException, UserError) as error:
             if not self._closing.is_set():
-                if not isinstance(error, UserError) and not self.child.running():
+                if not isinstance(error, UserError) and self.child.has_ended(ENDING):
                     self.child.finish()
                     error = self.child.failure()
                 self.error = str(error) or type(error).__name__

@@ -597,6 +597,25 @@ class WithTheProgram(unittest.TestCase):
         client.close()
 
 
+class DyingRenderers(unittest.TestCase):
+    def test_a_connection_that_breaks_before_the_renderer_ends(self):
+        """The message is that of the renderer's end, and no process is left."""
+        dies = """
+import os, socket, time
+server = socket.create_server(("127.0.0.1", 0))
+print(f"http://127.0.0.1:{server.getsockname()[1]}/", flush=True)
+server.accept()[0].close()
+server.close()
+time.sleep(0.3)
+os.kill(os.getpid(), 9)
+"""
+        client = ViewClient([sys.executable, "-c", dies])
+        wait_for(lambda: client.error)
+        self.assertEqual(client.error, "the renderer was ended from outside (SIGKILL)")
+        self.assertFalse(os.path.exists(f"/proc/{client.child.process.pid}"))
+        client.close()
+
+
 class Frames(unittest.TestCase):
     def test_progress(self):
         self.assertEqual(progress_of({"samples": 0, "share": 0.25}), "25% of the pixels")
