@@ -65,6 +65,18 @@ class View:
             time.sleep(0.02)
         return state
 
+    def pause(self):
+        """Waits until what has been sampled is shown as well, however long the machine takes for it.
+
+        Returns the numbers of the pictures before and after that; then nothing moves."""
+        self.post("pause", True)
+        paused_at = self.wait_for(lambda s: s["paused"])["number"]
+        shown, number = None, paused_at
+        while shown != number:
+            time.sleep(1.5)
+            shown, number = number, self.state()["number"]
+        return paused_at, number
+
     def frame(self, layer="beauty"):
         data = self.get("frame?layer=" + layer)
         width, height, channels, number = struct.unpack("<4I", data[:16])
@@ -116,10 +128,8 @@ class ViewServer(unittest.TestCase):
             self.assertGreater(sum(abs(v) for v in values), 0, name)
 
     def test_pixels(self):
-        self.view.post("pause", True)
+        self.view.pause()
         try:
-            self.view.wait_for(lambda s: s["paused"])
-            time.sleep(0.5)
             width, _, _, _, values = self.view.frame()
             answer = json.loads(self.view.get("pixel?x=37&y=21"))
             pixel = answer["layers"]["beauty"]
@@ -135,13 +145,7 @@ class ViewServer(unittest.TestCase):
             self.view.post("pause", False)
 
     def test_pause(self):
-        self.view.post("pause", True)
-        paused_at = self.view.wait_for(lambda s: s["paused"])["number"]
-        # What has been sampled is still shown, however long the machine takes for it; then nothing moves.
-        shown, number = None, self.view.state()["number"]
-        while shown != number:
-            time.sleep(1.5)
-            shown, number = number, self.view.state()["number"]
+        paused_at, number = self.view.pause()
         self.assertLessEqual(number, paused_at + 2)
         self.view.post("pause", False)
         self.view.wait_for(lambda s: s["number"] > number and not s["paused"])
@@ -384,9 +388,7 @@ class ViewInBrowser(unittest.TestCase):
 
     def test_views_are_those_of_png_files(self):
         """The page and `drc render --view` have the same formulas: the same bytes, up to rounding."""
-        self.view.post("pause", True)
-        self.view.wait_for(lambda s: s["paused"])
-        time.sleep(0.5)
+        self.view.pause()
         self.browser.open(self.view.url)
         self.browser.wait_for("document.body.dataset.drawn > 0")
         with tempfile.TemporaryDirectory() as folder:

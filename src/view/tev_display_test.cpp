@@ -258,6 +258,7 @@ TEST_F(TevDisplayTest, WithoutAViewerItWarnsOnce) {
     uint16_t port = 0;
     { port = test::FakeTev().port(); }
     TevDisplay display(hasty(port), outline(3, 2), [](Extent) { return numbered(3, 2, 0); });
+    while (warningCount() == 0) std::this_thread::sleep_for(1ms);
     std::this_thread::sleep_for(100ms);
     EXPECT_EQ(warningCount(), 1);
     const auto start = Clock::now();
@@ -286,7 +287,7 @@ TEST_F(TevDisplayTest, EndsAtOnceInTheMiddle) {
 TEST_F(TevDisplayTest, LivesWithPicturesThatCannotBeMade) {
     test::FakeTev viewer;
     TevDisplay display(hasty(viewer.port()), outline(3, 2), [](Extent) -> tev::Picture { throw std::bad_alloc(); });
-    std::this_thread::sleep_for(100ms);
+    while (warningCount() == 0) std::this_thread::sleep_for(1ms);
     display.finish(numbered(3, 2, 0));
     EXPECT_EQ(warningCount(), 1);
 }
