@@ -88,9 +88,7 @@ TEST(LiveRender, RestsWhilePaused) {
     // Whatever it was at is finished, and shown.
     int samples = 0;
     render->between([&](const Session& session) { samples = session.samplesDone(); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    const auto resting = render->frame();
-    EXPECT_EQ(resting->samples, samples);
+    const auto resting = w.waitFor(*render, [&](const LiveFrame& f) { return f.samples == samples; });
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     EXPECT_EQ(render->frame()->number, resting->number);
     render->pause(false);
@@ -102,19 +100,19 @@ TEST(LiveRender, FollowsTheCamera) {
         Watched w(integrator);
         const auto render = w.start();
         w.waitFor(*render, [](const LiveFrame& f) { return f.samples >= 2; });
-        ViewCamera camera = ViewCamera::of(*w.scene, 3);
+        ViewCamera camera = ViewCamera::of(*w.scene->camera, 3);
         const Scene* scene = w.scene.get();
         for (int i = 1; i <= 30; ++i) {
             camera.eye.x += 0.05f;
             const FilmGeometry film{i < 30 ? 24 : 48, i < 30 ? 16 : 32};
-            render->setCamera([camera, film, scene] { return camera.place(*scene, film); }, film, i < 30);
+            render->setCamera([camera, film, scene] { return camera.place(*scene->camera, film); }, film, i < 30);
         }
         const auto moved = w.waitFor(
             *render, [](const LiveFrame& f) { return f.view > 0 && f.samples >= 4 && f.picture.beauty.width() == 48; });
         EXPECT_GT(moved->view, 0u);
         // A new session from there sees the same, up to noise.
         Watched fresh(integrator, 64);
-        fresh.session.setCamera(camera.place(*fresh.scene, {48, 32}), {48, 32});
+        fresh.session.setCamera(camera.place(*fresh.scene->camera, {48, 32}), {48, 32});
         while (fresh.session.step()) {
         }
         const Image there = fresh.session.picture().beauty;
@@ -135,10 +133,10 @@ TEST(LiveRender, ShowsFramesWhileTheCameraMoves) {
     std::atomic<bool> stop = false;
     const Scene* scene = w.scene.get();
     std::thread mover([&] {
-        ViewCamera camera = ViewCamera::of(*scene, 3);
+        ViewCamera camera = ViewCamera::of(*scene->camera, 3);
         while (!stop) {
             camera.eye.x = -camera.eye.x + 0.01f;
-            render->setCamera([camera, scene] { return camera.place(*scene, {48, 32}); }, {48, 32}, true);
+            render->setCamera([camera, scene] { return camera.place(*scene->camera, {48, 32}); }, {48, 32}, true);
             std::this_thread::sleep_for(std::chrono::microseconds(200));
         }
     });
@@ -181,10 +179,10 @@ TEST(LiveRender, TellsTheErrorOfThePresentView) {
     EXPECT_LT(later->error->whole, 0.8 * early->error->whole);
     EXPECT_LT(estimates, later->samples);
 
-    const ViewCamera home = ViewCamera::of(*scene, 3);
+    const ViewCamera home = ViewCamera::of(*scene->camera, 3);
     const FilmGeometry film = scene->settings.film;
     const uint64_t before = later->view;
-    render.setCamera([&] { return home.place(*scene, film); }, film, false);
+    render.setCamera([&] { return home.place(*scene->camera, film); }, film, false);
     const auto moved = waitFor([&](const LiveFrame& f) { return f.view > before; });
     EXPECT_FALSE(moved->error);
 }
@@ -207,8 +205,8 @@ TEST(LiveRender, SamplesAPart) {
     w.waitFor(*render, [](const LiveFrame& f) { return f.focusSamples >= 2; });
     EXPECT_EQ(render->state().focus, (PixelRegion{47, 0, 48, 1}));
     const Scene* scene = w.scene.get();
-    const ViewCamera camera = ViewCamera::of(*scene, 3);
-    render->setCamera([camera, scene] { return camera.place(*scene, {48, 32}); }, {48, 32}, false);
+    const ViewCamera camera = ViewCamera::of(*scene->camera, 3);
+    render->setCamera([camera, scene] { return camera.place(*scene->camera, {48, 32}); }, {48, 32}, false);
     w.waitFor(*render, [](const LiveFrame& f) { return f.view > 0 && f.samples == 4; });
     EXPECT_FALSE(render->state().focus);
 }
@@ -244,9 +242,9 @@ TEST(LiveRender, EndsWhatIsOutdated) {
                                   .onFrame = [] {},
                                   .outdated = &outdated});
     while (!finishing) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const ViewCamera home = ViewCamera::of(*w.scene, 3);
+    const ViewCamera home = ViewCamera::of(*w.scene->camera, 3);
     const FilmGeometry film = w.scene->settings.film;
-    render.setCamera([&] { return home.place(*w.scene, film); }, film, true);
+    render.setCamera([&] { return home.place(*w.scene->camera, film); }, film, true);
     const auto frame = render.waitForFrame(0, kLong);
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->number, 1);

@@ -3,6 +3,7 @@
 #include <Imath/half.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -31,11 +32,17 @@ HttpResponse missing(const std::string& what) { return {404, "text/plain; charse
 
 Json asJson(const Vec3& v) { return {v.x, v.y, v.z}; }
 Json asJson(const ViewCamera& c, const Scene& scene) {
-    return {{"eye", asJson(c.eye)},
-            {"look", asJson(c.look)},
-            {"up", asJson(c.up)},
-            {"mirrored", c.mirrored},
-            {"pbrt", c.asPbrt(scene.origin)}};
+    Json value{{"eye", asJson(c.eye)},
+               {"look", asJson(c.look)},
+               {"up", asJson(c.up)},
+               {"mirrored", c.mirrored},
+               {"pbrt", c.asPbrt(scene.origin)}};
+    if (c.lens)
+        value["lens"] = {{"orthographic", c.lens->orthographic},
+                         {"window", c.lens->window},
+                         {"radius", c.lens->radius},
+                         {"focalDistance", c.lens->focalDistance}};
+    return value;
 }
 
 Json asJson(const SeenSurface& seen, const Scene& scene) {
@@ -54,15 +61,34 @@ Json asJson(const SeenSurface& seen, const Scene& scene) {
     return value;
 }
 
-// Three numbers of an object; false if it does not have them.
-bool read(const Json& object, const char* name, Vec3& v) {
+// So many numbers of an object; false if it does not have them.
+template <typename Numbers>
+bool read(const Json& object, const char* name, size_t count, Numbers& numbers) {
     const auto found = object.find(name);
-    if (found == object.end() || !found->is_array() || found->size() != 3) return false;
-    for (int i = 0; i < 3; ++i) {
-        if (!(*found)[size_t(i)].is_number()) return false;
-        v[i] = (*found)[size_t(i)].get<float>();
+    if (found == object.end() || !found->is_array() || found->size() != count) return false;
+    for (size_t i = 0; i < count; ++i) {
+        if (!(*found)[i].is_number()) return false;
+        numbers[int(i)] = (*found)[i].get<float>();
     }
     return true;
+}
+bool read(const Json& object, const char* name, Vec3& v) { return read(object, name, 3, v); }
+
+// What a page or an add-on has set; false if it is no lens.
+bool read(const Json& object, ViewLens& lens) {
+    float window[4];
+    if (!object.is_object() || !read(object, "window", 4, window)) return false;
+    std::copy(std::begin(window), std::end(window), lens.window.begin());
+    if (const auto found = object.find("orthographic"); found != object.end()) {
+        if (!found->is_boolean()) return false;
+        lens.orthographic = found->get<bool>();
+    }
+    for (const auto& [name, value] : {std::pair{"radius", &lens.radius}, {"focalDistance", &lens.focalDistance}})
+        if (const auto found = object.find(name); found != object.end()) {
+            if (!found->is_number()) return false;
+            *value = found->get<float>();
+        }
+    return lens.isUsable();
 }
 
 // A whole number of a query; none if it is anything else.
@@ -126,13 +152,14 @@ Image layerOf(const LiveFrame& frame, const std::string& name) {
 
 ViewService::ViewService(const Scene& scene, const Accel& accel, LiveRender& render, Settings settings)
     : scene_(scene),
+      sceneCamera_(scene.camera),
       accel_(accel),
       render_(render),
       settings_(std::move(settings)),
       home_([&] {
           float distance = 0;
           render.between([&](const Session& session) { distance = session.distance(); });
-          return ViewCamera::of(scene, distance);
+          return ViewCamera::of(*scene.camera, distance);
       }()),
       film_(scene.settings.film),
       camera_(home_) {}
@@ -274,6 +301,10 @@ HttpResponse ViewService::setCamera(const HttpRequest& request) {
     if (!object.is_object() || !read(object, "eye", camera.eye) || !read(object, "look", camera.look) ||
         !read(object, "up", camera.up))
         return wrong("the body must have eye, look and up, of three numbers each");
+    if (const auto lens = object.find("lens"); lens != object.end() && !read(*lens, camera.lens.emplace()))
+        return wrong(
+            "a lens must have a window of four numbers, left < right and bottom < top, and may have "
+            "orthographic, true or false, a radius from 0 on and a focalDistance above 0");
     if (!camera.isUsable()) return wrong("this camera looks nowhere");
     FilmGeometry film = film_;
     const auto side = [&](const char* name, int& value) {
@@ -292,7 +323,7 @@ HttpResponse ViewService::setCamera(const HttpRequest& request) {
         const std::lock_guard lock(mutex_);
         camera_ = camera;
     }
-    render_.setCamera([this, camera, film] { return camera.place(scene_, film); }, film, isMoving);
+    render_.setCamera([this, camera, film] { return camera.place(*sceneCamera_, film); }, film, isMoving);
     return json(asJson(camera, scene_));
 }
 

@@ -145,6 +145,41 @@ TEST(ViewService, NamesWhatTheShownFrameShows) {
     EXPECT_EQ(moved.surface(40, 20)["surface"]["material"], "Walnut");
 }
 
+// A lens narrows the picture to what is beside its middle; the next camera without one has the scene's again.
+TEST(ViewService, TakesALens) {
+    Served served;
+    const auto shown = [&](const Json& camera) {
+        const uint64_t before = Json::parse(served.get("state").body)["view"];
+        const HttpResponse answer = served.post("camera", camera.dump());
+        EXPECT_EQ(answer.status, 200) << answer.body;
+        auto frame = served.render->waitForFrame(0, kLong);
+        while (frame->view == before) frame = served.render->waitForFrame(frame->number, kLong);
+        return Json::parse(answer.body);
+    };
+    const Json home = Json::parse(served.get("state").body)["home"];
+    const std::string middle = served.surface(20, 10)["surface"].dump();
+    const float x = 4.f / 5;
+    Json camera = home;
+    camera["lens"] = {{"window", {x - 0.01f, x + 0.01f, -0.01f, 0.01f}}};
+    const Json answer = shown(camera);
+    EXPECT_FLOAT_EQ(answer["lens"]["window"][1], x + 0.01f);
+    EXPECT_THAT(answer["pbrt"].get<std::string>(), testing::HasSubstr("Camera \"perspective\""));
+    for (const int column : {1, 20, 38}) EXPECT_EQ(served.surface(column, 10)["surface"]["material"], "Walnut");
+    EXPECT_FALSE(shown(home).contains("lens"));
+    EXPECT_EQ(served.surface(20, 10)["surface"].dump(), middle);
+
+    for (const char* wrong :
+         {"1", "null", "[]", "{}", R"({"window": [0, 1, 0]})", R"({"window": [0, 1, 0, "1"]})",
+          R"({"window": [1, 0, 0, 1]})", R"({"window": [0, 1, 0, 1e300]})",
+          R"({"window": [0, 1, 0, 1], "orthographic": 1})", R"({"window": [0, 1, 0, 1], "radius": -1})",
+          R"({"window": [0, 1, 0, 1], "focalDistance": "far"})"}) {
+        camera["lens"] = Json::parse(wrong);
+        const HttpResponse refused = served.post("camera", camera.dump());
+        EXPECT_EQ(refused.status, 400) << wrong;
+        EXPECT_THAT(refused.body, testing::StartsWith("a lens must have a window")) << wrong;
+    }
+}
+
 TEST(ViewService, TakesAPartOfThePicture) {
     Served served;
     EXPECT_TRUE(Json::parse(served.get("state").body)["focus"].is_null());

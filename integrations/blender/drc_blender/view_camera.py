@@ -8,13 +8,16 @@ import numpy as np
 @dataclass(frozen=True)
 class View:
     """to_world: 4 x 4 rows, from Blender's camera space (along -z) to world space; window: as of camera_maths; near: the
-    distance from which on things are seen, negative in the orthographic views of a viewport, which see behind the eye.
+    distance from which on things are seen, negative in the orthographic views of a viewport, which see behind the eye;
+    radius, focus: of the thin lens, and the distance in focus.
     """
 
     to_world: tuple
     window: tuple
     orthographic: bool
     near: float = 0.0
+    radius: float = 0.0
+    focus: float = 1e6
 
     def matrix(self):
         return np.array(self.to_world)
@@ -35,16 +38,25 @@ class View:
         if back <= 0:
             return self
         m[:3, 3] += back * m[:3, 2]
-        return replace(self, to_world=tuple(map(tuple, m)), near=self.near + float(back))
+        return replace(
+            self, to_world=tuple(map(tuple, m)), near=self.near + float(back), focus=self.focus + float(back)
+        )
 
-    def lens(self):
-        """What a renderer that is running cannot change: all but the place. Rounded, since Blender computes it anew
-        for every frame."""
-        return tuple(float(f"{v:.4g}") for v in self.window), self.orthographic
+    def as_camera(self, origin=(0, 0, 0)):
+        """In the terms of `drc view`'s request of this name."""
+        eye, look, up = self.eye_look_up(origin)
+        lens = {
+            "orthographic": self.orthographic,
+            "window": list(self.window),
+            "radius": self.radius,
+            "focalDistance": self.focus,
+        }
+        return {"eye": list(eye), "look": list(look), "up": list(up), "lens": lens}
 
 
-def view_of(view_matrix, projection):
-    """view_matrix: from world space to camera space; projection: OpenGL's window matrix. Both rows, as Blender has them."""
+def view_of(view_matrix, projection, depth_of_field=(0.0, 1e6)):
+    """view_matrix: from world space to camera space; projection: OpenGL's window matrix. Both rows, as Blender has them.
+    depth_of_field: radius of the lens, distance in focus."""
     to_world = np.linalg.inv(np.array(view_matrix, dtype=float))
     to_world[:3, :3] /= np.linalg.norm(to_world[:3, :3], axis=0)
     p = np.array(projection, dtype=float)
@@ -55,7 +67,7 @@ def view_of(view_matrix, projection):
         shift = -p[axis, 3] if orthographic else p[axis, 2]
         edges += [(-1 + shift) / p[axis, axis], (1 + shift) / p[axis, axis]]
     near = (1 + p[2, 3]) / p[2, 2] if orthographic else 0.0
-    return View(tuple(map(tuple, to_world)), tuple(edges), bool(orthographic), float(near))
+    return View(tuple(map(tuple, to_world)), tuple(edges), bool(orthographic), float(near), *depth_of_field)
 
 
 def frame_size(width, height, most=None):

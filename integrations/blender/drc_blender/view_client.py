@@ -143,21 +143,8 @@ class ViewClient:
         if wanted is None or wanted == self._sent:
             return
         view, width, height, moving, part = wanted
-        eye, look, up = view.eye_look_up(origin)
-        self._request(
-            "POST",
-            "camera",
-            json.dumps(
-                {
-                    "eye": list(eye),
-                    "look": list(look),
-                    "up": list(up),
-                    "width": width,
-                    "height": height,
-                    "moving": moving,
-                }
-            ),
-        )
+        camera = view.as_camera(origin) | {"width": width, "height": height, "moving": moving}
+        self._request("POST", "camera", json.dumps(camera))
         if part is not None or (self._sent is not None and self._sent[-1] is not None):
             # After the camera: one that moves makes the renderer forget the part.
             edges = dict(zip(("x0", "x1", "y0", "y1"), part)) if part is not None else None
@@ -174,7 +161,10 @@ class ViewClient:
         state = json.loads(self._request("GET", "state"))
         if state.get("error"):
             raise UserError(state["error"])
-        # A frame of a camera that has been left is shown until there is one of the new camera.
+        # A frame of a camera that has been left is shown until there is one of the new camera; but not of that which
+        # the renderer began with.
+        if self._sent is not None and state.get("view") == 0:
+            return
         if state.get("number") is None or state["number"] == self._number:
             return
         data = self._request("GET", "frame?layer=beauty")

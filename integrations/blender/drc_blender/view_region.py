@@ -1,6 +1,22 @@
-"""The part of a viewport that is to be rendered."""
+"""What a viewport that looks through a camera has of it, and the part of a viewport that is to be rendered."""
 
 from bpy_extras.view3d_utils import location_3d_to_region_2d
+
+from .export.cameras import depth_of_field
+
+
+def camera_of(context, scene):
+    """That the viewport looks through, or would."""
+    space = context.space_data
+    return space.camera if space.use_local_camera else scene.camera
+
+
+def depth_of_field_of(context, depsgraph):
+    """(radius of the lens, distance in focus) of a viewport, which only has some if it looks through a camera."""
+    camera = camera_of(context, depsgraph.scene) if context.region_data.view_perspective == "CAMERA" else None
+    if camera is None or camera.type != "CAMERA":
+        return 0.0, 1e6
+    return depth_of_field(camera.evaluated_get(depsgraph))
 
 
 def part_of(context, scene):
@@ -22,7 +38,7 @@ def part_of(context, scene):
         return None
     low, high = (0.0, 0.0), (1.0, 1.0)  # of what the border is a part of, from the lower left
     if through_camera:
-        frame = camera_frame(space.camera if space.use_local_camera else scene.camera, scene, region, view)
+        frame = camera_frame(camera_of(context, scene), scene, region, view)
         if frame is None:
             return None
         low, high = frame

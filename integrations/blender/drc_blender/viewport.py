@@ -1,7 +1,8 @@
 """Rendered shading in the viewport: the scene is exported for a `drc view`, whose frames are drawn.
 
 A scene that has changed is exported again, a moment after its last change, and given to a new renderer; the old one's
-picture stays until then. A camera that moves is only told. All of Blender is touched in its own callbacks and timers.
+picture stays until then. A renderer is only told of a view that moves, or has another lens or size. All of Blender is
+touched in its own callbacks and timers.
 """
 
 import time
@@ -19,12 +20,13 @@ from .program import UserError
 from .properties import preferences, program
 from .view_camera import frame_size, view_of
 from .view_client import ViewClient
-from .view_region import part_of
+from .view_region import depth_of_field_of, part_of
 
 AFTER_A_CHANGE = 0.4  # seconds without a change before the scene is exported
 MOVING = 0.25  # seconds after which a camera stands still
 WHILE_MOVING = 640  # pixels of a frame's longer side
 LOOK_EVERY = 0.05  # seconds
+AT_FIRST = 64, 64  # size of the picture that a renderer begins with, before it is told of the view
 
 _all = weakref.WeakSet()
 
@@ -48,7 +50,7 @@ class Viewport:
         self._engine = weakref.ref(engine)
         self._client, self._exporter, self._renders, self._error = None, None, None, None
         self._changed_at, self._moved_at, self._view = time.monotonic(), 0.0, None
-        self._lens, self._sphere, self._frame, self._texture = None, None, None, None
+        self._sphere, self._frame, self._texture = None, None, None
         # The renderer ends with the engine, which Blender frees when the shading changes or the window closes.
         weakref.finalize(engine, self.close)
         bpy.app.timers.register(self._look, first_interval=LOOK_EVERY)
@@ -66,13 +68,13 @@ class Viewport:
     def draw(self, context, depsgraph):
         engine, now = self._engine(), time.monotonic()
         region, region_data = context.region, context.region_data
-        view = view_of(region_data.view_matrix, region_data.window_matrix)
+        focus = depth_of_field_of(context, depsgraph)
+        view = view_of(region_data.view_matrix, region_data.window_matrix, focus)
         if view != self._view:
             self._view, self._moved_at = view, now
         due = self._changed_at is not None and (self._client is None or now - self._changed_at > AFTER_A_CHANGE)
-        zoomed = self._lens is not None and view.lens() != self._lens and now - self._moved_at > MOVING
-        if due or zoomed:
-            self._start(depsgraph, view, frame_size(region.width, region.height))
+        if due:
+            self._start(depsgraph, view)
         part = part_of(context, depsgraph.scene)
         if self._client is not None:
             moving = now - self._moved_at < MOVING
@@ -84,18 +86,18 @@ class Viewport:
         self._tell(engine)
         self._draw_frame(region, part)
 
-    def _start(self, depsgraph, view, size):
+    def _start(self, depsgraph, view):
         """Exports, and replaces the renderer if it would show something else."""
         scene = depsgraph.scene
-        self._changed_at, self._lens, self._error = None, view.lens(), None
+        self._changed_at, self._error = None, None
         try:
             folder = export_folder(scene, "view")
             if self._exporter is None or self._exporter.folder != folder:
                 self._exporter = SceneExporter(folder, exporter_settings(scene.drc))
             self._exporter.settings = exporter_settings(scene.drc)
-            exported = self._exporter.export(depsgraph, size=size, view=view)
+            exported = self._exporter.export(depsgraph, size=AT_FIRST, view=view)
             self._sphere = exported.sphere
-            command = view_command(program(), exported.path, *size, scene.drc, preferences().threads)
+            command = view_command(program(), exported.path, *AT_FIRST, scene.drc, preferences().threads)
             renders = exported.content, command
             if renders == self._renders and self._client is not None and not self._client.error:
                 return  # Blender has told of a change of nothing that is rendered, such as the selection

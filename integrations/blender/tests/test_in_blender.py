@@ -531,18 +531,17 @@ class Viewports(InBlender):
         self.engine = StandInEngine()
         self.viewport = viewport.viewport_of(self.engine)
         self.addCleanup(self.viewport.close)
-        self.shown = []
-        self.viewport._draw_frame = lambda *_: self.shown.append(self.viewport._frame)
+        self.viewport._draw_frame = lambda *_: None
         self.region = types.SimpleNamespace(width=96, height=64)
-        self.place = self.stage.camera.matrix_world.copy()
+        self.place, self.perspective = self.stage.camera.matrix_world.copy(), "PERSP"
 
     def draw(self):
         depsgraph = bpy.context.evaluated_depsgraph_get()
         projection = self.stage.camera.calc_matrix_camera(depsgraph, x=self.region.width, y=self.region.height)
         data = types.SimpleNamespace(
-            view_matrix=self.place.inverted(), window_matrix=projection, view_perspective="PERSP"
+            view_matrix=self.place.inverted(), window_matrix=projection, view_perspective=self.perspective
         )
-        space = types.SimpleNamespace(use_render_border=False)
+        space = types.SimpleNamespace(use_render_border=False, use_local_camera=False)
         self.viewport.draw(types.SimpleNamespace(region=self.region, region_data=data, space_data=space), depsgraph)
         return self.viewport._frame
 
@@ -553,22 +552,59 @@ class Viewports(InBlender):
             self.viewport._look()
             time.sleep(0.01)
 
-    def test_it_shows_what_the_camera_sees(self):
-        began = time.monotonic()
+    def shown(self):
+        """The frame after some seconds of the present view."""
+        began, size = time.monotonic(), (self.region.height, self.region.width)
         self.until(
             lambda: self.draw() is not None
-            and self.viewport._frame.shape == (64, 96, 3)
+            and self.viewport._frame.shape[:2] == size
             and time.monotonic() > began + 3
         )
-        self.assertGreater(self.engine.redraws, 0)
+        return self.viewport._frame.astype(np.float32)
+
+    def rendered(self):
         render = self.scene.render
         render.resolution_x, render.resolution_y = self.region.width, self.region.height
         self.scene.drc.samples, self.scene.drc.filter_kind, self.scene.drc.filter_width = 64, "BOX", 1.0
         self.render()
-        rendered, shown = self.picture(), self.viewport._frame.astype(np.float32)
+        return self.picture()
+
+    def check_alike(self, shown, rendered):
         np.testing.assert_allclose(shown.mean(axis=(0, 1)), rendered.mean(axis=(0, 1)), rtol=0.03)
         # Turned or mirrored it would not be the same.
         self.assertGreater(np.corrcoef(shown.ravel(), rendered.ravel())[0, 1], 0.98)
+
+    def test_it_shows_what_the_camera_sees(self):
+        shown = self.shown()
+        self.assertGreater(self.engine.redraws, 0)
+        self.check_alike(shown, self.rendered())
+
+    def test_lenses_and_sizes_keep_the_renderer(self):
+        camera = self.stage.camera.data
+        self.until(lambda: self.draw() is not None)
+        client = self.viewport._client
+        camera.lens, camera.shift_x = 70, 0.1
+        self.region.width, self.region.height = 80, 60
+        longer = self.shown()
+        camera.type, camera.ortho_scale = "ORTHO", 4
+        parallel = self.shown()
+        # Blender tells of the camera's changes as of any other; the scene is the same.
+        self.viewport.update(None, None)
+        self.until(lambda: self.draw() is not None and self.viewport._changed_at is None)
+        self.assertIs(self.viewport._client, client)
+        self.check_alike(parallel, self.rendered())
+        camera.type = "PERSP"
+        self.check_alike(longer, self.rendered())
+
+    def test_through_the_camera_it_has_depth_of_field(self):
+        dof = self.stage.camera.data.dof
+        dof.use_dof, dof.focus_distance, dof.aperture_fstop = True, 2.0, 0.05
+        sharp = self.shown()
+        client, self.perspective = self.viewport._client, "CAMERA"
+        blurred, rendered = self.shown(), self.rendered()
+        self.check_alike(blurred, rendered)
+        self.assertLess(np.corrcoef(sharp.ravel(), rendered.ravel())[0, 1], 0.9)
+        self.assertIs(self.viewport._client, client)
 
     def test_the_camera_moves_and_the_scene_changes(self):
         self.until(lambda: self.draw() is not None)

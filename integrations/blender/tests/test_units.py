@@ -9,6 +9,7 @@ Without the program, the tests that need it are skipped; without numpy all are: 
 
 import math
 import os
+import re
 import socket
 import struct
 import subprocess
@@ -17,6 +18,7 @@ import tempfile
 import time
 import unittest
 import zlib
+from dataclasses import replace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.dirname(HERE))
@@ -229,6 +231,11 @@ class Cameras(unittest.TestCase):
         self.assertFalse(view.orthographic)
         eye, look, up = view.eye_look_up((1, 1, 1))
         np.testing.assert_allclose((eye, look, up), ((3, 4, 5), (3, 4, 4), (0, 1, 0)))
+        camera = view_of(np.linalg.inv(to_world), p, (0.25, 7)).as_camera((1, 1, 1))
+        self.assertEqual(camera["eye"], list(eye))
+        self.assertEqual(
+            camera["lens"], {"orthographic": False, "window": list(view.window), "radius": 0.25, "focalDistance": 7}
+        )
 
     def test_orthographic_view_from_opengl(self):
         w = (-3, 5, -2, 4)
@@ -248,7 +255,8 @@ class Cameras(unittest.TestCase):
         self.assertAlmostEqual(view.near, -1000)
         moved = view.before((np.array((3, 4, 5)), 10))
         np.testing.assert_allclose(moved.matrix()[:3, 3], (0, 0, 5 + 10.1))
-        self.assertEqual(moved.lens(), view.lens())
+        self.assertEqual((moved.window, moved.orthographic), (view.window, view.orthographic))
+        self.assertAlmostEqual(moved.focus - view.focus, 15.1)
         self.assertEqual(view.before((np.array((3, 4, -50)), 10)), view)
         # Not farther than Blender sees.
         np.testing.assert_allclose(view.before((np.zeros(3), 1e6)).matrix()[:3, 3], (0, 0, 1000))
@@ -567,9 +575,31 @@ class WithTheProgram(unittest.TestCase):
         client.move(state, 48, 32, True, (0.25, 0.5, 0.25, 0.5))
         wait_for(lambda: client._sent[-1] is not None)
         resting.clear()
-        wait_for(lambda: not client._rests and client.has_news())
+        wait_for(lambda: not client._rests)
+        wait_for(lambda: client.error or re.fullmatch("[0-9]+ samples? a pixel", client.progress))
         self.assertIsNone(client.error)
-        self.assertRegex(client.progress, "^[0-9]+ samples? a pixel$")
+        # Another lens is another picture by the same renderer, here the upper left quarter of the one before.
+        left, right, bottom, top = state.window
+        quarter = replace(state, window=(left, (left + right) / 2, (bottom + top) / 2, top))
+        whole, part = self.shown(client, state, 48, 32), self.shown(client, quarter, 24, 16)
+        apart = [abs(part - other).mean() / whole.mean() for other in (whole[:16, :24], whole[::2, ::2])]
+        self.assertLess(apart[0], 0.1)
+        self.assertGreater(apart[1], 0.2)
+
+    def shown(self, client, view, width, height):
+        """The frame of this view after a hundred samples."""
+        frames = []
+
+        def settled():
+            if client.has_news() and not client.error:
+                frames.append(client.frame())
+            size = frames[-1].shape[:2] if frames else None
+            return client.error or (size == (height, width) and re.match("[0-9]{3} samples", client.progress))
+
+        client.move(view, width, height, False)
+        wait_for(settled)
+        self.assertIsNone(client.error)
+        return frames[-1].astype(np.float32)
 
     def test_view_of_a_broken_scene(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -159,6 +159,10 @@ def viewports(scene, space):
     scene.render.border_min_x, scene.render.border_max_y = 0.3, 0.7
     yield from compared(scene, "camera with a border")
     scene.render.use_border = False
+    dof = scene.camera.data.dof
+    dof.use_dof, dof.focus_distance, dof.aperture_fstop = True, 5.0, 0.05
+    yield from compared(scene, "camera with depth of field")
+    dof.use_dof = False
     with in_viewport():
         bpy.ops.view3d.view_camera()
     yield SETTLED
@@ -174,6 +178,12 @@ def changes(scene, space):
     orbited = picture("orbited")
     check("orbiting keeps the renderer", children() == before, (before, children()))
     check("orbiting shows something else", abs(blocks(orbited) - blocks(first)).mean() > 0.02)
+    lens, space.lens = space.lens, 20
+    yield SETTLED
+    wide = picture("wide")
+    check("another lens keeps the renderer", children() == before, (before, children()))
+    check("another lens shows something else", abs(blocks(wide) - blocks(orbited)).mean() > 0.02)
+    space.lens = lens
     base = bpy.data.objects["Cube"].active_material.node_tree.nodes["Principled BSDF"].inputs["Base Color"]
     base.default_value = (0.05, 0.1, 0.8, 1)
     yield lambda: children() != before and len(children()) == 1

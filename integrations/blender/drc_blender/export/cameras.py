@@ -30,6 +30,15 @@ def focus_distance(object_, camera):
     return abs(float(np.dot(matrix[:3, 3] - target, view)))
 
 
+def depth_of_field(object_):
+    """(radius of the thin lens, distance in focus)"""
+    camera = object_.data
+    if not camera.dof.use_dof:
+        return 0.0, 1e6
+    radius = lens_radius(camera.type == "ORTHO", camera.lens, camera.dof.aperture_fstop)
+    return radius, max(focus_distance(object_, camera), 1e-4)
+
+
 def is_panorama(camera):
     return camera.type == "PANO"
 
@@ -58,8 +67,7 @@ def camera_lines(object_, matrices, width, height, pixel_aspect, report):
     if not lens.orthographic:
         params["float fov"] = 90  # the screen window is that at distance 1
     if camera.dof.use_dof:
-        params["float lensradius"] = lens_radius(lens.orthographic, lens.focal_length, camera.dof.aperture_fstop)
-        params["float focaldistance"] = max(focus_distance(object_, camera), 1e-4)
+        params["float lensradius"], params["float focaldistance"] = depth_of_field(object_)
         if camera.dof.aperture_blades >= 3 or camera.dof.aperture_ratio != 1:
             report.add("apertures with blades or a ratio have no equal; it is a circle", *place)
     return place_lines, [statement("Camera", "orthographic" if lens.orthographic else "perspective", params=params)]

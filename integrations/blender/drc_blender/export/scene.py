@@ -38,7 +38,7 @@ class Settings:
 
 @dataclass
 class Exported:
-    """content: a digest of all that is exported but where the camera stands; sphere: centre and radius of all that is
+    """content: a digest of all that is exported but the camera; sphere: centre and radius of all that is
     seen."""
 
     path: str
@@ -116,7 +116,7 @@ class SceneExporter:
             place, lens = camera_lines(
                 camera, moving.get("camera") or [np.array(camera.matrix_world)], width, height, aspect, self.report
             )
-        head = lens + film_lines(
+        head = film_lines(
             None if view is not None else scene, width, height, self.settings.filter_kind, self.settings.filter_width
         )
         head += [
@@ -128,7 +128,7 @@ class SceneExporter:
         ]
         world = world_lines(getattr(self.layer, "world_override", None) or scene.world, self.reader, self.files, self.settings.world_side)
         text = "\n".join(head + world + lamps + definitions + shapes) + "\n"
-        write_text(self.exported.path, "\n".join(title + place) + "\n" + text)
+        write_text(self.exported.path, "\n".join(title + place + lens) + "\n" + text)
         self.exported.content = digest(text)
         self.meshes.remove_unused()
         self.files.remove_unused()
