@@ -43,6 +43,7 @@ std::vector<ShapePtr> oneOfEach() {
             makeHyperboloid({.p1 = Vec3(1, -0.5f, -1), .p2 = Vec3(1, 0.5f, 1)}),
             bentCurves(CurveType::Flat),
             bentCurves(CurveType::Cylinder),
+            bentCurves(CurveType::Tube),
             bentCurves(CurveType::Ribbon)};
 }
 

@@ -58,8 +58,9 @@ CurveType typeOf(const ParamSet& params) {
     const std::string name = params.getString("type", "flat");
     if (name == "flat") return CurveType::Flat;
     if (name == "cylinder") return CurveType::Cylinder;
+    if (name == "tube") return CurveType::Tube;
     if (name == "ribbon") return CurveType::Ribbon;
-    fail(params.pos(), "the type of a curve must be 'flat', 'cylinder' or 'ribbon', not '" + name + "'");
+    fail(params.pos(), "the type of a curve must be 'flat', 'cylinder', 'tube' or 'ribbon', not '" + name + "'");
 }
 
 // Unit normals in world space at the ends of the segments; empty if the type has none.

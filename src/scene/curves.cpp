@@ -165,6 +165,10 @@ ShapeHit Curves::hitAt(uint32_t piece, float u, const Ray& ray, float t) const {
         const float angle = 0.5f * kPi * s, cosine = std::cos(angle), sine = std::sin(angle);
         hit.ng = n * cosine - b * sine;
         hit.dpdv = (b * cosine + n * sine) * (2 * c.radius);
+    } else if (type_ == CurveType::Tube) {
+        const float towards = std::sqrt(1 - s * s);
+        hit.ng = n * towards + b * s;
+        hit.dpdv = (b * towards - n * s) * (2 * c.radius);
     }
     if (flipNormal_) hit.ng = -hit.ng;
     if (mirrored_) {

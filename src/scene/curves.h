@@ -13,15 +13,17 @@ namespace drc {
 enum class CurveType {
     Flat,      // always faces the viewer
     Cylinder,  // faces the viewer, with the normals of the inside of a round tube
+    Tube,      // faces the viewer, with the normals of the outside of a round tube
     Ribbon,    // oriented by given normals
 };
 
-// u runs along each curve and v across it, along dpdv. For flat curves and cylinders, dpdv is along cross(ray
+// u runs along each curve and v across it, along dpdv. For curves that face the viewer, dpdv is along cross(ray
 // direction, dpdu) as in pbrt, and the normals face the ray, or face away with flipNormal. (In pbrt they face away,
 // where nobody could see what the curves emit.) Across a cylinder, the normals vary as in the pbrt program, so that it
-// is shaded as if one saw the far side of a hollow tube; images made with pbrt look like this. The normal of a ribbon
-// is the given one, or its opposite with flipNormal. In pbrt all of this holds in the shape's own space, so that v runs
-// in the opposite direction where the shape's transform mirrors.
+// is shaded as if one saw the far side of a hollow tube; images made with pbrt look like this. A tube has the
+// normals of the round surface that it stands for, as hair does in other renderers. The normal of a ribbon is the given
+// one, or its opposite with flipNormal. In pbrt all of this holds in the shape's own space, so that v runs in the
+// opposite direction where the shape's transform mirrors.
 class Curves final : public Shape {
   public:
     Curves(CurveType type, bool flipNormal, bool mirrored = false)

@@ -56,6 +56,17 @@ TEST(Curves, CylinderLooksLikeAHollowTube) {
         EXPECT_LT(length(normalize(cross(hit->dpdu, hit->dpdv)) + hit->ng), 1e-5f) << "pbrt's looks away";
 }
 
+// The picture of a round tube has its normals: at half the radius, that of 30 degrees from the axis to the eye.
+TEST(Curves, TubeLooksLikeARoundOne) {
+    const auto curve = make(CurveType::Tube, kStraight, 0.2f, 0.2f);
+    for (const float share : {-0.9f, -0.5f, 0.f, 0.3f, 0.8f}) {
+        const auto hit = curve->intersect(rayFrom(Vec3(0, share * 0.1f, 5), Vec3(0, 0, -1)), 0);
+        ASSERT_TRUE(hit);
+        EXPECT_LT(length(hit->ng - Vec3(0, share, std::sqrt(1 - share * share))), 1e-4f);
+        EXPECT_LT(length(normalize(cross(hit->dpdu, hit->dpdv)) + hit->ng), 1e-5f);
+    }
+}
+
 TEST(Curves, RibbonKeepsItsSide) {
     Curves ribbon(CurveType::Ribbon, false);
     ribbon.add(kStraight, {0.2f, 0.2f}, {Vec3(0, 0, 1), Vec3(0, 1, 0)});
@@ -131,12 +142,12 @@ void checkSolidAngle(const Curves& curves, const Vec3& p) {
 }
 
 TEST(Curves, SamplesFillTheSolidAngle) {
-    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon})
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Tube, CurveType::Ribbon})
         checkSolidAngle(*make(type, kBent, 0.2f, 0.1f), Vec3(0.3f, 0.5f, 4));
 }
 
 TEST(Curves, PdfIsThatOfSampleFrom) {
-    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon}) {
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Tube, CurveType::Ribbon}) {
         const auto curves = make(type, kBent, 0.05f, 0.1f);
         const Vec3 p(0.3f, 0.5f, 4);
         Pcg32 rng(2);
@@ -159,7 +170,7 @@ TEST(Curves, PdfIsThatOfSampleFrom) {
 
 // From closer to the axis than a quarter of the radius, no sample is visible, and the pdf of hits must be zero.
 TEST(Curves, NoDensityWhereNoSampleLies) {
-    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder}) {
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Tube}) {
         const auto curves = make(type, kStraight, 1, 1);
         const Vec3 p(0, 0.1f, 0);
         Pcg32 rng(2);
@@ -180,7 +191,7 @@ TEST(Curves, NoDensityWhereNoSampleLies) {
 // their variance is included, since the pdf of a thin curve has too many discontinuities for quadrature.
 TEST(Curves, DirectionsFollowTheDensity) {
     constexpr int kBands = 16, kSamples = 12000, kDirections = 25000;
-    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon}) {
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Tube, CurveType::Ribbon}) {
         const auto curves = make(type, kBent, 0.1f, 0.25f);
         const Vec3 p(0.3f, 0.5f, 3);
         Pcg32 rng(10);
@@ -240,7 +251,7 @@ TEST(Curves, SamplesByAreaCoverATube) {
 }
 
 TEST(Curves, PiecesAreCountedAsTheyAreMade) {
-    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Ribbon})
+    for (const CurveType type : {CurveType::Flat, CurveType::Cylinder, CurveType::Tube, CurveType::Ribbon})
         for (const float width : {0.f, 1e-6f, 1e-3f, 0.1f, 1.f})
             for (const std::array<Vec3, 4>& points : {kStraight, kBent, {Vec3(1), Vec3(1), Vec3(1), Vec3(1)}}) {
                 Curves curves(type, false);

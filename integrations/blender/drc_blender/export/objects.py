@@ -34,10 +34,14 @@ def visible(instance):
     return instance.show_self and not getattr(instance.object, "hide_render", False)
 
 
+def has_visible_hair(instance):
+    return instance.show_particles and not getattr(instance.object, "hide_render", False)
+
+
 def matrices_at(depsgraph):
     """Of all that is shown, by key, as 4 x 4 arrays."""
     return {
         key_of(i): np.array(i.matrix_world)
         for i in depsgraph.object_instances
-        if visible(i) and i.object.type in MESHES | {"LIGHT"}
+        if visible(i) and i.object.type in MESHES | {"CURVES", "LIGHT"}
     }

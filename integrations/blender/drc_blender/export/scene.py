@@ -13,15 +13,12 @@ from ..materials.textures import TextureWriter
 from .cache import FileCache, digest
 from .cameras import camera_lines, film_lines, transforms, view_lines
 from .lights import lamp_lines
-from .mesh_data import MeshData
-from .objects import MESHES, invertible, key_of, matrices_at, visible
+from .objects import invertible, key_of, matrices_at, visible
 from .pbrt_text import Names, quoted, statement, transform
 from .report import Report
-from .visibility import shape_visibility
+from .shown import ObjectReader, ShownHair
+from .strand_text import piece_lines, pieces_of, strand_lines
 from .world import world_lines
-
-FARTHEST = 1e18  # of what the renderer takes
-
 
 @dataclass
 class Settings:
@@ -46,20 +43,10 @@ class Exported:
     content: str = ""
     sphere: tuple = None
     triangles: int = 0
+    strands: int = 0
     meshes_written: int = 0
     instances: int = 0
     seconds: dict = field(default_factory=dict)
-
-
-@dataclass
-class Mesh:
-    """An object's evaluated mesh. data: MeshData; bounds: of the undeformed mesh; materials: of the slots;
-    visibility: parameters of its shapes."""
-
-    data: MeshData
-    bounds: tuple
-    materials: list
-    visibility: dict
 
 
 @contextlib.contextmanager
@@ -174,26 +161,17 @@ class SceneExporter:
 
     def _place(self, depsgraph, moving, definitions, shapes, lamps, bounds):
         counts, read, groups, placings = {}, {}, {}, []
+        objects = ObjectReader(self.layer, self.report, depsgraph.mode == "RENDER")
         for instance in depsgraph.object_instances:
             object_ = instance.object
-            if not visible(instance):
-                continue
             if object_.type == "LIGHT":
+                if not visible(instance):
+                    continue
                 with naming(object_.name):
                     lamps += lamp_lines(object_.original, np.array(instance.matrix_world), self.reader, self.report)
                 continue
-            if object_.type not in MESHES:
-                if object_.type in ("CURVES", "POINTCLOUD", "VOLUME"):
-                    self.report.add(f"objects of the kind {object_.type.lower()} are not exported", object_.name)
-                continue
-            mesh_key = (
-                object_.original.name_full if not instance.is_instance else object_.name_full,
-                object_.data.name_full,
-                instance.is_instance,
-            )
-            if mesh_key not in read:
-                read[mesh_key] = self._mesh(object_)
-            if read[mesh_key] is None:
+            parts = objects.parts(instance)
+            if not parts:
                 continue
             with naming(object_.name):
                 matrix = invertible(np.array(instance.matrix_world))
@@ -202,16 +180,28 @@ class SceneExporter:
                 continue
             if not matrices or any(m is None for m in matrices):
                 matrices = [matrix]
-            counts[mesh_key] = counts.get(mesh_key, 0) + 1
-            placings.append((mesh_key, object_.name, matrix, matrices))
+            object_key = (
+                object_.original.name_full if not instance.is_instance else object_.name_full,
+                object_.data.name_full if object_.data is not None else "",
+                instance.is_instance,
+            )
+            for part, read_part in parts:
+                mesh_key = (*object_key, part)
+                if mesh_key not in read:
+                    read[mesh_key] = read_part()
+                if read[mesh_key] is None:
+                    continue
+                counts[mesh_key] = counts.get(mesh_key, 0) + 1
+                placings.append((mesh_key, object_.name, matrix, matrices))
         for mesh_key, name, matrix, matrices in placings:
             mesh = read[mesh_key]
             self.exported.instances += 1
-            bounds.append(corners_of(mesh.data.positions, matrix))
+            bounds.append(corners_of(mesh.positions, matrix))
             moves = len(matrices) > 1 and not np.allclose(matrices[0], matrices[-1], rtol=0, atol=1e-7)
             if mesh_key not in groups:
                 with naming(name):
-                    groups[mesh_key] = self._parts(name, mesh, matrix, definitions)
+                    write = self._strands if isinstance(mesh, ShownHair) else self._triangles
+                    groups[mesh_key] = write(name, mesh, matrix)
             fixed, emitting = groups[mesh_key]
             if emitting and moves:
                 self.report.add("lamps and emissive surfaces that move stand still", name)
@@ -226,28 +216,26 @@ class SceneExporter:
             elif fixed:
                 shapes += ["AttributeBegin", *transforms(matrices), *fixed, "AttributeEnd"]
 
-    def _mesh(self, object_):
-        mesh = object_.data if object_.type == "MESH" else object_.to_mesh()
-        if mesh is None or not len(mesh.polygons):
-            if object_.type != "MESH":
-                object_.to_mesh_clear()
-            return None
-        data = MeshData.of(mesh)
-        if not (np.abs(data.positions) < FARTHEST).all():
-            raise ValueError(
-                f"{object_.name}: the mesh has a vertex at no number or farther than {FARTHEST:g}: delete it"
-            )
-        bounds = texture_space(object_, data)
-        # Of the slots, which may have the object's materials rather than the mesh's.
-        materials = [slot.material for slot in object_.material_slots] or [None]
-        if object_.type != "MESH":
-            object_.to_mesh_clear()
-        if self.layer.material_override is not None:
-            materials = [self.layer.material_override] * len(materials)
-        used = [m.original if m is not None else None for m in materials]
-        return Mesh(data, bounds, used, shape_visibility(object_, self.layer, self.report))
+    def _strands(self, name, shown, _matrix):
+        """As of _triangles, of hair."""
+        lines, hair = [], shown.hair
+        pieces = pieces_of(hair) if self.materials.changes_along(shown.material) else None
+        points = hair.roots if pieces is None else hair.roots_of_pieces(pieces)
+        for placed, rows in self.materials.on_hair(shown.material, points):
+            if placed.emissive:
+                self.report.add("hair emits no light", name)
+            shape = shape_parameters(placed, shown)
 
-    def _parts(self, name, mesh, matrix, definitions):
+            def text(rows=rows, shape=shape):
+                curves = strand_lines(hair, rows, shape) if pieces is None else piece_lines(pieces, rows, shape)
+                return ("\n".join(curves) + "\n").encode()
+
+            key = digest(hair.key, rows, "strands" if pieces is None else "pieces", repr(sorted(shape.items())))
+            lines += [placed.lines[0], f"Include {quoted(self.meshes.file(key, 'pbrt', text))}"]
+        self.exported.strands += hair.strands
+        return lines, []
+
+    def _triangles(self, name, mesh, matrix):
         """(lines of what may be instanced, lines of what emits) of the parts of a mesh."""
         fixed, emitting = [], []
         for index, material in enumerate(mesh.materials):
@@ -264,10 +252,9 @@ class SceneExporter:
                 key = digest(mesh.data.key, index, len(mesh.materials), placed.uv)
                 file = self.meshes.file(key, "ply", lambda: mesh.data.ply(triangles, placed.uv))
             self.exported.triangles += len(triangles)
-            # What the object says of shadows counts, whatever its materials do.
-            named = {declared.split()[1] for declared in mesh.visibility}
-            own = {declared: v for declared, v in placed.shape.items() if declared.split()[1] not in named}
-            shape = statement("Shape", "plymesh", params={"string filename": file, **mesh.visibility, **own})
+            shape = statement(
+                "Shape", "plymesh", params={"string filename": file, **shape_parameters(placed, mesh)}
+            )
             lines = [*placed.lines, shape]
             if placed.emissive:
                 emitting += ["AttributeBegin", *lines, "AttributeEnd"]
@@ -276,13 +263,11 @@ class SceneExporter:
         return fixed, emitting
 
 
-def texture_space(object_, data):
-    """(low, high) of Blender's generated coordinates: the bounds of the mesh without modifiers."""
-    original = object_.original.data if object_.original is not None else None
-    if original is not None and hasattr(original, "texspace_location"):
-        middle, half = np.array(original.texspace_location), np.array(original.texspace_size)
-        return middle - half, middle + half
-    return data.positions.min(axis=0), data.positions.max(axis=0)
+def shape_parameters(placed, shown):
+    """What the object says of shadows counts, whatever its materials do."""
+    named = {declared.split()[1] for declared in shown.visibility}
+    own = {declared: v for declared, v in placed.shape.items() if declared.split()[1] not in named}
+    return {**shown.visibility, **own}
 
 
 def corners_of(positions, matrix):

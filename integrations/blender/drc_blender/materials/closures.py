@@ -55,6 +55,19 @@ def constant_reflectance_tint(colour):
     return combined(lambda c: np.where(c > 0, c / np.maximum(c + (1 - c) * SCHLICK_AT_82, 1e-6), 0), colour)
 
 
+EUMELANIN, PHEOMELANIN = (0.506, 0.841, 1.653), (0.343, 0.733, 1.924)  # absorption, by its amount
+
+
+def absorption_of_melanin(melanin, redness, tint, roughness):
+    """Of Blender's Principled Hair; roughness: the radial one. A tint absorbs as hair of this colour would (Chiang et
+    al. 2016, equation 9)."""
+    amount = -np.log(np.maximum(1 - melanin, 1e-4))
+    pigments = amount * (1 - redness) * np.array(EUMELANIN) + amount * redness * np.array(PHEOMELANIN)
+    terms = (5.969, -0.215, 2.532, -10.73, 5.574, 0.245)
+    across = sum(term * roughness**power for power, term in enumerate(terms))
+    return pigments + (np.log(np.clip(tint, 1e-5, 1)) / across) ** 2
+
+
 class ClosureReader:
     """Reads the surface of a material or world tree; the reader's report gets what has no equal."""
 
@@ -73,6 +86,8 @@ class ClosureReader:
             "EMISSION": self._emission,
             "BACKGROUND": self._emission,
             "BSDF_SHEEN": self._sheen,
+            "BSDF_HAIR": self._hair,
+            "BSDF_HAIR_PRINCIPLED": self._principled_hair,
             "SUBSURFACE_SCATTERING": self._subsurface,
             "HOLDOUT": self._holdout,
         }
@@ -285,6 +300,31 @@ class ClosureReader:
                 weight,
             )
         )
+
+    def _hair(self, at, weight, made):
+        self.reader.unsupported(at, "the Hair BSDF is that of Principled Hair of the same colour")
+        parameters = {"rgb reflectance": self._value(at, "Color")}
+        made.scattering.append(Closure("hair", parameters, weight))
+
+    def _principled_hair(self, at, weight, made):
+        if getattr(at.node, "model", "CHIANG") != "CHIANG":
+            self.reader.unsupported(at, "hair of the model Huang has no equal; it is that of Chiang")
+        parameters = {
+            "float eta": self._value(at, "IOR"),
+            "float beta_m": self._value(at, "Roughness"),
+            "float beta_n": self._value(at, "Radial Roughness"),
+            "float alpha": combined(np.degrees, self._value(at, "Offset")),
+        }
+        if at.node.parametrization == "ABSORPTION":
+            parameters["rgb sigma_a"] = self._value(at, "Absorption Coefficient")
+        elif at.node.parametrization == "COLOR":
+            parameters["rgb reflectance"] = self._value(at, "Color")
+        else:
+            parameters["rgb sigma_a"] = combined(
+                absorption_of_melanin,
+                *(self._value(at, n) for n in ("Melanin", "Melanin Redness", "Tint", "Radial Roughness")),
+            )
+        made.scattering.append(Closure("hair", parameters, weight))
 
     def _subsurface(self, at, weight, made):
         self.reader.unsupported(at, "light does not spread below surfaces; it is diffuse there and then")

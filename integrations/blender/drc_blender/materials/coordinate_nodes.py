@@ -4,7 +4,7 @@ reader and the output socket, and returns the expression of that output."""
 import numpy as np
 
 from .colour_maths import rotation
-from .expressions import SPACE, UV, Expression, as_number, combined, constant
+from .expressions import ALONG, SPACE, UV, Expression, as_number, combined, constant
 
 
 def _coordinates(reader, at):
@@ -72,6 +72,25 @@ def _attribute(reader, at):
     return as_number(colour) if at.socket.name in ("Fac", "Factor") else colour
 
 
+def _hair(reader, at):
+    name = at.socket.name
+
+    def of_strand(what, elsewhere, needs):
+        def values(points):
+            found = getattr(points, what)
+            return np.full((1, 1), elsewhere, dtype=np.float32) if found is None else found
+
+        return Expression(values, needs)
+
+    if name == "Is Strand":
+        return combined(lambda along: (along >= 0).astype(np.float32), of_strand("along", -1.0, [(SPACE,)]))
+    if name == "Intercept":
+        return of_strand("along", 0.0, [(SPACE,), (ALONG,)])
+    if name == "Random":
+        return of_strand("random", 0.0, [(SPACE,)])
+    return reader.unsupported(at, f"'{name}' of Curves Info has no equal; 0 is used", constant(0.0))
+
+
 def _mapping(reader, at):
     vector = reader.value(at.input("Vector"))
     location, turn, scale = (
@@ -96,6 +115,7 @@ def _mapping(reader, at):
 
 NODES = {
     "ATTRIBUTE": _attribute,
+    "HAIR_INFO": _hair,
     "MAPPING": _mapping,
     "NEW_GEOMETRY": _geometry,
     "TEX_COORD": _coordinates,

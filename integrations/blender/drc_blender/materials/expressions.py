@@ -5,13 +5,14 @@ An expression is evaluated on many points at once: an array of 1 or n rows, and 
 
 import numpy as np
 
-UV, SPACE = "uv", "space"  # what an expression depends on: texture coordinates, or other properties of the place
+# What an expression depends on: texture coordinates, other properties of the place, the way along a strand of hair.
+UV, SPACE, ALONG = "uv", "space", "along"
 LUMINANCE = np.array([[0.2126], [0.7152], [0.0722]], dtype=np.float32)
 
 
 class Expression:
-    """function(points) gives the array; needs: a set of (UV, map name) and (SPACE,), empty for constants; image: the
-    Socket of the Image Texture whose colour this is as it stands, if it is one."""
+    """function(points) gives the array; needs: a set of (UV, map name), (SPACE,) and (ALONG,), empty for constants;
+    image: the Socket of the Image Texture whose colour this is as it stands, if it is one."""
 
     def __init__(self, function, needs=(), image=None):
         self.function, self.needs, self.image = function, frozenset(needs), image

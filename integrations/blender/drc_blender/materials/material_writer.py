@@ -9,10 +9,11 @@ from ..export.pbrt_text import quoted, statement
 from ..export.report import Report
 from .atlas import Atlas, points_of
 from .closures import Closure, ClosureReader
-from .expressions import Expression, constant
+from .expressions import ALONG, Expression, constant
 from .node_links import Socket, active_output, tree_of
 from .plan import MaterialPlan, add_relief, plan_of
 from .ray_kinds import TOLD, heed_rays
+from .strand_looks import StrandLook, looks_of
 from .textures import Window, texture, value_at_nowhere
 from .tree_key import tree_key
 
@@ -106,6 +107,24 @@ class MaterialWriter:
 
         made = self._cached((name, place), plan, lambda: _Baked(self.textures, atlas, points, digest(key, place)))
         made.atlas = atlas
+        return made
+
+    def changes_along(self, material):
+        """Whether strands of hair look otherwise at their tips than at their roots."""
+        return any((ALONG,) in e.needs for e in self.plan(material)[0].expressions())
+
+    def on_hair(self, material, points):
+        """How strands or pieces of strands look under this material: [(Placed, numbers of those that look so)]."""
+        plan, _ = self.plan(material)
+        name = material.name_full if material is not None else "default"
+        if plan.is_invisible or not points.count:
+            return []
+        if not plan.is_textured:
+            return [(self._cached((name,), plan, lambda: _Constant()), np.arange(points.count))]
+        made = []
+        for rows in looks_of(plan, points):
+            look = StrandLook(points, rows)
+            made.append((self._cached((name, look.key(plan)), plan, lambda: look), rows))
         return made
 
     def _cached(self, key, plan, values):

@@ -16,23 +16,32 @@ class Points:
     position: np.ndarray = None  # n x 3, world space
     normal: np.ndarray = None  # n x 3, world space
     attributes: dict = field(default_factory=dict)  # n x 3 colours by name
+    along: np.ndarray = None  # n x 1, of hair: from 0 at the root to 1 at the tip
+    random: np.ndarray = None  # n x 1, of hair: a number of the strand in [0, 1)
 
     def uv(self, name=""):
         found = self.uvs.get(name, self.uvs.get(""))
         return np.zeros((self.count, 2), dtype=np.float32) if found is None else found
 
     def slice(self, begin, end):
+        return self.take(slice(begin, min(end, self.count)), min(end, self.count) - begin)
+
+    def take(self, rows, count):
+        """rows: of numpy's indices, which choose `count`."""
+
         def cut(array):
-            return None if array is None else array[begin:end]
+            return None if array is None else array[rows]
 
         return Points(
-            min(end, self.count) - begin,
+            count,
             {k: cut(v) for k, v in self.uvs.items()},
             cut(self.generated),
             cut(self.object),
             cut(self.position),
             cut(self.normal),
             {k: cut(v) for k, v in self.attributes.items()},
+            cut(self.along),
+            cut(self.random),
         )
 
 

@@ -5,6 +5,7 @@ from stage import FEATURES
 from . import (
     cameras,
     geometry,
+    hair,
     lamps,
     light_paths,
     materials,
@@ -18,6 +19,7 @@ __all__ = [
     "FEATURES",
     "cameras",
     "geometry",
+    "hair",
     "lamps",
     "light_paths",
     "materials",
