@@ -174,6 +174,19 @@ TEST(ShapeFactory, CurveWidthsAndNormals) {
     EXPECT_EQ(curves.controlNormals().back().n, Vec3(0, 1, 0));
 }
 
+TEST(ShapeFactory, CurveTypes) {
+    const auto typeOf = [](const std::string& type) {
+        return onlyPrimitive("Shape \"curve\" " + type + " \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0]")
+            .shape->asCurves()
+            ->type();
+    };
+    EXPECT_EQ(typeOf(""), CurveType::Flat);
+    EXPECT_EQ(typeOf("\"string type\" \"flat\""), CurveType::Flat);
+    EXPECT_EQ(typeOf("\"string type\" \"cylinder\""), CurveType::Cylinder);
+    EXPECT_EQ(typeOf("\"string type\" \"tube\""), CurveType::Tube);
+    EXPECT_EQ(typeOf("\"string type\" \"ribbon\" \"normal N\" [0 0 1 0 0 1]"), CurveType::Ribbon);
+}
+
 TEST(ShapeFactory, CurvesThatLookAlikeAreOnePrimitive) {
     const std::string curve = "Shape \"curve\" \"float width\" 9 \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0]\n";
     const std::string tube = "Shape \"curve\" \"string type\" \"cylinder\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0]\n";
