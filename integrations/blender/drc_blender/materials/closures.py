@@ -115,8 +115,7 @@ class ClosureReader:
         if node.type == "MIX_SHADER":
             # Both shader inputs are called Shader: by position.
             factor, first, second = at.inputs()[:3]
-            if self._is_plastic(factor.source(), first, second):
-                self._plastic(at, factor.source(), first, second, weight, made)
+            if self._pair(factor.source(), first.source(), second.source(), weight, made):
                 return
             share = combined(lambda f: np.clip(f, 0, 1), as_number(self.reader.value(factor)))
             self._add(first, product(weight, rest(share)), made)
@@ -143,29 +142,35 @@ class ClosureReader:
 
     # Pairs that are one material
 
-    def _is_plastic(self, factor, first, second):
-        kinds = [s.source().node.type if s.source().socket.is_output else "" for s in (first, second)]
-        return (
-            factor.socket.is_output
-            and factor.node.type == "FRESNEL"
-            and kinds in (["BSDF_DIFFUSE", "BSDF_GLOSSY"], ["BSDF_DIFFUSE", "BSDF_ANISOTROPIC"])
-        )
+    def _pair(self, factor, first, second, weight, made):
+        """Adds two shaders that are mixed by how much a surface reflects, if they are a material that is known."""
+        ior = self._reflecting_ior(factor)
+        kinds = [s.node.type if s.socket.is_output else "" for s in (first, second)]
+        if ior is None or kinds[1] not in ("BSDF_GLOSSY", "BSDF_ANISOTROPIC"):
+            return False
+        if kinds[0] == "BSDF_DIFFUSE":
+            parameters = {
+                "rgb basecolor": self._value(first, "Color"),
+                "float roughness": self._value(second, "Roughness"),
+                "rgb speculartint": self._value(second, "Color"),
+                "float ior": ior,
+            }
+        elif kinds[0] == "BSDF_REFRACTION":
+            parameters = self._glass_parameters(first, self._value(second, "Color"))
+        else:
+            return False
+        made.scattering.append(self._closure(first, "principled", parameters, weight))
+        return True
 
-    def _plastic(self, at, factor, first, second, weight, made):
-        diffuse, glossy = first.source(), second.source()
-        made.scattering.append(
-            self._closure(
-                diffuse,
-                "principled",
-                {
-                    "rgb basecolor": self._value(diffuse, "Color"),
-                    "float roughness": self._value(glossy, "Roughness"),
-                    "rgb speculartint": self._value(glossy, "Color"),
-                    "float ior": self._value(factor, "IOR"),
-                },
-                weight,
-            )
-        )
+    def _reflecting_ior(self, factor):
+        """Of a surface that reflects as much as this node says; None if it says something else."""
+        if not factor.socket.is_output:
+            return None
+        if factor.node.type == "FRESNEL":
+            return self._value(factor, "IOR")
+        if factor.node.type == "LAYER_WEIGHT" and factor.socket.name == "Fresnel":
+            return combined(lambda b: 1 / np.maximum(1 - np.clip(b, 0, 1), 1e-5), self._value(factor, "Blend"))
+        return None
 
     # Single nodes
 
@@ -248,22 +253,20 @@ class ClosureReader:
         made.scattering.append(self._closure(at, "principled", parameters, weight))
 
     def _glass(self, at, weight, made):
-        colour = self._value(at, "Color")
         made.scattering.append(
-            self._closure(
-                at,
-                "principled",
-                {
-                    # The principled glass tints by the root of its colour at each surface, Glass by the colour itself.
-                    "rgb basecolor": combined(lambda c: np.clip(c, 0, 1) ** 2, colour),
-                    "rgb reflectiontint": colour,
-                    "float transmission": ONE,
-                    "float roughness": self._value(at, "Roughness"),
-                    "float ior": self._value(at, "IOR"),
-                },
-                weight,
-            )
+            self._closure(at, "principled", self._glass_parameters(at, self._value(at, "Color")), weight)
         )
+
+    def _glass_parameters(self, at, reflected):
+        """reflected: the colour of what is reflected."""
+        return {
+            # The principled glass tints by the root of its colour at each surface, Glass by the colour itself.
+            "rgb basecolor": combined(lambda c: np.clip(c, 0, 1) ** 2, self._value(at, "Color")),
+            "rgb reflectiontint": reflected,
+            "float transmission": ONE,
+            "float roughness": self._value(at, "Roughness"),
+            "float ior": self._value(at, "IOR"),
+        }
 
     def _refraction(self, at, weight, made):
         self.reader.unsupported(at, "a surface that refracts without reflecting has no equal; it is glass")

@@ -56,12 +56,29 @@ def _(s):
     s.shader(m, "MixShader", i0=0.3, i1=a.outputs[0], i2=b.outputs[0])
 
 
-@feature("Mix Shader: by Fresnel", reason="the nearest is a plastic of the principled material")
+@feature("Mix Shader: by Fresnel")
 def _(s):
     m = s.ball.active_material
     a = s.node(m, "BsdfDiffuse", Color=(0.7, 0.2, 0.2))
     b = s.node(m, "BsdfAnisotropic", Color=(1.0, 1.0, 1.0), Roughness=0.1)
     s.shader(m, "MixShader", i0=s.node(m, "Fresnel", IOR=1.5).outputs[0], i1=a.outputs[0], i2=b.outputs[0])
+
+
+@feature("Mix Shader: by Layer Weight")
+def _(s):
+    m = s.ball.active_material
+    a = s.node(m, "BsdfDiffuse", Color=(0.1, 0.3, 0.5))
+    b = s.node(m, "BsdfAnisotropic", Color=(1.0, 1.0, 1.0), Roughness=0.2)
+    fresnel = s.node(m, "LayerWeight", Blend=0.4).outputs["Fresnel"]
+    s.shader(m, "MixShader", i0=fresnel, i1=a.outputs[0], i2=b.outputs[0])
+
+
+@feature("Mix Shader: glass by Fresnel", spp=1024)
+def _(s):
+    m = s.ball.active_material
+    a = s.node(m, "BsdfRefraction", Color=(0.9, 0.95, 1.0), Roughness=0.0, IOR=1.45)
+    b = s.node(m, "BsdfAnisotropic", Color=(1.0, 1.0, 1.0), Roughness=0.0)
+    s.shader(m, "MixShader", i0=s.node(m, "Fresnel", IOR=1.45).outputs[0], i1=a.outputs[0], i2=b.outputs[0])
 
 
 @feature("Mix Shader: cut-out by an image")
