@@ -394,12 +394,12 @@ class Exports(InBlender):
 
     def test_what_has_no_equal_is_named(self):
         material = self.stage.ball.data.materials[0]
-        node = Stage.node(self.stage, material, "TexVoronoi")
-        Stage.shader(self.stage, material, "BsdfDiffuse", Color=node.outputs["Color"])
+        node = Stage.node(self.stage, material, "TexGabor")
+        Stage.shader(self.stage, material, "BsdfDiffuse", Color=node.outputs["Value"])
         self.stage.ball.visible_glossy = False
         report = self.exported(SceneExporter(os.path.join(self.folder.name, "report"))).report.lines()
         self.assertIn(
-            "ball > Voronoi Texture: the node Voronoi Texture has no equal; the socket's own value is used", report
+            "ball > Gabor Texture: the node Gabor Texture has no equal; the socket's own value is used", report
         )
         self.assertIn("ball: objects are seen by all rays; this one is hidden from glossy rays", report)
 

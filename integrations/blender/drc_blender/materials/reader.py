@@ -2,11 +2,17 @@
 
 import subprocess
 
-from . import colour_nodes, coordinate_nodes, number_nodes, texture_nodes
+from . import colour_nodes, coordinate_nodes, number_nodes, pattern_nodes, texture_nodes
 from .expressions import as_colour, as_number, constant
 from .image_lookup import Images
 
-NODES = {**coordinate_nodes.NODES, **texture_nodes.NODES, **number_nodes.NODES, **colour_nodes.NODES}
+NODES = {
+    **coordinate_nodes.NODES,
+    **texture_nodes.NODES,
+    **pattern_nodes.NODES,
+    **number_nodes.NODES,
+    **colour_nodes.NODES,
+}
 
 
 class Reader:

@@ -1,9 +1,8 @@
-"""Textures: images and patterns. Each function takes the
-reader and the output socket, and returns the expression of that output."""
+"""Textures that are pictures. Each function takes the reader and the output socket, and returns the expression of that
+output."""
 
 import numpy as np
 
-from . import noise
 from .coordinate_nodes import of_place, uv_map
 from .expressions import as_colour, combined, constant
 from .image_lookup import equirectangular, mirror_ball
@@ -74,74 +73,8 @@ def _sky(reader, at):
     return combined(looked_up, texture_vector(reader, at, of_place("generated")))
 
 
-def _scaled(reader, at):
-    return combined(
-        lambda v, s: v * s, texture_vector(reader, at, of_place("generated")), reader.value(at.input("Scale"))
-    )
-
-
-def _noise(reader, at):
-    node = at.node
-    if node.noise_dimensions != "3D":
-        reader.unsupported(at, f"noise of {node.noise_dimensions} has no equal; that of 3D is used")
-    if getattr(node, "noise_type", "FBM") != "FBM":
-        reader.unsupported(at, f"noise of the kind {node.noise_type} has no equal; fBM is used")
-    numbers = []
-    for name, default in (("Detail", 2.0), ("Roughness", 0.5), ("Lacunarity", 2.0), ("Distortion", 0.0)):
-        socket = at.input(name)
-        value = reader.value(socket) if socket is not None else constant(default)
-        if not value.is_constant:
-            reader.unsupported(at, f"{name} of noise is taken as constant")
-            value = constant(default)
-        numbers.append(float(value.constant()[0]))
-    coloured = at.socket.name == "Color"
-    return combined(lambda p: noise.noise(p, *numbers, getattr(node, "normalize", True), coloured), _scaled(reader, at))
-
-
-def _checker(reader, at):
-    which = combined(noise.checker, _scaled(reader, at))
-    if at.socket.name != "Color":
-        return which
-    return combined(
-        lambda w, a, b: w * a + (1 - w) * b, which, reader.value(at.input("Color1")), reader.value(at.input("Color2"))
-    )
-
-
-def _gradient(reader, at):
-    value = combined(
-        lambda p: noise.gradient(p, at.node.gradient_type), texture_vector(reader, at, of_place("generated"))
-    )
-    return as_colour(value) if at.socket.name == "Color" else value
-
-
-def _brick(reader, at):
-    node = at.node
-    names = ("Mortar Size", "Mortar Smooth", "Bias", "Brick Width", "Row Height")
-    sizes = [reader.value(at.input(n)) for n in names]
-    if not all(s.is_constant for s in sizes):
-        reader.unsupported(at, "the sizes of bricks are taken as constant")
-    sizes = [float(s.constant()[0]) for s in sizes]
-    patterns = combined(
-        lambda p: np.concatenate(
-            noise.bricks(p, *sizes, node.offset, node.offset_frequency, node.squash, node.squash_frequency), axis=1
-        ),
-        _scaled(reader, at),
-    )
-    if at.socket.name != "Color":
-        return combined(lambda p: p[:, 1:2], patterns)
-    return combined(
-        lambda p, a, b, m: ((1 - p[:, :1]) * a + p[:, :1] * b) * (1 - p[:, 1:2]) + p[:, 1:2] * m,
-        patterns,
-        *(reader.value(at.input(n)) for n in ("Color1", "Color2", "Mortar")),
-    )
-
-
 NODES = {
-    "TEX_BRICK": _brick,
-    "TEX_CHECKER": _checker,
     "TEX_ENVIRONMENT": _environment,
-    "TEX_GRADIENT": _gradient,
     "TEX_IMAGE": _image,
-    "TEX_NOISE": _noise,
     "TEX_SKY": _sky,
 }

@@ -25,7 +25,10 @@ _IGNORED = {
 
 
 def tree_key(tree):
-    return digest(repr(_tree(tree, 0)))
+    import bpy
+
+    # Versions of Blender have their own random numbers in some textures.
+    return digest(repr((bpy.app.version, _tree(tree, 0))))
 
 
 def _tree(tree, depth):

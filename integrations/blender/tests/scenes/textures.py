@@ -39,6 +39,64 @@ textured(
     lambda s, m: s.node(m, "TexNoise", Vector=uv(s, m), Scale=8.0, Detail=3.5, Distortion=0.4).outputs["Color"],
 )
 textured(
+    "Noise Texture, ridged, 2D",
+    lambda s, m: s.node(
+        m,
+        "TexNoise",
+        {"noise_type": "RIDGED_MULTIFRACTAL", "noise_dimensions": "2D"},
+        Vector=uv(s, m),
+        Scale=5.0,
+        Offset=0.9,
+        Gain=1.5,
+    ).outputs[0],
+)
+textured(
+    "Voronoi Texture, colours",
+    lambda s, m: s.node(m, "TexVoronoi", Vector=uv(s, m), Scale=9.0).outputs["Color"],
+)
+textured(
+    "Voronoi Texture, distance to edge",
+    lambda s, m: s.node(
+        m,
+        "TexVoronoi",
+        {"feature": "DISTANCE_TO_EDGE", "voronoi_dimensions": "2D", "normalize": True},
+        Vector=uv(s, m),
+        Scale=8.0,
+    ).outputs["Distance"],
+)
+textured(
+    "Voronoi Texture, smooth, octaves, generated",
+    lambda s, m: s.node(
+        m,
+        "TexVoronoi",
+        {"feature": "SMOOTH_F1", "distance": "MANHATTAN", "normalize": True},
+        Scale=4.0,
+        Detail=1.5,
+        Smoothness=0.6,
+    ).outputs["Distance"],
+    "ball",
+)
+textured(
+    "Wave Texture",
+    lambda s, m: s.node(
+        m, "TexWave", {"wave_type": "RINGS"}, Vector=uv(s, m), Scale=1.5, Distortion=4.0, Detail_Scale=1.5
+    ).outputs["Color"],
+)
+textured(
+    "Magic Texture",
+    lambda s, m: s.node(m, "TexMagic", {"turbulence_depth": 4}, Vector=uv(s, m), Scale=3.0).outputs["Color"],
+)
+
+
+def tiles(s, m):
+    """Tiles of random colours."""
+    scaled = s.node(m, "VectorMath", {"operation": "SCALE"}, i0=uv(s, m), Scale=12.0).outputs[0]
+    cell = s.node(m, "VectorMath", {"operation": "FLOOR"}, i0=scaled).outputs[0]
+    return s.node(m, "TexWhiteNoise", {"noise_dimensions": "2D"}, Vector=cell).outputs["Color"]
+
+
+textured("White Noise Texture, tiles", tiles)
+textured(
     "Checker Texture",
     lambda s, m: s.node(
         m, "TexChecker", Vector=uv(s, m), Color1=(0.8, 0.7, 0.1), Color2=(0.1, 0.2, 0.5), Scale=9.0
