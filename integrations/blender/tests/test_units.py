@@ -41,6 +41,7 @@ from drc_blender.export.spaces import world_to_camera, world_to_panorama
 from drc_blender.materials.atlas import Atlas
 from drc_blender.materials.blackbody import blackbody
 from drc_blender.materials.image_lookup import Pixels, equirectangular
+from drc_blender.materials.light_profile import LightProfile
 from drc_blender.program import Child, UserError, ends_with_us, find_program
 from drc_blender.render_passes import pass_values
 from drc_blender.tev_receiver import Picture, TevReceiver
@@ -644,6 +645,61 @@ os.kill(os.getpid(), 9)
         self.assertEqual(client.error, "the renderer was ended from outside (SIGKILL)")
         self.assertFalse(os.path.exists(f"/proc/{client.child.process.pid}"))
         client.close()
+
+
+def photometric(around, rows, down="0 45 90", tilt="TILT=NONE", kind=1):
+    counts = f"{len(down.split())} {len(around.split())}"
+    return "\n".join(["IESNA:LM-63-1995", "[TEST] x", tilt, f"1 1000 2 {counts} {kind} 1 0 0 0", "1 1 50", down, around, *rows])
+
+
+class LightProfiles(unittest.TestCase):
+    def candelas(self, text, down, about):
+        """At an angle from the nadir and one about the axis, degrees."""
+        d, a = np.radians(down), np.radians(about - 180)
+        direction = np.array([[np.sin(d) * np.sin(a), np.sin(d) * np.cos(a), -np.cos(d)]])
+        return float(LightProfile.parse(text).candelas_at(direction)[0, 0])
+
+    def test_the_same_all_around(self):
+        text = photometric("0", ["100 50 10"])
+        for about in (1, 100, 359):
+            for down, candelas in ((0, 200), (45, 100), (90, 20)):
+                self.assertAlmostEqual(self.candelas(text, down, about), candelas, places=3)
+        self.assertTrue(100 < self.candelas(text, 20, 5) < 200)
+        self.assertEqual(self.candelas(text, 91, 5), 0)
+
+    def test_symmetries(self):
+        quarter = photometric("0 45 90", ["100 50 10", "200 60 20", "300 70 30"])
+        for about, candelas in ((0, 100), (45, 120), (90, 140), (135, 120), (180, 100), (270, 140), (315, 120)):
+            self.assertAlmostEqual(self.candelas(quarter, 45, about), candelas, places=2)
+        half = photometric("0 90 180", ["100 50 10", "200 60 20", "300 70 30"])
+        for about, candelas in ((0, 100), (90, 120), (180, 140), (270, 120)):
+            self.assertAlmostEqual(self.candelas(half, 45, about), candelas, places=2)
+        whole = photometric("0 90 180 270 360", [f"100 {50 + 10 * i} 10" for i in (0, 1, 2, 3, 0)])
+        for about, candelas in ((0, 100), (90, 120), (180, 140), (270, 160)):
+            self.assertAlmostEqual(self.candelas(whole, 45, about), candelas, places=2)
+
+    def test_constants_stay_constant(self):
+        text = photometric("0 90 180 270 360", ["7 7 7"] * 5, down="0 30 180")
+        for down, about in ((3, 1), (70, 200), (179, 359)):
+            self.assertAlmostEqual(self.candelas(text, down, about), 14, places=4)
+
+    def test_tilt_is_passed_over(self):
+        text = photometric("0", ["100 50 10"], tilt="TILT=INCLUDE\n1\n2\n0 90\n1 0.9")
+        self.assertAlmostEqual(self.candelas(text, 45, 0), 100, places=3)
+
+    def test_files_that_are_broken(self):
+        good = photometric("0", ["100 50 10"])
+        for text, what in (
+            ("", "no line TILT="),
+            (photometric("0", ["1 1 1"], tilt="TILT=other.til"), "OTHER.TIL"),
+            (good.rsplit(" ", 1)[0], "numbers are not"),
+            (good.replace("100", "x"), "numbers are not"),
+            (photometric("0", ["1 1 1"], kind=2), "not of type C"),
+            (photometric("0", ["1 1 1"], down="0 90 45"), "do not rise"),
+            (photometric("0 50", ["1 1 1"] * 2), "end at 50 degrees"),
+        ):
+            with self.assertRaisesRegex(ValueError, what):
+                LightProfile.parse(text)
 
 
 class Frames(unittest.TestCase):

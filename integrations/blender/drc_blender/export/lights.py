@@ -5,7 +5,10 @@ import math
 import numpy as np
 
 from ..materials.closures import ClosureReader, emitted
+from ..materials.expressions import as_colour, combined, constant, product
 from ..materials.node_links import active_output, tree_of
+from .directed_lamps import directed_lines
+from .objects import invertible
 from .pbrt_text import statement
 
 HIDDEN = {"bool visibletocamera": False}
@@ -14,44 +17,43 @@ LEAST_RADIUS = 1e-6  # below which a lamp is a point
 LEAST_SPREAD = 1.0  # degrees: that of Cycles
 
 
-def colour_of(light, reader, report, place):
-    """The colour with its strength, as Blender has it before the lamp's own geometry counts."""
+def emission_of(light, reader, place):
+    """An Expression: the colour with its strength, as Blender has it before the lamp's own geometry counts."""
     colour = np.array(light.color, dtype=float)
     if getattr(light, "use_temperature", False):
         colour = colour * np.array(light.temperature_color)
-    strength = light.energy * 2.0 ** getattr(light, "exposure", 0.0)
+    colour = constant(*(colour * light.energy * 2.0 ** getattr(light, "exposure", 0.0)))
     tree = tree_of(light)
-    if tree is not None:
-        strength_of_nodes = node_emission(tree, reader, report, place)
-        colour = colour * strength_of_nodes
-    return colour * strength
-
-
-def node_emission(tree, reader, report, place):
-    output = active_output(tree, "OUTPUT_LIGHT")
+    output = active_output(tree, "OUTPUT_LIGHT") if tree is not None else None
     if output is None:
-        return np.ones(3)
-    radiance = emitted(ClosureReader(reader.at(*place)).surface_of(output))
-    if not radiance.is_constant:
-        report.add("textures of lamps have no equal; they are as at their middle", *place)
-    return np.broadcast_to(radiance.constant(), 3).astype(float)
+        return colour
+    return as_colour(product(colour, emitted(ClosureReader(reader.at(*place)).surface_of(output))))
 
 
-def lamp_lines(object_, matrix, reader, report):
+def lamp_lines(object_, matrix, reader, files, report):
+    """files: the FileCache of pictures."""
     light, place = object_.data, (object_.name,)
-    colour = colour_of(light, reader, report, place)
+    emission, matrix = emission_of(light, reader, place), np.array(matrix, dtype=float)
+    if not getattr(light, "use_shadow", True):
+        report.add("a lamp without shadows has no equal; it has them", *place)
+    if light.type in ("SUN", "SPOT") and not np.any(matrix[:3, 2]):
+        report.add("a lamp that is scaled to nothing has no direction; it is left out", *place)
+        return []
+    if not emission.is_constant:
+        if light.type in ("POINT", "SPOT") and invertible(matrix) is matrix:
+            if light.shadow_soft_size > LEAST_RADIUS:
+                report.add("a lamp whose light depends on its direction is a point; its shadows are sharp", *place)
+            size = lamp_size(light)
+            return directed_lines(light, matrix, combined(lambda e: e * size, emission), files, report, place)
+        report.add("textures of lamps have no equal; they are as at their middle", *place)
+    colour = emission.constant().astype(float)
     if not np.any(colour > 0):
         return []
     if np.any(colour < 0):
         report.add("lamps that take light away have no equal; what is negative is black", *place)
         colour = np.maximum(colour, 0)
-    if not getattr(light, "use_shadow", True):
-        report.add("a lamp without shadows has no equal; it has them", *place)
-    if light.type in ("SUN", "SPOT") and not np.any(np.array(matrix)[:3, 2]):
-        report.add("a lamp that is scaled to nothing has no direction; it is left out", *place)
-        return []
     kinds = {"POINT": point, "SUN": sun, "SPOT": spot, "AREA": area}
-    return kinds[light.type](light, np.array(matrix, dtype=float), colour, report, place, object_)
+    return kinds[light.type](light, matrix, colour, report, place)
 
 
 def is_normalized(light):
@@ -63,18 +65,22 @@ def is_normalized(light):
 WITHOUT_BODY = {"bool visibletocamera": False, "bool blockslight": False}
 
 
-def point(light, matrix, colour, report, place, object_):
+def point(light, matrix, colour, report, place):
     params = {"rgb I": colour / (4 * math.pi), "point3 from": matrix[:3, 3]}
     return [statement("LightSource", "point", params=with_radius(params, light))]
 
 
 def with_radius(params, light):
     """Of a point or a spot: with the lamp's extent. Without normalization, the intensity is the radiance's."""
-    radius = light.shadow_soft_size
-    if radius <= LEAST_RADIUS:
+    if light.shadow_soft_size <= LEAST_RADIUS:
         return params
-    size = 1 if is_normalized(light) else math.pi * radius**2
-    return {**params, "rgb I": params["rgb I"] * size, "float radius": radius}
+    return {**params, "rgb I": params["rgb I"] * lamp_size(light), "float radius": light.shadow_soft_size}
+
+
+def lamp_size(light):
+    """What the energy of a point or a spot is multiplied by."""
+    radius = light.shadow_soft_size
+    return 1 if is_normalized(light) or radius <= LEAST_RADIUS else math.pi * radius**2
 
 
 def direction_of(matrix):
@@ -82,7 +88,7 @@ def direction_of(matrix):
     return -matrix[:3, 2] / np.linalg.norm(matrix[:3, 2])
 
 
-def sun(light, matrix, colour, report, place, object_):
+def sun(light, matrix, colour, report, place):
     """Its energy is an irradiance."""
     angle = min(light.angle, math.pi)
     irradiance = colour if is_normalized(light) else colour * disk_solid_angle(angle)
@@ -103,7 +109,7 @@ def sun_line(irradiance, towards, angle, audience):
     return statement("LightSource", "distant", params=params)
 
 
-def spot(light, matrix, colour, report, place, object_):
+def spot(light, matrix, colour, report, place):
     """Its cone does not change its intensity. pbrt's edge is the same curve of the angle's cosine."""
     scale = np.linalg.norm(matrix[:3, :3], axis=0)
     if np.ptp(scale) > 1e-3 * scale.max():
@@ -123,7 +129,7 @@ def spot(light, matrix, colour, report, place, object_):
     return [statement("LightSource", "spot", params=with_radius(params, light))]
 
 
-def area(light, matrix, colour, report, place, object_):
+def area(light, matrix, colour, report, place):
     """One-sided. Its energy is that of the whole lamp: Lambert's law makes it pi times area times radiance."""
     wide = light.size
     tall = light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else light.size

@@ -113,7 +113,8 @@ class SceneExporter:
             "WorldBegin",
             "",
         ]
-        world = world_lines(getattr(self.layer, "world_override", None) or scene.world, self.reader, self.files, self.settings.world_side)
+        world = getattr(self.layer, "world_override", None) or scene.world
+        world = world_lines(world, self.reader, self.files, self.settings.world_side)
         text = "\n".join(head + world + lamps + definitions + shapes) + "\n"
         write_text(self.exported.path, "\n".join(title + place + lens) + "\n" + text)
         self.exported.content = digest(text)
@@ -168,7 +169,8 @@ class SceneExporter:
                 if not visible(instance):
                     continue
                 with naming(object_.name):
-                    lamps += lamp_lines(object_.original, np.array(instance.matrix_world), self.reader, self.report)
+                    matrix = np.array(instance.matrix_world)
+                    lamps += lamp_lines(object_.original, matrix, self.reader, self.files, self.report)
                 continue
             parts = objects.parts(instance)
             if not parts:

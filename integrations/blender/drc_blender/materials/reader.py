@@ -2,12 +2,13 @@
 
 import subprocess
 
-from . import colour_nodes, coordinate_nodes, number_nodes, pattern_nodes, texture_nodes
+from . import colour_nodes, coordinate_nodes, light_profile, number_nodes, pattern_nodes, texture_nodes
 from .expressions import as_colour, as_number, constant
 from .image_lookup import Images
 
 NODES = {
     **coordinate_nodes.NODES,
+    **light_profile.NODES,
     **texture_nodes.NODES,
     **pattern_nodes.NODES,
     **number_nodes.NODES,

@@ -2,6 +2,8 @@
 
 import math
 
+import bpy
+
 from stage import feature, stripes
 
 
@@ -84,6 +86,40 @@ def _(s):
 def _(s):
     s.light("AREA", 60, (-0.6, -0.8, 2.2), size=0.8)
     s.light("POINT", 60, (0.8, -0.6, 1.2), shadow_soft_size=0.3, use_soft_falloff=False)
+
+
+def downlight():
+    """A photometric file of a lamp that is brighter to one side. It has many angles, because Cycles takes what is beyond
+    the first and the last for dark where it interpolates."""
+    down, around = (0, 10, 20, 30, 45, 60, 75, 90), range(0, 361, 10)
+    below = (900, 860, 600, 300, 100, 40, 10, 0)
+    rows = [" ".join(f"{c * (1 + 0.5 * math.sin(math.radians(a))):.1f}" for c in below) for a in around]
+    sizes = f"1 1000 1.5 {len(down)} {len(around)} 1 2 0 0 0"
+    angles = [" ".join(map(str, down)), " ".join(map(str, around))]
+    return "\n".join(["IESNA:LM-63-2002", "[TEST] lamps", "TILT=NONE", sizes, "1 1 50", *angles, *rows]) + "\n"
+
+
+def measured(s, lamp):
+    lamp.data.use_nodes = True
+    emission = next(n for n in lamp.data.node_tree.nodes if n.type == "EMISSION")
+    file = bpy.data.texts.new("downlight.ies")
+    file.write(downlight())
+    profile = s.node(lamp.data, "TexIES", {"mode": "INTERNAL", "ies": file}, Strength=0.02)
+    lamp.data.node_tree.links.new(profile.outputs[0], emission.inputs["Strength"])
+
+
+@feature("point: IES Texture", lit=False)
+def _(s):
+    lamp = s.light("POINT", 150, (0.3, -0.6, 3.4), shadow_soft_size=0)
+    lamp.rotation_euler = (0.2, 0.1, 0.8)
+    lamp.data.color = (1, 0.8, 0.6)
+    measured(s, lamp)
+
+
+@feature("spot: IES Texture", lit=False)
+def _(s):
+    lamp = s.light("SPOT", 400, (1.5, -2.5, 3.5), (0, 0, 0.4), spot_size=1.0, spot_blend=0.4, shadow_soft_size=0)
+    measured(s, lamp)
 
 
 @feature("emissive mesh", lit=False)
