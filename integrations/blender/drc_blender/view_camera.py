@@ -54,6 +54,12 @@ class View:
         return {"eye": list(eye), "look": list(look), "up": list(up), "lens": lens}
 
 
+def is_view(view_matrix, projection):
+    """Whether these matrices show anything; see view_of."""
+    matrices = np.array(view_matrix, dtype=float), np.array(projection, dtype=float)
+    return all(np.isfinite(m).all() for m in matrices) and abs(np.linalg.det(matrices[0])) > 1e-30
+
+
 def view_of(view_matrix, projection, depth_of_field=(0.0, 1e6)):
     """view_matrix: from world space to camera space; projection: OpenGL's window matrix. Both rows, as Blender has them.
     depth_of_field: radius of the lens, distance in focus."""

@@ -18,7 +18,7 @@ from .engine import export_folder, exporter_settings
 from .export.scene import SceneExporter
 from .program import UserError
 from .properties import preferences, program
-from .view_camera import frame_size, view_of
+from .view_camera import frame_size, is_view, view_of
 from .view_client import ViewClient
 from .view_region import depth_of_field_of, part_of
 
@@ -68,10 +68,14 @@ class Viewport:
     def draw(self, context, depsgraph):
         engine, now = self._engine(), time.monotonic()
         region, region_data = context.region, context.region_data
+        if not region.width or not region.height or not is_view(region_data.view_matrix, region_data.window_matrix):
+            return
         focus = depth_of_field_of(context, depsgraph)
         view = view_of(region_data.view_matrix, region_data.window_matrix, focus)
         if view != self._view:
             self._view, self._moved_at = view, now
+            if self._client is not None and self._client.error:
+                self._changed_at = now  # the renderer may have refused the view before
         due = self._changed_at is not None and (self._client is None or now - self._changed_at > AFTER_A_CHANGE)
         if due:
             self._start(depsgraph, view)

@@ -134,6 +134,8 @@ class Looks(unittest.TestCase):
         groups = groups_of(rows)
         self.assertEqual(sorted(round(float(rows[g].mean()), 1) for g in groups), [0.1, 0.5, 0.9])
         self.assertEqual([len(g) for g in groups_of(np.zeros((1, 2)))], [1])
+        self.assertEqual(sorted(len(g) for g in groups_of(np.float32([[3e38], [3e38], [-3e38]]))), [1, 2])
+        self.assertEqual(sorted(len(g) for g in groups_of(np.array([[1e9], [np.nextafter(1e9, 2e9)]]))), [2])
 
     def test_a_look_is_that_of_its_roots(self):
         hair = hair_of([[[x, 0, 0], [x, 0, 1]] for x in (0, 0, 1)], [[0.1, 0.1]] * 3)
@@ -146,6 +148,22 @@ class Looks(unittest.TestCase):
             np.testing.assert_allclose(value, (0.5 if rows == [2] else 0.0, 0, 0))
             self.assertEqual(look.parameter("float x", constant(2.0), ""), {"float x": 2.0})
         self.assertNotEqual(looks[0][0].key(plan), looks[1][0].key(plan))
+
+    def test_what_is_no_number_is_zero(self):
+        hair = hair_of([[[x, 0, 0], [x, 0, 1]] for x in (0, 1)], [[0.1, 0.1]] * 2)
+        with np.errstate(divide="ignore"):
+            colour = Expression(lambda points: np.float32(1) / points.object, [(SPACE,)])
+            plan = MaterialPlan([Closure("diffuse", {"rgb reflectance": colour})], [])
+            looks = [StrandLook(hair.roots, rows) for rows in looks_of(plan, hair.roots)]
+            values = [look.parameter("rgb reflectance", colour, "")["rgb reflectance"].tolist() for look in looks]
+        self.assertEqual(sorted(values), [[0, 0, 0], [1, 0, 0]])
+
+    def test_strands_that_are_stretched(self):
+        hair = hair_of([[[1, 2, 3], [2, 2, 3]]], [[0.1, 0.1]])
+        made = hair.stretched(np.diag([2.0, 1, 0.5, 1]))
+        np.testing.assert_allclose(made.positions, [[2, 2, 1.5], [4, 2, 1.5]])
+        np.testing.assert_allclose(made.radii, hair.radii)
+        np.testing.assert_allclose(made.roots.object, hair.roots.object)
 
     def test_melanin(self):
         def absorbed(melanin, redness, tint=1.0):

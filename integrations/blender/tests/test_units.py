@@ -33,7 +33,7 @@ from drc_blender.export.cache import FileCache, digest
 from drc_blender.export.camera_maths import Lens, lens_radius, pixel_bounds, screen_window
 from drc_blender.export.equal_area import directions
 from drc_blender.export.image_files import pfm_bytes, png_bytes, srgb_to_linear
-from drc_blender.export.objects import invertible
+from drc_blender.export.objects import invertible, stretch_of
 from drc_blender.export.pbrt_text import Names, number, quoted, statement, transform
 from drc_blender.export.ply import merged_corners, ply_bytes
 from drc_blender.export.report import Report
@@ -45,7 +45,7 @@ from drc_blender.materials.light_profile import LightProfile
 from drc_blender.program import Child, UserError, ends_with_us, find_program
 from drc_blender.render_passes import pass_values
 from drc_blender.tev_receiver import Picture, TevReceiver
-from drc_blender.view_camera import frame_size, view_of
+from drc_blender.view_camera import frame_size, is_view, view_of
 from drc_blender.view_client import ViewClient, frame_of, origin_of, progress_of, resting
 
 DRC = None
@@ -262,6 +262,13 @@ class Cameras(unittest.TestCase):
         # Not farther than Blender sees.
         np.testing.assert_allclose(view.before((np.zeros(3), 1e6)).matrix()[:3, 3], (0, 0, 1000))
 
+    def test_views_of_nothing(self):
+        good, projection = np.eye(4), np.diag([1.0, 1, 1, 0])
+        self.assertTrue(is_view(good, projection))
+        self.assertFalse(is_view(np.diag([1.0, 0, 1, 1]), projection))
+        self.assertFalse(is_view(good * np.nan, projection))
+        self.assertFalse(is_view(good, projection * np.inf))
+
     def test_frame_sizes(self):
         self.assertEqual(frame_size(1920, 1080, 640), (640, 360))
         self.assertEqual(frame_size(10000, 5), (4096, 16))
@@ -287,6 +294,18 @@ class Placings(unittest.TestCase):
             self.assertLess(np.abs(made - flat).max(), 4e-4)
             self.assertLess(np.linalg.cond(made[:3, :3]), 1e5)
             np.testing.assert_array_equal(made[:, 3], flat[:, 3])
+
+    def test_what_stretches(self):
+        for scale in ((2, 2, 2), (-3, 3, 3), (1, 1, 1.005)):
+            self.assertIsNone(stretch_of(self.place(*scale)))
+        for scale in ((1, 2, 3), (-1, 1, 5), (1, 1, 1e-4)):
+            matrix = self.place(*scale)
+            stretch = stretch_of(matrix)
+            self.assertAlmostEqual(np.linalg.det(stretch), 1)
+            rest = matrix @ np.linalg.inv(stretch)
+            lengths = np.linalg.norm(rest[:3, :3], axis=0)
+            np.testing.assert_allclose(lengths, abs(np.prod(scale)) ** (1 / 3), rtol=1e-6)
+            np.testing.assert_allclose(rest[:3, 3], (4, 5, 6))
 
     def test_lines_and_points_are_not_seen(self):
         self.assertIsNone(invertible(self.place(0, 0, 0)))
@@ -694,6 +713,8 @@ class LightProfiles(unittest.TestCase):
             (photometric("0", ["1 1 1"], tilt="TILT=other.til"), "OTHER.TIL"),
             (good.rsplit(" ", 1)[0], "numbers are not"),
             (good.replace("100", "x"), "numbers are not"),
+            (good.replace("100 ", "nan "), "numbers that are none"),
+            (good.replace("2 3 1 ", "2 inf 1 "), "numbers are not"),
             (photometric("0", ["1 1 1"], kind=2), "not of type C"),
             (photometric("0", ["1 1 1"], down="0 90 45"), "do not rise"),
             (photometric("0 50", ["1 1 1"] * 2), "end at 50 degrees"),

@@ -36,7 +36,8 @@ def depth_of_field(object_):
     if not camera.dof.use_dof:
         return 0.0, 1e6
     radius = lens_radius(camera.type == "ORTHO", camera.lens, camera.dof.aperture_fstop)
-    return radius, max(focus_distance(object_, camera), 1e-4)
+    distance = max(focus_distance(object_, camera), 1e-4)
+    return (radius, distance) if np.isfinite([radius, distance]).all() else (0.0, 1e6)
 
 
 def is_panorama(camera):

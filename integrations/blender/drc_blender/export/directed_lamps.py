@@ -12,13 +12,22 @@ from .image_files import pfm_bytes
 from .pbrt_text import statement, transform
 
 SIDE = 256  # of the picture of all directions
+NARROW = 15  # degrees of a spot's cone, across which its light is taken to be as in its middle
 GREY = 0.01  # how far colours may be from those of a grey picture, as a share of the largest
+
+
+def along_the_axis(radiance):
+    """Of an Expression of the direction, at -z: three values."""
+    return np.broadcast_to(radiance(Points(1, normal=np.array([[0, 0, -1]], dtype=np.float32))), (1, 3))[0].astype(float)
 
 
 def directed_lines(light, matrix, radiance, files, report, place):
     """radiance: an Expression of the direction, of a point or a spot; matrix: of the lamp, whose -z is down."""
     towards = directions(SIDE).reshape(-1, 3).astype(np.float32)
-    colours = np.maximum(np.broadcast_to(radiance(Points(len(towards), normal=towards)), towards.shape), 0)
+    colours = np.broadcast_to(radiance(Points(len(towards), normal=towards)), towards.shape)
+    if (colours < 0).any():
+        report.add("lamps that take light away have no equal; what is negative is black", *place)
+    colours = np.maximum(np.nan_to_num(colours, nan=0, posinf=0, neginf=0), 0)
     if light.type == "SPOT":
         colours = colours * within_cone(light, -towards[:, 2:])
     grey = colours.mean(axis=1)

@@ -1,6 +1,6 @@
 """Hair: the strands of Curves objects and of particle systems, as pbrt's curves."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,6 +9,14 @@ from .cache import digest
 from .objects import invertible
 
 DEFAULT_RADIUS = 0.005  # of Curves without the attribute
+# How values of an attribute's kind are called, and how many there are.
+ATTRIBUTES = {
+    "FLOAT": ("value", 1),
+    "FLOAT2": ("vector", 2),
+    "FLOAT_VECTOR": ("vector", 3),
+    "FLOAT_COLOR": ("color", 4),
+    "BYTE_COLOR": ("color", 4),
+}
 
 
 @dataclass
@@ -28,6 +36,10 @@ class Hair:
     @property
     def strands(self):
         return len(self.offsets) - 1
+
+    def stretched(self, matrix):
+        """The strands in another space, 4 x 4, as wide as before and of the same looks."""
+        return replace(self, positions=(self.positions @ matrix[:3, :3].T).astype(np.float32))
 
     def roots_of_pieces(self, pieces):
         """What materials know of pieces of strands: the root's, but where along the strand they are."""
@@ -55,26 +67,51 @@ def roots_of(positions, to_world, bounds, uvs):
 
 def hair_of_curves(curves, to_world):
     """Of an evaluated Curves; None if it has no strands."""
-
-    def read(name, count, width, what="value", dtype=np.float32):
-        attribute = curves.attributes.get(name)
-        if attribute is None or len(attribute.data) != count:
-            return None
-        values = np.empty(count * width, dtype=dtype)
-        attribute.data.foreach_get(what, values)
-        return values.reshape(count, width) if width > 1 else values
-
     count = len(curves.points)
     if not count:
         return None
-    positions = read("position", count, 3, "vector")
     offsets = np.empty(len(curves.curves) + 1, dtype=np.int32)
     curves.curve_offset_data.foreach_get("value", offsets)
-    radii = read("radius", count, 1)
-    uv = read("surface_uv_coordinate", len(offsets) - 1, 2, "vector")
+    found = {attribute.name: attribute for attribute in curves.attributes}
+    positions = values_of(found.pop("position"))
+    radius = found.pop("radius", None)
+    is_radius = radius is not None and radius.domain == "POINT" and radius.data_type == "FLOAT"
+    radii = values_of(radius)[:, 0] if is_radius else np.full(count, DEFAULT_RADIUS, np.float32)
     bounds = positions.min(axis=0), positions.max(axis=0)
-    roots = roots_of(positions[offsets[:-1]], to_world, bounds, {} if uv is None else {"": uv})
-    return Hair(positions, offsets, np.full(count, DEFAULT_RADIUS, np.float32) if radii is None else radii, roots)
+    uvs, others = {}, {}
+    for name, attribute in found.items():
+        values = None if name.startswith(".") else values_of(attribute)
+        if values is None:
+            continue
+        if attribute.domain == "POINT":  # that of the root
+            values = values[offsets[:-1]]
+        if attribute.data_type == "FLOAT2":
+            uvs[name] = values
+        others[name] = as_colours(values)
+        if name == "surface_uv_coordinate":
+            uvs[""] = others[name][:, :2]
+    roots = roots_of(positions[offsets[:-1]], to_world, bounds, uvs)
+    roots.attributes = others
+    return Hair(positions, offsets, radii, roots)
+
+
+def values_of(attribute):
+    """Points or curves x columns; None for kinds that materials do not read."""
+    what, columns = ATTRIBUTES.get(attribute.data_type, (None, 0))
+    if what is None:
+        return None
+    values = np.empty(len(attribute.data) * columns, dtype=np.float32)
+    attribute.data.foreach_get(what, values)
+    return values.reshape(-1, columns)
+
+
+def as_colours(values):
+    """n x 3, of numbers, vectors of two and colours with alpha."""
+    if values.shape[1] == 1:
+        return np.repeat(values, 3, axis=1)
+    if values.shape[1] == 2:
+        return np.concatenate([values, np.zeros((len(values), 1), dtype=np.float32)], axis=1)
+    return values[:, :3]
 
 
 def systems_of(object_, is_render):
@@ -102,8 +139,9 @@ def hair_of_particles(object_, modifier, system, is_render, bounds):
     to_world = invertible(np.array(object_.matrix_world))
     if not numbers or to_world is None:
         return None
-    world = [system.co_hair(object_, particle_no=number, step=step)[:] for number in numbers for step in range(keys)]
-    world = np.array(world).reshape(len(numbers), keys, 3)
+    world = np.empty((len(numbers), keys, 3))
+    for i, number in enumerate(numbers):
+        world[i] = [system.co_hair(object_, particle_no=number, step=step)[:] for step in range(keys)]
     # Only children have the keys of a kink. Of keys that a strand does not have, Blender says that they are at zero.
     missing = np.cumprod((world == 0).all(axis=2)[:, ::-1], axis=1)[:, ::-1].astype(bool)
     if missing.all():

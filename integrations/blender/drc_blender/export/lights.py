@@ -7,7 +7,7 @@ import numpy as np
 from ..materials.closures import ClosureReader, emitted
 from ..materials.expressions import as_colour, combined, constant, product
 from ..materials.node_links import active_output, tree_of
-from .directed_lamps import directed_lines
+from .directed_lamps import NARROW, along_the_axis, directed_lines
 from .objects import invertible
 from .pbrt_text import statement
 
@@ -39,14 +39,15 @@ def lamp_lines(object_, matrix, reader, files, report):
     if light.type in ("SUN", "SPOT") and not np.any(matrix[:3, 2]):
         report.add("a lamp that is scaled to nothing has no direction; it is left out", *place)
         return []
-    if not emission.is_constant:
+    narrow = light.type == "SPOT" and math.degrees(light.spot_size) < NARROW
+    colour = along_the_axis(emission)
+    if not emission.is_constant and not narrow:
         if light.type in ("POINT", "SPOT") and invertible(matrix) is matrix:
             if light.shadow_soft_size > LEAST_RADIUS:
                 report.add("a lamp whose light depends on its direction is a point; its shadows are sharp", *place)
             size = lamp_size(light)
             return directed_lines(light, matrix, combined(lambda e: e * size, emission), files, report, place)
-        report.add("textures of lamps have no equal; they are as at their middle", *place)
-    colour = emission.constant().astype(float)
+        report.add("textures of suns and areas have no equal; they shine as straight ahead", *place)
     if not np.any(colour > 0):
         return []
     if np.any(colour < 0):

@@ -30,6 +30,19 @@ def invertible(matrix):
     return made
 
 
+STRETCHED = 0.01  # how far scales of the axes are apart, as a share of the largest, that curves are stretched by
+
+
+def stretch_of(matrix):
+    """What stretches a matrix that does not scale alike in all directions, itself of volume one; None if it does. 4 x 4."""
+    _, scale, along = np.linalg.svd(matrix[:3, :3])
+    if scale[0] - scale[2] <= STRETCHED * scale[0]:
+        return None
+    made = np.eye(4)
+    made[:3, :3] = along.T @ np.diag(scale / np.prod(scale) ** (1 / 3)) @ along
+    return made
+
+
 def visible(instance):
     return instance.show_self and not getattr(instance.object, "hide_render", False)
 

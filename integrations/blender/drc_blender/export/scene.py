@@ -2,7 +2,7 @@
 
 import contextlib
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from ..materials.textures import TextureWriter
 from .cache import FileCache, digest
 from .cameras import camera_lines, film_lines, transforms, view_lines
 from .lights import lamp_lines
-from .objects import invertible, key_of, matrices_at, visible
+from .objects import invertible, key_of, matrices_at, stretch_of, visible
 from .pbrt_text import Names, quoted, statement, transform
 from .report import Report
 from .shown import ObjectReader, ShownHair
@@ -193,8 +193,17 @@ class SceneExporter:
                     read[mesh_key] = read_part()
                 if read[mesh_key] is None:
                     continue
+                stretch = stretch_of(matrix) if isinstance(read[mesh_key], ShownHair) else None
+                if stretch is None:
+                    place, places = matrix, matrices
+                else:
+                    # The strands are stretched themselves, so that those that are stretched alike can be instances.
+                    place, *places = (m @ np.linalg.inv(stretch) for m in (matrix, *matrices))
+                    hair, mesh_key = read[mesh_key], (*mesh_key, stretch.round(6).tobytes())
+                    if mesh_key not in read:
+                        read[mesh_key] = replace(hair, hair=hair.hair.stretched(stretch))
                 counts[mesh_key] = counts.get(mesh_key, 0) + 1
-                placings.append((mesh_key, object_.name, matrix, matrices))
+                placings.append((mesh_key, object_.name, place, places))
         for mesh_key, name, matrix, matrices in placings:
             mesh = read[mesh_key]
             self.exported.instances += 1
@@ -223,9 +232,9 @@ class SceneExporter:
         lines, hair = [], shown.hair
         pieces = pieces_of(hair) if self.materials.changes_along(shown.material) else None
         points = hair.roots if pieces is None else hair.roots_of_pieces(pieces)
+        if self.materials.plan(shown.material)[0].is_emissive:
+            self.report.add("hair emits no light", name)
         for placed, rows in self.materials.on_hair(shown.material, points):
-            if placed.emissive:
-                self.report.add("hair emits no light", name)
             shape = shape_parameters(placed, shown)
 
             def text(rows=rows, shape=shape):

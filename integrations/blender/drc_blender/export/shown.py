@@ -92,6 +92,8 @@ class ObjectReader:
         if hair is None:
             return None
         check(object_, "the hair has a point", hair.positions)
+        if not (np.nan_to_num(np.abs(hair.radii)) < FARTHEST).all():
+            raise ValueError(f"{object_.name}: the hair has a radius of {FARTHEST:g} or more: make it smaller")
         return ShownHair(*self._looks(object_), hair, slot)
 
     def _looks(self, object_):

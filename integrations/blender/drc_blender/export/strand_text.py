@@ -7,6 +7,7 @@ import numpy as np
 from .pbrt_text import statement
 
 NEARLY = 0.02  # how far radii may be from those of a straight taper, as a share of the largest
+BLOCK = 1 << 12  # curves whose numbers are Python's at a time
 LEAST_PIECES = 8  # of a strand whose look changes along it
 
 
@@ -108,4 +109,5 @@ def _lines(control, radii, params):
     line = statement("Shape", "curve", params={"string type": "tube", **params}).replace("%", "%%")
     line += f' "point3 P" [{points}] "float width0" [%.7g] "float width1" [%.7g]'
     values = np.concatenate([control.reshape(len(control), 3 * control.shape[1]), 2 * radii], axis=1)
-    return [line % tuple(row) for row in values.tolist()]
+    blocks = (values[begin : begin + BLOCK].tolist() for begin in range(0, len(values), BLOCK))
+    return [line % tuple(row) for block in blocks for row in block]

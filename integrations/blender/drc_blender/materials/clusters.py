@@ -9,7 +9,8 @@ ALIKE = 1 / 255  # values of a group's rows, each column for itself
 
 
 def groups_of(rows):
-    """Arrays of row numbers: of rows, n x k, in MOST_GROUPS groups at most, of one row at least."""
+    """Arrays of row numbers: of rows, n x k and all finite, in MOST_GROUPS groups at most, of one row at least."""
+    rows = np.asarray(rows, dtype=np.float64)
 
     def entry(members):
         spread = np.ptp(rows[members], axis=0)
@@ -24,7 +25,8 @@ def groups_of(rows):
             done.append(members)
             continue
         values = rows[members, column]
-        low = values <= (values.min() + values.max()) / 2
+        middle = (values.min() + values.max()) / 2
+        low = values <= middle if middle < values.max() else values < values.max()
         heapq.heappush(heap, entry(members[low]))
         heapq.heappush(heap, entry(members[~low]))
     return done + [members for *_, members in heap]

@@ -37,8 +37,10 @@ class LightProfile:
             n_down, n_around, rest = int(n_down), int(n_around), numbers[13:]
             down, around = np.array(rest[:n_down]), np.array(rest[n_down : n_down + n_around])
             candelas = np.array(rest[n_down + n_around :][: n_down * n_around]).reshape(n_around, n_down)
-        except (IndexError, ValueError) as error:
+        except (IndexError, OverflowError, ValueError) as error:
             raise ValueError("its numbers are not those of a photometric file") from error
+        if not all(np.isfinite(v).all() for v in (down, around, candelas, factor, ballast, future)):
+            raise ValueError("it has numbers that are none")
         if type_ != 1:
             raise ValueError("its photometry is not of type C")
         if n_down < 2 or n_around < 1 or (np.diff(down) <= 0).any() or (np.diff(around) <= 0).any():
@@ -98,7 +100,7 @@ def text_of(node):
         return node.ies.as_string()
     import bpy
 
-    path = bpy.path.abspath(node.filepath)
+    path = bpy.path.abspath(node.filepath, library=node.id_data.library)
     with open(path, encoding="latin-1") as f:
         return f.read()
 

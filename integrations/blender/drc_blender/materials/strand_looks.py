@@ -4,14 +4,19 @@ import numpy as np
 
 from ..export.cache import digest
 from .clusters import groups_of
+from .textures import evaluated
 
 STANDING_FOR_ALL = 64  # of a group, whose mean is taken
 
 
 def looks_of(plan, points):
     """The numbers of the points that look alike, group by group."""
-    values = [e(points) for e in plan.expressions() if e.needs]
-    return groups_of(np.concatenate([np.broadcast_to(v, (points.count, v.shape[1])) for v in values], axis=1))
+    return groups_of(np.concatenate([finite(e, points) for e in plan.expressions() if e.needs], axis=1))
+
+
+def finite(expression, points):
+    """All points; what is no number is zero, as in images."""
+    return evaluated(expression, points, expression(points.take([0], 1)).shape[1])
 
 
 class StrandLook:
@@ -22,7 +27,7 @@ class StrandLook:
         self.points = points.take(some, len(some))
 
     def _mean(self, expression):
-        return expression(self.points).mean(axis=0)
+        return finite(expression, self.points).mean(axis=0, dtype=np.float64)
 
     def key(self, plan):
         return digest(*(self._mean(e) for e in plan.expressions() if e.needs))

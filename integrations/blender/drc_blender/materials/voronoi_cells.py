@@ -82,7 +82,7 @@ class _Around:
             return function(_beside(self.cell, offset))
         if function not in self.tables:
             grid = np.indices(self.sides, dtype=np.int32).reshape(len(self.sides), -1)
-            self.tables[function] = function([g + np.int32(low) for g, low in zip(grid, self.low)])
+            self.tables[function] = function([(g + np.int64(low)).astype(np.int32) for g, low in zip(grid, self.low)])
         middle = np.ravel_multi_index([self.reach] * len(self.sides), self.sides)
         there = np.ravel_multi_index([self.reach + o for o in offset], self.sides)
         return [table[self.index + (there - middle)] for table in self.tables[function]]
