@@ -2,6 +2,7 @@
 // lights with a radius, the sky; and a sky that it alone sees ("bool illuminates").
 #include <gtest/gtest.h>
 
+#include "hidden_scenes.h"
 #include "pictures.h"
 
 namespace drc {
@@ -12,16 +13,10 @@ const std::string kHidden = R"( "bool visibletocamera" "false")";
 
 // A floor and, to the left, a wall that is a mirror.
 std::string scene(const std::string& lights, const std::string& objects, int maxDepth) {
-    return "Integrator \"path\" \"integer maxdepth\" " + std::to_string(maxDepth) +
-           "\nLookAt 0 -4 1.4  0 0 .6  0 0 1\nCamera \"perspective\" \"float fov\" 50\n"
-           "Film \"image\" \"integer xresolution\" 16 \"integer yresolution\" 8\nWorldBegin\n" +
-           lights + "Material \"matte\" \"rgb Kd\" [.5 .5 .5]\nShape \"disk\" \"float radius\" 3\n" + objects +
-           "WorldEnd\n";
+    return test::floorScene("LookAt 0 -4 1.4  0 0 .6  0 0 1", lights, objects, maxDepth);
 }
-const std::string kLamp =
-    "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\nRotate 180 1 0 0\n"
-    "Shape \"disk\" \"float radius\" 1\nAttributeEnd\n";
-const std::string kSky = "LightSource \"infinite\" \"rgb L\" [1 1 1]\n";
+using test::kLampAbove;
+using test::kSkyAround;
 const std::string kHiddenSky = "LightSource \"infinite\" \"rgb L\" [1 1 1]" + kHidden + "\n";
 const std::string kMirror =
     "Material \"metal\" \"float roughness\" .1\n"
@@ -39,7 +34,7 @@ test::Estimate seen(const std::string& text, const std::string& integrator) {
 
 // Direct light alone, and without a shadow.
 TEST(HiddenFromCamera, SurfacesLeaveWhatIsBehindThem) {
-    for (const std::string& light : {kLamp, kSky})
+    for (const std::string& light : {kLampAbove, kSkyAround})
         for (const char* integrator : kIntegrators) {
             SCOPED_TRACE(integrator + light);
             // The camera looks through a surface without a material, too.
@@ -47,13 +42,13 @@ TEST(HiddenFromCamera, SurfacesLeaveWhatIsBehindThem) {
                 "AttributeBegin\nMaterial \"\"\nTranslate 0 -2 1\nShape \"sphere\" \"float radius\" .8\nAttributeEnd\n";
             const std::string shadowless = open + ball(kHidden + " \"float shadowalpha\" 0");
             // The sky is behind the ball, so that paths from the floor must not meet it either.
-            const std::string floor = light == kSky ? "" : shadowless;
+            const std::string floor = light == kSkyAround ? "" : shadowless;
             test::expectSameMeans(seen(scene(light, "", 1), integrator), seen(scene(light, floor, 1), integrator));
         }
 }
 
 TEST(HiddenFromCamera, SurfacesAreTheSameToEveryIntegrator) {
-    for (const std::string& light : {kLamp, kSky, kHiddenSky}) {
+    for (const std::string& light : {kLampAbove, kSkyAround, kHiddenSky}) {
         const std::string text = scene(light, kMirror + ball(kHidden), 6);
         const test::Estimate expected = seen(text, "path");
         for (const char* integrator : {"bdpt", "drc"}) {
@@ -95,8 +90,8 @@ TEST(HiddenFromCamera, LampsThatBlockNoLightCastNoShadow) {
         kHidden + "\nAttributeEnd\n";
     for (const char* integrator : kIntegrators) {
         SCOPED_TRACE(integrator);
-        test::expectSameMeans(seen(scene(kLamp + kSky, "", 3), integrator),
-                              seen(scene(kLamp + kSky + dark, "", 3), integrator));
+        test::expectSameMeans(seen(scene(kLampAbove + kSkyAround, "", 3), integrator),
+                              seen(scene(kLampAbove + kSkyAround + dark, "", 3), integrator));
     }
 }
 
@@ -115,7 +110,7 @@ TEST(HiddenFromCamera, TheSkyLightsTheFloorAlone) {
     const std::string sun = "LightSource \"distant\" \"rgb L\" [.5 .5 .5] \"point from\" [0 4 .3] \"float angle\" 30";
     for (const char* integrator : kIntegrators) {
         SCOPED_TRACE(integrator);
-        const Image seen = picture(kSky + sun + "\n", integrator),
+        const Image seen = picture(kSkyAround + sun + "\n", integrator),
                     hidden = picture(kHiddenSky + sun + kHidden + "\n", integrator);
         int black = 0, lit = 0;
         for (int y = 0; y < seen.height(); ++y)

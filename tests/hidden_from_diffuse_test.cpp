@@ -2,6 +2,7 @@
 // windows.
 #include <gtest/gtest.h>
 
+#include "hidden_scenes.h"
 #include "pictures.h"
 
 namespace drc {
@@ -11,16 +12,10 @@ const std::string kHidden = R"( "bool visibletodiffuse" "false")";
 
 // A floor, a mirror to its left, and what stands on it.
 std::string scene(const std::string& lights, const std::string& objects, int maxDepth) {
-    return "Integrator \"path\" \"integer maxdepth\" " + std::to_string(maxDepth) +
-           "\nLookAt 0 -4 2.4  0 0 .4  0 0 1\nCamera \"perspective\" \"float fov\" 50\n"
-           "Film \"image\" \"integer xresolution\" 16 \"integer yresolution\" 8\nWorldBegin\n" +
-           lights + "Material \"matte\" \"rgb Kd\" [.6 .6 .6]\nShape \"disk\" \"float radius\" 3\n" + objects +
-           "WorldEnd\n";
+    return test::floorScene("LookAt 0 -4 2.4  0 0 .4  0 0 1", lights, objects, maxDepth);
 }
-const std::string kLamp =
-    "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [4 4 4]\nTranslate 0 0 3\nRotate 180 1 0 0\n"
-    "Shape \"disk\" \"float radius\" 1\nAttributeEnd\n";
-const std::string kSky = "LightSource \"infinite\" \"rgb L\" [1 1 1]\n";
+using test::kLampAbove;
+using test::kSkyAround;
 const std::string kPoint = "LightSource \"point\" \"rgb I\" [4 4 4] \"point from\" [0.3 0 2.6]\n";
 const std::string kMirror =
     "Material \"mirror\" \"rgb Kr\" [.9 .9 .9]\nShape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
@@ -47,7 +42,7 @@ test::Estimate seen(const std::string& text, const std::string& integrator, int 
 
 // A surface that the camera does not see either is not there.
 TEST(HiddenFromDiffuse, SurfacesCastNoShadowAndReflectNothing) {
-    for (const std::string& light : {kLamp, kSky, kPoint})
+    for (const std::string& light : {kLampAbove, kSkyAround, kPoint})
         for (const char* integrator : {"path", "direct", "bdpt", "drc"}) {
             SCOPED_TRACE(integrator + light);
             const std::string gone = kHidden + " \"bool visibletocamera\" \"false\"";
@@ -59,7 +54,7 @@ TEST(HiddenFromDiffuse, SurfacesCastNoShadowAndReflectNothing) {
 // The pane's reflections come and go, and what it would do to the light of the floor does not: no caustics are added to
 // the light that the shadow rays find.
 TEST(HiddenFromDiffuse, SurfacesAreTheSameToEveryIntegrator) {
-    for (const std::string& light : {kLamp, kSky, kPoint})
+    for (const std::string& light : {kLampAbove, kSkyAround, kPoint})
         for (const std::string& material : {kGlass, kFrosted, kRed}) {
             const std::string text = scene(light, kMirror + ball(material, kHidden) + sheet(material, kHidden), 6);
             const test::Estimate expected = seen(text, "path");
@@ -73,7 +68,7 @@ TEST(HiddenFromDiffuse, SurfacesAreTheSameToEveryIntegrator) {
 TEST(HiddenFromDiffuse, MirrorsAndTheCameraSeeThem) {
     const std::string black = "Material \"matte\" \"rgb Kd\" [0 0 0]\n";
     const std::string open = kHidden + " \"bool visibletocamera\" \"false\"";
-    const auto mean = [&](const std::string& objects) { return seen(scene(kSky, objects, 4), "path", 512); };
+    const auto mean = [&](const std::string& objects) { return seen(scene(kSkyAround, objects, 4), "path", 512); };
     const test::Estimate none = mean(kMirror), mirrored = mean(kMirror + ball(black, open)),
                          both = mean(kMirror + ball(black, kHidden));
     const auto apart = [](const test::Estimate& a, const test::Estimate& b) {

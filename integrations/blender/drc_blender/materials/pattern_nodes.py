@@ -138,11 +138,16 @@ def _gradient(reader, at):
 
 def _brick(reader, at):
     node = at.node
-    names = ("Mortar Size", "Mortar Smooth", "Bias", "Brick Width", "Row Height")
-    sizes = [reader.value(at.input(n)) for n in names]
-    if not all(s.is_constant for s in sizes):
-        reader.unsupported(at, "the sizes of bricks are taken as constant")
-    sizes = [float(s.constant()[0]) for s in sizes]
+    sizes = _constants(
+        reader,
+        at,
+        "Brick Texture",
+        Mortar_Size=0.02,
+        Mortar_Smooth=0.1,
+        Bias=0.0,
+        Brick_Width=0.5,
+        Row_Height=0.25,
+    )
     patterns = combined(
         lambda p: np.concatenate(
             bricks(p, *sizes, node.offset, node.offset_frequency, node.squash, node.squash_frequency), axis=1
