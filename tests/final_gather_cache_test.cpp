@@ -242,15 +242,15 @@ TEST(FinalGather, ATrueAnswerKeepsTheFurnaceWhite) {
                 EXPECT_LT(g.error[c], 0.004f);
             }
             // What is found out is the same truth.
-            double light = 0, albedo = 0, squares = 0;
+            double light = 0, factor = 0, squares = 0;
             for (const CacheDeposit& d : g.deposits) {
                 light += double(d.light.x);
-                albedo += double(d.albedo.x);
-                squares += sqr(double(d.light.x - d.albedo.x));
+                factor += double(d.viewFactor.x);
+                squares += sqr(double(d.light.x - d.viewFactor.x));
             }
             if (g.deposits.empty()) continue;
-            EXPECT_NEAR(light / albedo, 1, 4.5 * std::sqrt(squares) / albedo) << name << training;
-            EXPECT_LT(std::sqrt(squares) / albedo, 0.03);
+            EXPECT_NEAR(light / factor, 1, 4.5 * std::sqrt(squares) / factor) << name << training;
+            EXPECT_LT(std::sqrt(squares) / factor, 0.03);
         }
 }
 

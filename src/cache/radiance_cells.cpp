@@ -22,8 +22,8 @@ constexpr int kFacings = 27;  // as numbered by facing(), which leaves out the m
 // A cell has another surface than a point if the plane of its deposits is farther away than this share of its size, or
 // if the cosine between the normals is below this.
 constexpr float kPlaneDistance = 0.4f, kLeastCosine = 0.7f;
-// Positions, normals and albedos are summed up in units of these.
-constexpr float kPositionUnits = 512, kNormalUnits = 127, kAlbedoUnits = 0x1p15f;
+// Positions and normals are summed up in units of these.
+constexpr float kPositionUnits = 512, kNormalUnits = 127;
 // Cells of points with a short reach need so many times the deposits.
 constexpr uint32_t kNearby = 16;
 // The table doubles when more than this share of it is used.
@@ -50,9 +50,9 @@ int facing(const Vec3& n) {
     return digit(n.x) + 3 * (digit(n.y) + 3 * digit(n.z));
 }
 
-// A deposit's light divided by its albedo.
+// A deposit's light divided by its view factor.
 double relativeLuminance(const CacheDeposit& d) {
-    return double(luminance(d.light)) / std::max(0.01, double(luminance(d.albedo)));
+    return double(luminance(d.light)) / std::max(0.01, double(luminance(d.viewFactor)));
 }
 
 // The mean of some deposits, in which those that stand out far count little.
@@ -153,7 +153,7 @@ bool RadianceCells::lookUp(const CachePoint& at, CacheAnswer& answer) const {
         const Vec3 normal = Vec3(cell->normal[0], cell->normal[1], cell->normal[2]) * (1 / kNormalUnits);
         if (dot(normal, at.n) < kLeastCosine) continue;
         if (std::abs(dot(normal, at.p) - cell->plane) > kPlaneDistance * sizeOf(level)) continue;
-        answer.perAlbedo = Rgb(cell->perAlbedo[0], cell->perAlbedo[1], cell->perAlbedo[2]);
+        answer.perFactor = Rgb(cell->perFactor[0], cell->perFactor[1], cell->perFactor[2]);
         answer.training = training_;
         // All threads write the same number, and only if it is another one, so that they share the cache line.
         std::atomic_ref<uint16_t> lastUse(const_cast<Answer*>(cell)->lastUse);
@@ -189,7 +189,7 @@ void RadianceCells::add(const CacheDeposit& d, int level, const Place& place) {
     const Vec3 corner = cornerOf(place.grid, level);
     for (int c = 0; c < 3; ++c) {
         sums.light[c] += unitsOf(double(d.light[c]), perQuantum_);
-        sums.albedo[c] += uint32_t(std::lrint(std::clamp(d.albedo[c], 0.f, 1.f) * kAlbedoUnits));
+        sums.viewFactor[c] += uint32_t(std::lrint(d.viewFactor[c] * kViewFactorSteps));
         sums.position[c] += int32_t(std::lrint((d.at.p[c] - corner[c]) * perSize * kPositionUnits));
         sums.normal[c] += int32_t(std::lrint(d.at.n[c] * kNormalUnits));
     }
@@ -198,7 +198,7 @@ void RadianceCells::add(const CacheDeposit& d, int level, const Place& place) {
     if (++sums.count < kMostDeposits) return;
     for (int c = 0; c < 3; ++c) {
         sums.light[c] /= 2;
-        sums.albedo[c] /= 2;
+        sums.viewFactor[c] /= 2;
         sums.position[c] /= 2;
         sums.normal[c] /= 2;
     }
@@ -206,11 +206,11 @@ void RadianceCells::add(const CacheDeposit& d, int level, const Place& place) {
     sums.count = sums.count / 2;
 }
 
-Rgb RadianceCells::perAlbedo(const Sums& sums) const {
+Rgb RadianceCells::perFactor(const Sums& sums) const {
     Rgb result(0.f);
     for (int c = 0; c < 3; ++c)
-        if (sums.albedo[c] > 0)
-            result[c] = float(double(sums.light[c]) / perQuantum_ / (double(sums.albedo[c]) / double(kAlbedoUnits)));
+        if (sums.viewFactor[c] > 0)
+            result[c] = float(double(sums.light[c]) / perQuantum_ / (double(sums.viewFactor[c]) / double(kViewFactorSteps)));
     return result;
 }
 
@@ -239,8 +239,8 @@ double RadianceCells::renewAnswer(Answer& answer, const Sums& sums) const {
     const int level = levelOf(int(sums.generation));
     const float perUnit = sizeOf(level) / (kPositionUnits * float(sums.count));
     answer.plane = dot(seen, cornerOf(sums.grid, level) + vector(sums.position) * perUnit);
-    const Rgb value = perAlbedo(sums);
-    for (int c = 0; c < 3; ++c) answer.perAlbedo[c] = value[c];
+    const Rgb value = perFactor(sums);
+    for (int c = 0; c < 3; ++c) answer.perFactor[c] = value[c];
     answer.known = true;
     const double count = double(sums.count), mean = double(luminance(value));
     const double variance = std::max(0.0, double(sums.square) / (perSquare() * count) - mean * mean) / count;
@@ -485,7 +485,7 @@ void RadianceCells::save(StateWriter& to) const {
         to.values(std::span(sums.grid));
         to.values(std::span(sums.light));
         to.value(sums.square);
-        to.values(std::span(sums.albedo));
+        to.values(std::span(sums.viewFactor));
         to.values(std::span(sums.position));
         to.values(std::span(sums.normal));
     }
@@ -511,7 +511,7 @@ void RadianceCells::load(StateReader& from) {
         from.values(std::span(sums.grid));
         from.values(std::span(sums.light));
         from.values(std::span(&sums.square, 1));
-        from.values(std::span(sums.albedo));
+        from.values(std::span(sums.viewFactor));
         from.values(std::span(sums.position));
         from.values(std::span(sums.normal));
         if (levelOf(generation) < 0 || levelOf(generation) >= settings_.sizes + refined_ || facing >= kFacings ||

@@ -1,5 +1,5 @@
-// Radiance cells: a hash table over the surfaces of a scene, of the radiance that their broad lobes scatter, divided by
-// their albedo, so that textures stay sharp. Paths of final gather end in it. World-space hash tables of this kind are
+// Radiance cells: a hash table over the surfaces of a scene, of the radiance that their separable lobes scatter, divided
+// by their view factor, so that textures stay sharp. Paths of final gather end in it. World-space hash tables of this kind are
 // described by Binder et al., "Massively Parallel Path Space Filtering" (2018).
 //
 // Cells are cubes of a few nested sizes: each lies within one cell of the next larger size. Each belongs to one of 26
@@ -62,7 +62,7 @@ class RadianceCells final : public RadianceCache {
     // around it that knows enough, so that most look-ups read one cell.
     struct alignas(32) Answer {
         uint64_t key = 0;  // hash of size, place and facing; 0: there is no cell
-        float perAlbedo[3]{};
+        float perFactor[3]{};
         int8_t normal[3]{};  // of the surface, in units of 1/127
         bool known = false;
         float plane = 0;       // distance of the surface from the world's origin along the normal, world units
@@ -71,10 +71,10 @@ class RadianceCells final : public RadianceCache {
     };
     struct Sums {
         int64_t light[3]{};
-        int64_t square = 0;  // of the light's luminance divided by the albedo's
+        int64_t square = 0;  // of the light's luminance divided by the view factor's
         // As square, but about the means of the cells of the next smaller size, summed up over them.
         int64_t within = 0;
-        uint32_t albedo[3]{};
+        uint32_t viewFactor[3]{};  // in steps of kViewFactorSteps
         int32_t position[3]{};  // relative to the cell's corner
         int32_t normal[3]{};
         int32_t grid[3]{};         // the cell's place in the grid of its size
@@ -139,10 +139,10 @@ class RadianceCells final : public RadianceCache {
     bool knowsEnough(const Sums& sums) const;
     // Whether the means of the cells within this one would be good enough.
     bool divides(const Sums& sums) const;
-    double meanOf(const Sums& sums) const { return double(luminance(perAlbedo(sums))); }
+    double meanOf(const Sums& sums) const { return double(luminance(perFactor(sums))); }
     // The age of a cell, in commits.
     uint16_t age(const Answer& cell) const { return uint16_t(now_ - cell.lastUse); }
-    Rgb perAlbedo(const Sums& sums) const;
+    Rgb perFactor(const Sums& sums) const;
     double perSquare() const { return perQuantum_ * perQuantum_ * 0x1p-32; }
     void boundDeposits(std::span<std::vector<CacheDeposit>* const> lists);
     void renewAnswers();
@@ -156,7 +156,7 @@ class RadianceCells final : public RadianceCache {
     uint64_t deposits_ = 0;  // so far
     size_t used_ = 0;
     float training_ = 1;  // CacheAnswer::training of what is known
-    double mean_ = 0;     // of all deposits' luminance, divided by the albedo's
+    double mean_ = 0;     // of all deposits' luminance, divided by the view factor's
     HugeArray<Answer> answers_;
     HugeArray<Sums> sums_;  // by the same indices
 };

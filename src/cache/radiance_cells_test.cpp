@@ -30,8 +30,8 @@ RadianceCellSettings settingsOf(int sizes = 4) {
 
 float largest(const RadianceCellSettings& s) { return s.size * float(1 << (s.sizes - 1)); }
 
-CacheDeposit deposit(const Vec3& p, const Vec3& n, float light, float albedo = 1, float reach = kFar) {
-    return {{p, n, reach}, Rgb(light), Rgb(albedo)};
+CacheDeposit deposit(const Vec3& p, const Vec3& n, float light, float viewFactor = 1, float reach = kFar) {
+    return {{p, n, reach}, Rgb(light), cacheableFactor(Rgb(viewFactor))};
 }
 
 void commit(RadianceCells& cells, Deposits deposits) {
@@ -44,7 +44,7 @@ void commit(RadianceCells& cells, Deposits deposits) {
 // The answer's red; -1: none.
 float answerAt(const RadianceCells& cells, const Vec3& p, const Vec3& n = kUp, float reach = kFar) {
     CacheAnswer answer;
-    return cells.lookUp({p, n, reach}, answer) ? answer.perAlbedo.x : -1;
+    return cells.lookUp({p, n, reach}, answer) ? answer.perFactor.x : -1;
 }
 
 // Points all over a square of the plane z = height that is several of the largest cells wide, so many that each of the
@@ -91,27 +91,27 @@ TEST(RadianceCells, AConstantFieldIsAnsweredExactly) {
     }
 }
 
-// Light divided by albedo, each summed up for itself: surfaces of any albedo in one light have one answer, and a dark
-// patch counts for no more than the light that it scatters.
+// Light divided by the view factor, each summed up for itself: surfaces of any albedo in one light have one answer, and
+// a dark patch counts for no more than the light that it scatters.
 TEST(RadianceCells, AnswersAreRatiosOfSums) {
     Pcg32 random;
     RadianceCells cells(settingsOf(1));
     Deposits deposits;
     for (int i = 0; i < 500; ++i) {
-        const float albedo = 0.05f + 0.9f * random.nextFloat();
+        const float albedo = cacheableFactor(Rgb(0.05f + 1.9f * random.nextFloat())).x;
         deposits.push_back(deposit(Vec3(0.f), kUp, 3 * albedo, albedo));
         deposits.push_back(deposit(Vec3(1, 0, 0), kUp, 0.5f, i % 2 == 0 ? 0.25f : 0.75f));
     }
     commit(cells, deposits);
-    EXPECT_NEAR(answerAt(cells, Vec3(0.f)), 3, 3e-3);
+    EXPECT_NEAR(answerAt(cells, Vec3(0.f)), 3, 1e-5);
     EXPECT_FLOAT_EQ(answerAt(cells, Vec3(1, 0, 0)), 1);
-    // Channels are each by themselves, and one without albedo is black.
+    // Channels are each by themselves, and one without a view factor is black.
     Deposits red;
     for (int i = 0; i < 500; ++i) red.push_back({{Vec3(2, 0, 0), kUp, kFar}, Rgb(0.5f, 0.25f, 0), Rgb(0.5f, 1, 0)});
     commit(cells, red);
     CacheAnswer answer;
     ASSERT_TRUE(cells.lookUp({Vec3(2, 0, 0), kUp, kFar}, answer));
-    EXPECT_EQ(answer.perAlbedo, Rgb(1, 0.25f, 0));
+    EXPECT_EQ(answer.perFactor, Rgb(1, 0.25f, 0));
 }
 
 TEST(RadianceCells, NothingIsAnsweredBeforeEnoughDeposits) {
@@ -331,7 +331,7 @@ std::vector<float> manyAnswers(const RadianceCells& cells, float width) {
         const float reach = random.nextUint(2) == 0 ? kFar : 0.3f * kFar * random.nextFloat();
         CacheAnswer answer;
         const bool any = cells.lookUp({p, kUp, reach}, answer);
-        answers.push_back(any ? answer.perAlbedo.x : -1);
+        answers.push_back(any ? answer.perFactor.x : -1);
         answers.push_back(answer.training);
     }
     return answers;

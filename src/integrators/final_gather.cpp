@@ -23,6 +23,13 @@ Rgb shareOf(const Rgb& part, const Rgb& all) {
     return share;
 }
 
+// The lobes that a cache may answer for. Where the view is below the horizon of the shading frame, sampling reaches
+// other light than for all other views: what is scattered then depends on the view for every lobe.
+LobeSet lobesForCache(const Bsdf& bsdf, const Vec3& wo) {
+    const bool above = dot(wo, bsdf.frame().n) * dot(wo, bsdf.ng()) > 0;
+    return above ? bsdf.separableLobes() : LobeSet(0);
+}
+
 // A vertex that a path will make a deposit for, while it is still being walked.
 struct Training {
     CacheDeposit deposit;
@@ -33,23 +40,23 @@ struct Training {
 // All vertices that a path makes deposits for.
 class Trainings {
   public:
-    // light: reaches the latest vertex of the path, or is scattered there, at this depth. broad: the part of it that
-    // counts for the vertex itself, if that has just begun.
-    void add(const Rgb& light, int depth, int maxDepth, const Rgb& broad = Rgb(1.f)) {
+    // light: reaches the latest vertex of the path, or is scattered there, at this depth. separable: the part of it
+    // that counts for the vertex itself, if that has just begun.
+    void add(const Rgb& light, int depth, int maxDepth, const Rgb& separable = Rgb(1.f)) {
         for (size_t i = 0; i < count_; ++i) {
             if (!within(i, depth, maxDepth)) continue;
             const Rgb own = at_[i].throughput * light;
-            at_[i].deposit.light += at_[i].depth == depth ? own * broad : own;
+            at_[i].deposit.light += at_[i].depth == depth ? own * separable : own;
         }
     }
-    // The path goes on. weight: of the direction. broad: as above, for the vertex that has just begun.
-    void scatter(const Rgb& weight, const Rgb& broad) {
+    // The path goes on. weight: of the direction. separable: as above, for the vertex that has just begun.
+    void scatter(const Rgb& weight, const Rgb& separable) {
         for (size_t i = 0; i < count_; ++i) at_[i].throughput *= weight;
-        if (count_ > 0) at_[count_ - 1].throughput *= broad;
+        if (count_ > 0) at_[count_ - 1].throughput *= separable;
     }
-    bool begin(const CachePoint& at, const Rgb& albedo, int depth) {
+    bool begin(const CachePoint& at, const Rgb& viewFactor, int depth) {
         if (count_ == kMaxDeposits) return false;
-        at_[count_++] = {{at, Rgb(0.f), albedo}, Rgb(1.f), depth};
+        at_[count_++] = {{at, Rgb(0.f), viewFactor}, Rgb(1.f), depth};
         return true;
     }
     bool empty() const { return count_ == 0; }
@@ -83,10 +90,9 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
     const PathSettings& settings = walker_.settings();
     const RadianceCache& cache = sample.cache;
     Counts& counts = sample.counts;
-    const LobeMask broad = broadLobes(kBroadAlpha), others(LobeFlags::All, 0, kBroadAlpha);
     Rgb sum(0.f);
-    // The part of the path's throughput that the picture shows. Where the cache has answered for the broad lobes, it is
-    // that of the others.
+    // The part of the path's throughput that the picture shows. Where the cache has answered for the separable lobes, it
+    // is that of the others.
     Rgb share(1.f);
     bool shown = true;  // whether share is not zero
     Trainings trainings;
@@ -156,24 +162,26 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
             sample.sinks.gBuffer->record(path.throughput * path.passing, hit, bsdf, path.distance);
 
         bool answered = false, trainsHere = false;
+        const LobeSet shared = mayAsk ? lobesForCache(bsdf, hit.wo) : LobeSet(0);
+        const LobeMask separable(LobeFlags::All, shared), others(LobeFlags::All, LobeSet(~shared));
         const bool mixed = bsdf.hasWithin(others);
-        if (mayAsk && bsdf.hasWithin(broad)) {
+        if (shared != 0) {
             if (!accepted) {
                 ++counts.refused;
             } else {
-                const Rgb albedo = bsdf.albedo(hit.wo, broad);
+                const Rgb factor = cacheableFactor(bsdf.viewFactor(hit.wo, shared));
                 if (shown) {
                     ++counts.asked;
                     CacheAnswer answer;
                     answered = cache.lookUp(at, answer);
                     if (answered) {
                         ++counts.answered;
-                        sum += path.throughput * share * albedo * answer.perAlbedo;
+                        sum += path.throughput * share * factor * answer.perFactor;
                         shown = mixed;
                     }
                     // Deposits are made where look-ups are, and nowhere else, so that both have the same distribution.
                     trainsHere = random.nextFloat() < answer.training * sample.training &&
-                                 trainings.begin(at, albedo, path.depth);
+                                 trainings.begin(at, factor, path.depth);
                 }
             }
         }
@@ -189,16 +197,16 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
             path.throughput *= 1 / survival;
         }
         const LobeMask sampled = othersAlone ? others : LobeMask(LobeFlags::All);
-        // What part of the light from a direction the broad lobes scatter, where they and the others part ways.
+        // What part of the light from a direction the separable lobes scatter, where they and the others part ways.
         const bool divided = mixed && !othersAlone && (answered || trainsHere);
-        const auto broadShare = [&](const Vec3& wi) {
-            return divided ? shareOf(bsdf.f(hit.wo, wi, broad), bsdf.f(hit.wo, wi)) : Rgb(1.f);
+        const auto separableShare = [&](const Vec3& wi) {
+            return divided ? shareOf(bsdf.f(hit.wo, wi, separable), bsdf.f(hit.wo, wi)) : Rgb(1.f);
         };
 
         const BsdfView view(bsdf, hit.wo, sampled);
         const VertexNumbers u(sample.sampler);
         DirectLighting::Proposal light;
-        if (bsdf.has(LobeFlags::None, LobeMask(LobeFlags::NonSpecular, sampled.from, sampled.to)))
+        if (bsdf.hasWithin(LobeMask(LobeFlags::NonSpecular, sampled.lobes)))
             light = lighting_.propose(hit, view, path.group, u.light, u.onLight);
         const Rgb throughput = path.throughput;
         const int depth = path.depth;
@@ -208,7 +216,7 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
         any = goesOn && accel.find(path.ray, found);
         const Rgb lit = lighting_.weighted(hit, light);
         if (!isBlack(lit)) {
-            const Rgb part = broadShare(light.sample.wi);
+            const Rgb part = separableShare(light.sample.wi);
             if (shown) sum += throughput * share * (divided && answered ? lit * (Rgb(1.f) - part) : lit);
             trainings.add(lit, depth, settings.maxDepth, trainsHere ? part : Rgb(1.f));
         }
@@ -220,7 +228,7 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
             pdf = path.pdf;
         }
         if (divided || trainsHere) {
-            const Rgb part = specular ? Rgb(0.f) : broadShare(path.ray.d);
+            const Rgb part = specular ? Rgb(0.f) : separableShare(path.ray.d);
             if (divided && answered) share *= Rgb(1.f) - part;
             trainings.scatter(path.weight, trainsHere ? part : Rgb(1.f));
         } else {

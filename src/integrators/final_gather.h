@@ -3,8 +3,8 @@
 //
 //     camera -> mirrors, smooth glass -> x1 -> x2: answered by the cache, or -> x3, ...
 //
-// A cache is asked where its error is not seen (RadianceCache::accepts). It answers for the broad lobes; the path then
-// continues by the others, if there are any. With a cache that accepts nothing, this is the path tracer, to rounding.
+// A cache is asked where its error is not seen (RadianceCache::accepts). It answers for the separable lobes
+// (Bsdf::separableLobes); the path then continues by the others, if there are any. With a cache that accepts nothing, this is the path tracer, to rounding.
 #pragma once
 #include <vector>
 
@@ -15,15 +15,11 @@ namespace drc {
 
 class FinalGather {
   public:
-    // Lobes whose alpha is at least this are broad here: their light hardly depends on the direction from which it is
-    // seen, so that paths from all directions can share it.
-    static constexpr float kBroadAlpha = 0.5f;
-
     // Counts over many samples, for --stats.
     struct Counts {
         int64_t asked = 0;     // look-ups at points that the cache accepts
         int64_t answered = 0;  // of these
-        int64_t refused = 0;   // points with broad lobes that it does not accept
+        int64_t refused = 0;   // points with separable lobes that it does not accept
         void add(const Counts& other) {
             asked += other.asked;
             answered += other.answered;

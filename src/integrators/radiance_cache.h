@@ -1,5 +1,10 @@
-// The interface of caches in which paths end: what the broad lobes of a surface scatter, looked up instead of traced.
+// The interface of caches in which paths end: what the separable lobes of a surface scatter, looked up instead of traced.
+//
+// A cache holds the radiance that these lobes scatter towards a view, divided by their factor of that view
+// (Bsdf::viewFactor). Of separable lobes, and of no others, that quotient is the same for all views: it can be shared,
+// and is exact as the cache's resolution grows. For Lambertian reflection it is the irradiance divided by pi.
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "math/vec.h"
@@ -19,8 +24,7 @@ struct CachePoint {
 };
 
 struct CacheAnswer {
-    Rgb perAlbedo{
-        0.f};  // the radiance that broad lobes scatter at the point, without emission, divided by their albedo
+    Rgb perFactor{0.f};  // the radiance that separable lobes scatter at the point, divided by their view factor
     // The probability with which the path should make a deposit, so as to improve the answer. Also without one.
     float training = 0;
 };
@@ -41,8 +45,20 @@ class RadianceCache {
 // What a path has found out about a point that the cache accepts.
 struct CacheDeposit {
     CachePoint at;
-    Rgb light;   // scattered by the broad lobes towards the path, an unbiased sample
-    Rgb albedo;  // of the broad lobes towards the path
+    Rgb light;       // scattered by the separable lobes towards the path, an unbiased sample
+    Rgb viewFactor;  // of these lobes towards the path, cacheableFactor() of it
 };
+
+// The view factor that deposits are divided by and answers are multiplied with: in steps that a cache can sum up as
+// integers, and at most 4, which textures brighter than white may exceed. Which factor it is matters little, that it is
+// the same at both ends matters much.
+inline constexpr float kViewFactorSteps = 0x1p13f, kGreatestViewFactor = 4;
+inline Rgb cacheableFactor(const Rgb& factor) {
+    Rgb f(0.f);
+    for (int c = 0; c < 3; ++c)
+        if (factor[c] > 0)
+            f[c] = std::nearbyint(std::min(factor[c], kGreatestViewFactor) * kViewFactorSteps) / kViewFactorSteps;
+    return f;
+}
 
 }  // namespace drc

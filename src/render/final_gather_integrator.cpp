@@ -85,7 +85,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
                 const auto three = [&](const auto& v) {
                     for (int c = 0; c < 3; ++c) to.value(v[c]);
                 };
-                three(d.at.p), three(d.at.n), three(d.light), three(d.albedo);
+                three(d.at.p), three(d.at.n), three(d.light), three(d.viewFactor);
                 to.value(d.at.reach);
             }
         }
@@ -106,7 +106,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
                 const auto three = [&](auto& v) {
                     for (int c = 0; c < 3; ++c) v[c] = from.value<float>();
                 };
-                three(d.at.p), three(d.at.n), three(d.light), three(d.albedo);
+                three(d.at.p), three(d.at.n), three(d.light), three(d.viewFactor);
                 d.at.reach = from.value<float>();
             }
         }

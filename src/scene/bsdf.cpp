@@ -1,13 +1,47 @@
 #include "scene/bsdf.h"
 
+#include <bit>
+#include <cmath>
+
 #include "scene/bsdf_view.h"
 #include "scene/visit_lobe.h"
 
 namespace drc {
+namespace {
+
+// lobe: a separable one.
+Rgb viewFactorOf(const Lobe& lobe, const Vec3& wo) {
+    return visitLobe(
+        [&](const auto& l) {
+            if constexpr (requires { l.viewFactor(wo); })
+                return l.viewFactor(wo);
+            else
+                return Rgb(0.f);
+        },
+        lobe);
+}
+
+// Whether the view factors of two separable lobes are the same function but for a constant. They depend on the cosine
+// alone, and smoothly, so that a few directions tell.
+bool dependAlikeOnView(const Lobe& a, const Lobe& b) {
+    constexpr float kTolerance = 1e-4f;
+    const Vec3 normal(0, 0, 1);
+    const Rgb aAtNormal = viewFactorOf(a, normal), bAtNormal = viewFactorOf(b, normal);
+    for (const float cosine : {0.05f, 0.3f, 0.7f}) {
+        const Vec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+        const Rgb aThere = viewFactorOf(a, wo) * bAtNormal, bThere = viewFactorOf(b, wo) * aAtNormal;
+        for (int c = 0; c < 3; ++c)
+            if (std::abs(aThere[c] - bThere[c]) > kTolerance * aAtNormal[c] * bAtNormal[c]) return false;
+    }
+    return true;
+}
+
+}  // namespace
 
 Bsdf::Lobes& Bsdf::Lobes::operator=(const Lobes& other) {
     if (this == &other) return *this;
     count = other.count;
+    separable = other.separable;
     for (int i = 0; i < count; ++i) {
         new (storage + i * sizeof(Lobe)) Lobe(reinterpret_cast<const Lobe*>(other.storage)[i]);
         flags[size_t(i)] = other.flags[size_t(i)];
@@ -53,6 +87,33 @@ Rgb Bsdf::albedo(const Vec3& woWorld, const LobeMask& mask) const {
     for (int i = 0; i < size(); ++i)
         if (isWithin(i, mask)) sum += weight(i) * visitLobe([&](const auto& l) { return l.albedo(wo); }, lobe(i));
     return sum;
+}
+
+Rgb Bsdf::viewFactor(const Vec3& woWorld, LobeSet lobes) const {
+    const Vec3 wo = frame_.toLocal(woWorld);
+    Rgb sum(0.f);
+    for (int i = 0; i < size(); ++i)
+        if (lobes >> i & 1) sum += weight(i) * viewFactorOf(lobe(i), wo);
+    return sum;
+}
+
+LobeSet Bsdf::separableLobes() const {
+    const LobeSet all = lobes_->separable;
+    if (std::has_single_bit(all) || all == 0) return all;
+    // Chosen by the albedo along the normal, so that all views choose the same lobes.
+    const Vec3 normal(0, 0, 1);
+    int main = 0;
+    float greatest = -1;
+    for (int i = 0; i < size(); ++i) {
+        if (!(all >> i & 1)) continue;
+        const Rgb albedo = visitLobe([&](const auto& l) { return l.albedo(normal); }, lobe(i));
+        const float own = luminance(weight(i) * albedo);
+        if (own > greatest) greatest = own, main = i;
+    }
+    LobeSet alike = 0;
+    for (int i = 0; i < size(); ++i)
+        if ((all >> i & 1) && (i == main || dependAlikeOnView(lobe(i), lobe(main)))) alike |= LobeSet(1 << i);
+    return alike;
 }
 
 }  // namespace drc

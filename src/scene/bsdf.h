@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <new>
 #include <optional>
 #include <type_traits>
@@ -27,7 +28,8 @@ struct BsdfSample {
 
 class Bsdf {
   public:
-    static constexpr int kMaxLobes = 12;
+    static constexpr int kMaxLobes = 16;
+    static_assert(kMaxLobes <= std::numeric_limits<LobeSet>::digits);
 
     Bsdf() = default;
     // ng: geometric normal. Neither normal has to face the viewer.
@@ -45,6 +47,7 @@ class Bsdf {
         own_.alphas[own_.count] = lobe.alpha();
         own_.weights[own_.count] = weight;
         own_.hasSides[own_.count] = !requires { L::kWithoutSides; };
+        if (isSeparable(lobe)) own_.separable |= LobeSet(1 << own_.count);
         ++own_.count;
     }
 
@@ -75,28 +78,46 @@ class Bsdf {
     // The albedo towards wo: an estimate for the G-buffer and for choosing lobes.
     Rgb albedo(const Vec3& wo, const LobeMask& mask = LobeFlags::All) const;
 
+    // Separable lobes with one and the same dependence on the view: the radiance that they scatter towards wo is
+    // viewFactor(wo) times a function of the light alone, so that all views can share what one of them has found out.
+    // Where lobes of several dependences are mixed, those of the greatest albedo; empty if no lobe is separable.
+    LobeSet separableLobes() const;
+    // wo in world space. lobes: from separableLobes().
+    Rgb viewFactor(const Vec3& wo, LobeSet lobes) const;
+
     // i in [0, size()).
     const Lobe& lobe(int i) const { return reinterpret_cast<const Lobe*>(lobes_->storage)[i]; }
     LobeFlags flags(int i) const { return lobes_->flags[size_t(i)]; }
     float alpha(int i) const { return lobes_->alphas[size_t(i)]; }
-    bool isWithin(int i, const LobeMask& mask) const { return mask.has(flags(i), alpha(i)); }
+    bool isWithin(int i, const LobeMask& mask) const {
+        return mask.has(flags(i), alpha(i)) && (mask.lobes >> i & 1) != 0;
+    }
     const Rgb& weight(int i) const { return lobes_->weights[size_t(i)]; }
     // Whether light that the lobe scatters from wi to wo is reflected if both are on the same side of the shading
     // frame, and transmitted otherwise.
     bool hasSides(int i) const { return lobes_->hasSides[size_t(i)]; }
 
   private:
+    template <class L>
+    static bool isSeparable(const L& lobe) {
+        if constexpr (requires { lobe.isSeparable(); })
+            return lobe.isSeparable();
+        else
+            return requires { lobe.viewFactor(Vec3()); };
+    }
+
     struct Lobes {
         Lobes() {}
         Lobes(const Lobes& other) { *this = other; }
         Lobes& operator=(const Lobes& other);
 
         int count = 0;
+        LobeSet separable = 0;
         std::array<LobeFlags, kMaxLobes> flags;
         std::array<float, kMaxLobes> alphas;
         std::array<Rgb, kMaxLobes> weights;
         std::array<bool, kMaxLobes> hasSides;
-        // Raw memory, because a Bsdf is made at every hit, and constructing twelve lobes where two are used would be
+        // Raw memory, because a Bsdf is made at every hit, and constructing sixteen lobes where two are used would be
         // wasteful.
         alignas(Lobe) std::byte storage[kMaxLobes * sizeof(Lobe)];
     };

@@ -37,6 +37,31 @@ TEST(Bsdf, Flags) {
     EXPECT_TRUE(mirror.hasSpecular());
 }
 
+TEST(Bsdf, SeparableLobesAreThoseOfOneViewFactor) {
+    // Lambert's lobes go together, and no microfacets with them, however rough.
+    const Bsdf mixed = everything();
+    EXPECT_EQ(mixed.separableLobes(), LobeSet(0b1001));
+    checkSeparableLobes(mixed);
+    Bsdf rough(kFrame, kFrame.n);
+    rough.add(MicrofacetReflection(Rgb(0.2f), TrowbridgeReitz(0.9f, 0.9f), Fresnel::none()));
+    EXPECT_EQ(rough.separableLobes(), LobeSet(0));
+    // Bases under different coats depend on the view each in its own way: the one of the greatest albedo is taken, with
+    // those alike.
+    const DielectricCoat coat(1.5f, 0.1f, 0), other(1.8f, 0.1f, 0);
+    Bsdf coated(kFrame, kFrame.n);
+    coated.add(CoatedDiffuse(Rgb(0.3f), coat));
+    coated.add(LambertReflection(Rgb(0.05f)));
+    coated.add(CoatedDiffuse(Rgb(0.8f, 0, 0), coat), Rgb(0.5f));
+    coated.add(CoatedDiffuse(Rgb(0.1f), other));
+    EXPECT_EQ(coated.separableLobes(), LobeSet(0b101));
+    checkSeparableLobes(coated);
+    const Vec3 wo = kFrame.toWorld(direction(0.4f));
+    EXPECT_EQ(coated.viewFactor(wo, 0b1), CoatedDiffuse(Rgb(0.3f), coat).viewFactor(direction(0.4f)));
+    Bsdf brighter = coated;
+    brighter.add(LambertReflection(Rgb(0.9f)));
+    EXPECT_EQ(brighter.separableLobes(), LobeSet(0b10010));
+}
+
 TEST(Bsdf, MasksTakeLobesByTheirRoughness) {
     Bsdf bsdf(kFrame, kFrame.n);
     bsdf.add(LambertReflection(Rgb(0.1f)));

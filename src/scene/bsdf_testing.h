@@ -115,6 +115,25 @@ inline void checkBsdfReciprocity(const Bsdf& bsdf) {
     }
 }
 
+// Checks that what the separable lobes scatter, divided by their view factor, is the same for all views of a side.
+inline void checkSeparableLobes(const Bsdf& bsdf) {
+    const LobeSet lobes = bsdf.separableLobes();
+    if (lobes == 0) return;
+    const LobeMask mask(LobeFlags::All, lobes);
+    std::mt19937 rng(16);
+    int compared = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 a = randomDirection(rng), b = randomDirection(rng), wi = randomDirection(rng);
+        // Views from below the horizon of the shading frame are no concern of caches.
+        const auto side = [&](const Vec3& w) { return dot(w, bsdf.ng()) * dot(w, bsdf.frame().n); };
+        if (side(a) < 1e-3f || side(b) < 1e-3f || dot(a, bsdf.ng()) * dot(b, bsdf.ng()) < 0) continue;
+        const Rgb fa = bsdf.f(a, wi, mask), fb = bsdf.f(b, wi, mask);
+        expectClose(fa * bsdf.viewFactor(b, lobes), fb * bsdf.viewFactor(a, lobes), 1e-3f, "separable", 1e-3f);
+        compared += !isBlack(fa);
+    }
+    EXPECT_GT(compared, 500);
+}
+
 // The same for specular lobes: the reverse of a sample's path is one of the paths that samples from its end take, with
 // the same share of the light. (Refraction narrows a beam by the squared relative index, which is in the delta
 // distribution of one direction only.)

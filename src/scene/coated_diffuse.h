@@ -12,6 +12,7 @@ class CoatedDiffuse : public DiffuseReflectionLobe<CoatedDiffuse> {
 
     Rgb f(const Vec3& wo, const Vec3& wi) const;
     Rgb albedo(const Vec3& wo) const;  // exact
+    Rgb viewFactor(const Vec3& wo) const { return albedo(wo); }
 
   private:
     DielectricCoat coat_;

@@ -32,6 +32,11 @@ TEST(DisneyDiffuse, EnergyReciprocityAndAlbedoOfEachPart) {
         }
 }
 
+TEST(DisneyDiffuse, TheBaseAloneIsSeparable) {
+    for (const auto part : kParts) EXPECT_EQ(only(part).isSeparable(), part == &DisneyDiffuseColors::base);
+    checkSeparable(only(&DisneyDiffuseColors::base, 0.7f, Rgb(0.8f, 0.5f, 0.3f)));
+}
+
 TEST(DisneyDiffuse, HandComputed) {
     // wo = wi at 60 degrees: Schlick weights 1/32, cosine to the half vector 1.
     const Vec3 w = direction(0.5f);

@@ -14,6 +14,7 @@ class FresnelBlendBase : public DiffuseReflectionLobe<FresnelBlendBase> {
 
     Rgb f(const Vec3& wo, const Vec3& wi) const;
     Rgb albedo(const Vec3& wo) const;  // exact
+    Rgb viewFactor(const Vec3& wo) const { return albedo(wo); }
 
   private:
     Rgb reflectance_;

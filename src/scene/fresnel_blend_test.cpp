@@ -28,6 +28,8 @@ TEST(FresnelBlend, EnergyAndReciprocity) {
     }
 }
 
+TEST(FresnelBlend, BaseIsSeparable) { checkSeparable(FresnelBlendBase(Rgb(0.8f, 0.5f, 0.2f), Rgb(0.3f))); }
+
 TEST(FresnelBlend, BaseAlbedoIsExact) {
     const FresnelBlendBase lobe(Rgb(0.6f), Rgb(0.3f));
     for (const float cosTheta : {1.f, 0.5f, 0.1f}) {

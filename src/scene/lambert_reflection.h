@@ -11,6 +11,7 @@ class LambertReflection : public DiffuseReflectionLobe<LambertReflection> {
     // Not zero for wi below the shading frame's horizon, as in pbrt: the Bsdf decides by the geometric normal.
     Rgb f(const Vec3&, const Vec3&) const { return reflectance_ * kInvPi; }
     Rgb albedo(const Vec3&) const { return reflectance_; }
+    Rgb viewFactor(const Vec3&) const { return reflectance_; }
 
   private:
     Rgb reflectance_;

@@ -13,6 +13,8 @@ TEST(LambertReflection, Sampling) { checkSampling(kLobe); }
 
 TEST(LambertReflection, AlbedoIsExact) { checkAlbedo(kLobe, 1e-4f); }
 
+TEST(LambertReflection, IsSeparable) { checkSeparable(kLobe); }
+
 TEST(LambertReflection, EnergyAndReciprocity) {
     checkEnergy(LambertReflection(Rgb(1.f)), 1e-4f);
     checkReciprocity(kLobe);

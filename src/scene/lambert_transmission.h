@@ -25,6 +25,7 @@ class LambertTransmission {
         return s;
     }
     Rgb albedo(const Vec3&) const { return transmittance_; }
+    Rgb viewFactor(const Vec3&) const { return transmittance_; }
 
   private:
     Rgb transmittance_;

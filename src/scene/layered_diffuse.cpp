@@ -8,9 +8,9 @@ LayeredDiffuse::LayeredDiffuse(const Rgb& albedo, const CosineCurve& curve, cons
     perMean_ = mean > 0 ? kInvPi / mean : 0;
 }
 
-LayeredDiffuse LayeredDiffuse::rough(const Rgb& albedo, float roughness, const LayersAbove& above) {
+LayeredDiffuse LayeredDiffuse::rough(const Rgb& albedo, float roughness, const LayersAbove& above, DiffusePart part) {
     LayeredDiffuse lobe(albedo, above);
-    lobe.rough_.emplace(albedo, roughness);
+    lobe.rough_.emplace(albedo, roughness, part);
     return lobe;
 }
 

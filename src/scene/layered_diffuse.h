@@ -18,8 +18,8 @@ class LayeredDiffuse {
         : LayeredDiffuse(albedo, above.passed, above.colour, side) {}
     LayeredDiffuse(const Rgb& albedo, const CosineCurve& curve, const CoatColour& colour = {},
                    Side side = Side::Reflects);
-    // Reflects as RoughDiffuse does; its albedo is then as near as that lobe's is even.
-    static LayeredDiffuse rough(const Rgb& albedo, float roughness, const LayersAbove& above);
+    // Reflects as this part of RoughDiffuse does; its albedo is then as near as that lobe's is even.
+    static LayeredDiffuse rough(const Rgb& albedo, float roughness, const LayersAbove& above, DiffusePart part);
 
     LobeFlags flags() const {
         return LobeFlags::Diffuse | (transmits_ ? LobeFlags::Transmission : LobeFlags::Reflection);
@@ -33,6 +33,11 @@ class LayeredDiffuse {
     // Exact if the coat is clear and the surface is smooth.
     Rgb albedo(const Vec3& wo) const {
         return (rough_ ? rough_->albedo(wo) : albedo_) * curve_.at(wo.z) * colour_.at(wo.z);
+    }
+
+    bool isSeparable() const { return !rough_ || rough_->isSeparable(); }
+    Rgb viewFactor(const Vec3& wo) const {
+        return (rough_ ? rough_->viewFactor(wo) : albedo_) * curve_.at(wo.z) * colour_.oneWay(wo);
     }
 
   private:

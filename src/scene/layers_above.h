@@ -16,6 +16,8 @@ class CoatColour {
     CoatColour(const Rgb& tint, float eta, float share);
 
     Rgb at(float cosTheta) const { return clear_ ? Rgb(1.f) : absorbed(cosTheta); }
+    // Of one of the two ways: the product over both is bothWays().
+    Rgb oneWay(const Vec3& w) const { return clear_ ? Rgb(1.f) : sqrt(absorbed(w.z)); }
     Rgb bothWays(const Vec3& wo, const Vec3& wi) const {
         return clear_ ? Rgb(1.f) : sqrt(absorbed(wo.z) * absorbed(wi.z));
     }

@@ -12,6 +12,9 @@
 //     LobeValue evaluate(wo, wi) const;              // only if f and pdf are cheaper to compute together;
 //                                                    // with a third argument if f depends on the transport mode
 //     Rgb albedo(wo) const;                          // estimate of the directional albedo, for choosing lobes
+//     Rgb viewFactor(wo) const;                      // only if the lobe is separable: f(wo, wi) = viewFactor(wo) g(wi),
+//                                                    // exactly, for some function g (see Bsdf::separableLobes)
+//     bool isSeparable() const;                      // only if it has a viewFactor that does not hold for all parameters
 //     static constexpr bool kWithoutSides = true;    // only if it does not tell reflection from transmission
 #pragma once
 #include <cstdint>
@@ -39,20 +42,25 @@ constexpr LobeFlags operator|(LobeFlags a, LobeFlags b) { return LobeFlags(uint8
 constexpr LobeFlags operator&(LobeFlags a, LobeFlags b) { return LobeFlags(uint8_t(a) & uint8_t(b)); }
 constexpr bool any(LobeFlags f) { return f != LobeFlags::None; }
 
-// Selects lobes: those that have no flags other than these, and a roughness within [from, to).
+// A set of lobes of a Bsdf: bit i stands for the lobe of index i.
+using LobeSet = uint16_t;
+
+// Selects lobes: those that have no flags other than these, a roughness within [from, to), and a bit in `lobes`.
 //
 // The roughness is alpha of the Trowbridge-Reitz distribution of microfacets, the larger one of both axes. Specular
 // lobes have 0 and diffuse ones kDiffuseAlpha. Hair has 0 whatever its roughness: a fibre is thinner than a pixel, and
 // its normal turns all the way around across it, so that nothing known at a neighbour holds for it.
 struct LobeMask {
-    constexpr LobeMask(LobeFlags lobes) : flags(lobes) {}  // NOLINT: flags alone are a mask
-    constexpr LobeMask(LobeFlags lobes, float fromAlpha, float toAlpha) : flags(lobes), from(fromAlpha), to(toAlpha) {}
+    constexpr LobeMask(LobeFlags f) : flags(f) {}  // NOLINT: flags alone are a mask
+    constexpr LobeMask(LobeFlags f, float fromAlpha, float toAlpha) : flags(f), from(fromAlpha), to(toAlpha) {}
+    constexpr LobeMask(LobeFlags f, LobeSet set) : flags(f), lobes(set) {}
     constexpr bool has(LobeFlags lobe, float alpha) const {
         return (lobe & flags) == lobe && alpha >= from && alpha < to;
     }
 
     LobeFlags flags;
     float from = 0, to = std::numeric_limits<float>::infinity();
+    LobeSet lobes = std::numeric_limits<LobeSet>::max();
 };
 
 inline constexpr float kDiffuseAlpha = std::numeric_limits<float>::max();

@@ -86,6 +86,18 @@ void checkReciprocity(const L& lobe) {
     }
 }
 
+// f(wo, wi) = viewFactor(wo) g(wi): the quotient of two views is the same for all directions of the light.
+template <typename L>
+void checkSeparable(const L& lobe) {
+    std::mt19937 rng(5);
+    for (int i = 0; i < 2000; ++i) {
+        Vec3 a = randomDirection(rng), b = randomDirection(rng);
+        if (!sameHemisphere(a, b)) b = -b;
+        const Vec3 wi = randomDirection(rng);
+        expectClose(lobe.f(a, wi) * lobe.viewFactor(b), lobe.f(b, wi) * lobe.viewFactor(a), 1e-4f, "separable");
+    }
+}
+
 // Checks that albedo() is within `absolute` of the lobe's true albedo.
 template <typename L>
 void checkAlbedo(const L& lobe, float absolute) {

@@ -40,12 +40,12 @@ class Disney final : public Material {
             const Rgb reflected = color * (diffuse * (1 - through));
             const float flat = params_.thin ? params_.flatness->eval(at) : 0;
             const Rgb sheen = lerp(params_.sheenTint->eval(at), Rgb(1.f), tint) * params_.sheen->eval(at);
-            bsdf.add(DisneyDiffuse({.base = reflected * (1 - flat),
-                                    .flat = reflected * flat,
-                                    .retro = color * diffuse,
-                                    .sheen = sheen * diffuse},
-                                   roughness),
-                     weight);
+            const DisneyDiffuseColors base{.base = reflected * (1 - flat)};
+            const DisneyDiffuseColors rest{.flat = reflected * flat,
+                                           .retro = roughness != 0 ? color * diffuse : Rgb(0.f),
+                                           .sheen = sheen * diffuse};
+            for (const DisneyDiffuseColors& colors : {base, rest})
+                if (!colors.areBlack()) bsdf.add(DisneyDiffuse(colors, roughness), weight);
         }
 
         const float aspect = safeSqrt(1 - 0.9f * params_.anisotropic->eval(at));
@@ -81,7 +81,7 @@ class Disney final : public Material {
                            params_.anisotropic, params_.sheen, params_.sheenTint, params_.clearcoat,
                            params_.clearcoatGloss, params_.specTrans, params_.flatness, params_.diffTrans);
     }
-    int maxLobes() const override { return 5; }
+    int maxLobes() const override { return 6; }
 
   private:
     static TrowbridgeReitz thinDistribution(float eta, float roughness, float aspect) {

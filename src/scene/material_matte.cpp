@@ -19,15 +19,17 @@ class Matte final : public Material {
         const float sigma = std::clamp(params_.sigma->eval(at), 0.f, 90.f);
         const float roughness = std::clamp(params_.roughness->eval(at), 0.f, 1.f);
         if (roughness > 0)
-            bsdf.add(RoughDiffuse(kd, roughness), weight);
+            for (const DiffusePart part : {DiffusePart::Separable, DiffusePart::Rest})
+                bsdf.add(RoughDiffuse(kd, roughness, part), weight);
         else if (sigma == 0)
             bsdf.add(LambertReflection(kd), weight);
         else
-            bsdf.add(OrenNayar(kd, sigma), weight);
+            for (const DiffusePart part : {DiffusePart::Separable, DiffusePart::Rest})
+                bsdf.add(OrenNayar(kd, sigma, part), weight);
     }
 
     bool isConstant() const override { return areConstant(params_.kd, params_.sigma, params_.roughness); }
-    int maxLobes() const override { return 1; }
+    int maxLobes() const override { return 2; }
 
   private:
     MatteParams params_;

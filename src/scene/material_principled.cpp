@@ -109,7 +109,7 @@ class Principled final : public Material {
         const RgbTexture& tint = *params_.specularTint;
         const bool glassHasTwo = params_.thinWall || !tint.isConstant() || clampUnit(tint.eval({})) != Rgb(1.f);
         return may(params_.sheen, 0) + may(params_.coat, 0) + metal + glass + (glass && glassHasTwo) + 2 * base +
-               through;
+               (base && may(params_.diffuseRoughness, 0)) + through;
     }
 
   private:
@@ -228,7 +228,8 @@ class Principled final : public Material {
         const float through = params_.thinWall ? 0.5f * point.subsurface : 0;
         const Rgb reflected = point.baseColor * (1 - through);
         if (point.diffuseRoughness > 0)
-            bsdf.add(LayeredDiffuse::rough(reflected, point.diffuseRoughness, above), weight);
+            for (const DiffusePart part : {DiffusePart::Separable, DiffusePart::Rest})
+                bsdf.add(LayeredDiffuse::rough(reflected, point.diffuseRoughness, above, part), weight);
         else
             bsdf.add(LayeredDiffuse(reflected, above), weight);
         if (through > 0)

@@ -132,7 +132,7 @@ TEST(Translucent, Bsdf) {
 
 TEST(Disney, Bsdf) {
     checkMaterial(makeDisney({}));
-    EXPECT_EQ(bsdfOf(makeDisney({})).size(), 2);
+    EXPECT_EQ(bsdfOf(makeDisney({})).size(), 3);
     DisneyParams p;
     p.color = colour(0.7f, 0.3f, 0.2f);
     p.metallic = number(0.3f);
@@ -143,12 +143,12 @@ TEST(Disney, Bsdf) {
     p.clearcoatGloss = number(0.2f);
     p.specTrans = number(0.4f);
     checkMaterial(makeDisney(p));
-    EXPECT_EQ(bsdfOf(makeDisney(p)).size(), 4);
+    EXPECT_EQ(bsdfOf(makeDisney(p)).size(), 5);
     p.thin = true;
     p.flatness = number(0.5f);
     checkMaterial(makeDisney(p));
-    EXPECT_EQ(bsdfOf(makeDisney(p)).size(), 5);
-    EXPECT_EQ(makeDisney(p)->maxLobes(), 5);
+    EXPECT_EQ(bsdfOf(makeDisney(p)).size(), 6);
+    EXPECT_EQ(makeDisney(p)->maxLobes(), 6);
 }
 
 TEST(Disney, Limits) {

@@ -29,6 +29,7 @@ inline void checkMaterial(const MaterialPtr& material, Furnace furnace = Furnace
     checkBsdfEnergy(bsdf, furnace);
     checkBsdfReciprocity(bsdf);
     checkSpecularReciprocity(bsdf);
+    checkSeparableLobes(bsdf);
     // The weight must scale everything.
     const Vec3 wo = bsdf.frame().toWorld(direction(0.7f));
     expectClose(meanWeight(bsdfOf(material, Rgb(0.5f)), wo).value, meanWeight(bsdf, wo).value * 0.5f, 1e-4f, "weight");
