@@ -9,6 +9,7 @@ namespace drc {
 namespace {
 
 using test::quad;
+using test::respelt;
 
 constexpr int kWidth = 48, kHeight = 32;
 constexpr double kAllowed = 0.02;
@@ -123,6 +124,27 @@ TEST(GatherLeaksTest, FindsCellsThatAreTooLarge) {
     test::record(result);
     const test::ZResult z = result.differencesBeyond(kAllowed);
     EXPECT_GT(z.worst, z.bound) << "the worst block is off by " << result.worstDifference();
+}
+
+// Beside the thin wall, too, what cells blur falls with their size to zero, be it Lambert's light or that of a rough
+// coat: the mean square of the blocks' differences, less what noise adds to it.
+TEST(GatherLeaksTest, BiasFallsWithTheSizeOfCellsToZero) {
+    const std::string rough =
+        "Material \"plastic\" \"rgb Kd\" [.6 .6 .6] \"rgb Ks\" [.4 .4 .4] \"float roughness\" .8\n";
+    for (const std::string& material : {matte("0.6 0.6 0.6"), rough}) {
+        SCOPED_TRACE(material);
+        const auto scene = pbrt::loadPbrtString(respelt(thinWall(), matte("0.6 0.6 0.6"), material));
+        test::Comparison comparison{.count = 8, .gatherSpp = 96, .pathSpp = 192};
+        const test::PathPictures paths = test::pathPictures(*scene, comparison);
+        const auto bias = [&](float cellSize) {
+            comparison.cellSize = cellSize;
+            return test::gather(*scene, comparison, paths).squaredBias();
+        };
+        const double coarse = bias(0.5f), medium = bias(0.125f), fine = bias(0.03f);
+        EXPECT_GT(coarse, 1.5 * medium);
+        EXPECT_GT(medium, 4 * fine);
+        EXPECT_LT(fine, 5e-5);
+    }
 }
 
 }  // namespace

@@ -210,7 +210,8 @@ Rgb RadianceCells::perFactor(const Sums& sums) const {
     Rgb result(0.f);
     for (int c = 0; c < 3; ++c)
         if (sums.viewFactor[c] > 0)
-            result[c] = float(double(sums.light[c]) / perQuantum_ / (double(sums.viewFactor[c]) / double(kViewFactorSteps)));
+            result[c] =
+                float(double(sums.light[c]) / perQuantum_ / (double(sums.viewFactor[c]) / double(kViewFactorSteps)));
     return result;
 }
 

@@ -1,6 +1,6 @@
-// Radiance cells: a hash table over the surfaces of a scene, of the radiance that their separable lobes scatter, divided
-// by their view factor, so that textures stay sharp. Paths of final gather end in it. World-space hash tables of this kind are
-// described by Binder et al., "Massively Parallel Path Space Filtering" (2018).
+// Radiance cells: a hash table over the surfaces of a scene, of the radiance that their separable lobes scatter,
+// divided by their view factor, so that textures stay sharp. Paths of final gather end in it. World-space hash tables
+// of this kind are described by Binder et al., "Massively Parallel Path Space Filtering" (2018).
 //
 // Cells are cubes of a few nested sizes: each lies within one cell of the next larger size. Each belongs to one of 26
 // directions that a surface can face, so that the two sides of a thin wall are two cells. A cell keeps sums over
@@ -75,7 +75,7 @@ class RadianceCells final : public RadianceCache {
         // As square, but about the means of the cells of the next smaller size, summed up over them.
         int64_t within = 0;
         uint32_t viewFactor[3]{};  // in steps of kViewFactorSteps
-        int32_t position[3]{};  // relative to the cell's corner
+        int32_t position[3]{};     // relative to the cell's corner
         int32_t normal[3]{};
         int32_t grid[3]{};         // the cell's place in the grid of its size
         uint32_t countWithin = 0;  // deposits in the cells of the next smaller size

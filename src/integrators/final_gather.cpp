@@ -91,8 +91,8 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
     const RadianceCache& cache = sample.cache;
     Counts& counts = sample.counts;
     Rgb sum(0.f);
-    // The part of the path's throughput that the picture shows. Where the cache has answered for the separable lobes, it
-    // is that of the others.
+    // The part of the path's throughput that the picture shows. Where the cache has answered for the separable lobes,
+    // it is that of the others.
     Rgb share(1.f);
     bool shown = true;  // whether share is not zero
     Trainings trainings;

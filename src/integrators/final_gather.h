@@ -4,7 +4,8 @@
 //     camera -> mirrors, smooth glass -> x1 -> x2: answered by the cache, or -> x3, ...
 //
 // A cache is asked where its error is not seen (RadianceCache::accepts). It answers for the separable lobes
-// (Bsdf::separableLobes); the path then continues by the others, if there are any. With a cache that accepts nothing, this is the path tracer, to rounding.
+// (Bsdf::separableLobes); the path then continues by the others, if there are any. With a cache that accepts nothing,
+// this is the path tracer, to rounding.
 #pragma once
 #include <vector>
 

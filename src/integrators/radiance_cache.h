@@ -1,4 +1,5 @@
-// The interface of caches in which paths end: what the separable lobes of a surface scatter, looked up instead of traced.
+// The interface of caches in which paths end: what the separable lobes of a surface scatter, looked up instead of
+// traced.
 //
 // A cache holds the radiance that these lobes scatter towards a view, divided by their factor of that view
 // (Bsdf::viewFactor). Of separable lobes, and of no others, that quotient is the same for all views: it can be shared,

@@ -12,7 +12,9 @@ TEST(CoatedDiffuse, Sampling) {
     checkSampling(CoatedDiffuse(Rgb(0.8f), DielectricCoat(1.5f, 0.2f, 0.1f)), {0.7f, -0.3f});
 }
 
-TEST(CoatedDiffuse, IsSeparable) { checkSeparable(CoatedDiffuse(Rgb(0.8f, 0.2f, 0.5f), DielectricCoat(1.5f, 0.3f, 0.2f))); }
+TEST(CoatedDiffuse, IsSeparable) {
+    checkSeparable(CoatedDiffuse(Rgb(0.8f, 0.2f, 0.5f), DielectricCoat(1.5f, 0.3f, 0.2f)));
+}
 
 TEST(CoatedDiffuse, EnergyReciprocityAndAlbedo) {
     for (const float eta : {1.f, 1.5f, 2.f})

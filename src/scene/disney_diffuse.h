@@ -1,8 +1,8 @@
 // The diffuse part of Burley's models ("Physically Based Shading at Disney", SIGGRAPH 2012 course, section 5.3, and
 // "Extending the Disney BRDF to a BSDF with Integrated Subsurface Scattering", SIGGRAPH 2015 course, sections 4 and 5):
 // a diffuse base that darkens towards grazing angles, the flatter look of shallow subsurface scattering,
-// retro-reflection of rough surfaces, and the sheen of cloth. One class for all four, which are broad and sampled in the
-// same way; a material adds the base as a lobe of its own, because it alone is separable (Bsdf::separableLobes).
+// retro-reflection of rough surfaces, and the sheen of cloth. One class for all four, which are broad and sampled in
+// the same way; a material adds the base as a lobe of its own, because it alone is separable (Bsdf::separableLobes).
 //
 // Burley fitted them to measurements without regard to energy conservation: near the horizon, a white base of full
 // roughness reflects more light than it receives.

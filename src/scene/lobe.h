@@ -12,10 +12,12 @@
 //     LobeValue evaluate(wo, wi) const;              // only if f and pdf are cheaper to compute together;
 //                                                    // with a third argument if f depends on the transport mode
 //     Rgb albedo(wo) const;                          // estimate of the directional albedo, for choosing lobes
-//     Rgb viewFactor(wo) const;                      // only if the lobe is separable: f(wo, wi) = viewFactor(wo) g(wi),
+//     Rgb viewFactor(wo) const;                      // only if the lobe is separable: f(wo, wi) = viewFactor(wo)
+//     g(wi),
 //                                                    // exactly, for some function g (see Bsdf::separableLobes)
-//     bool isSeparable() const;                      // only if it has a viewFactor that does not hold for all parameters
-//     static constexpr bool kWithoutSides = true;    // only if it does not tell reflection from transmission
+//     bool isSeparable() const;                      // only if it has a viewFactor that does not hold for all
+//     parameters static constexpr bool kWithoutSides = true;    // only if it does not tell reflection from
+//     transmission
 #pragma once
 #include <cstdint>
 #include <limits>
