@@ -18,7 +18,7 @@ std::unique_ptr<Scene> loadWith(const std::string& warning, const std::string& w
     EXPECT_THAT(saidBy([&] { scene = loadWorld(world + "\n" + kTriangle); }), HasSubstr(warning)) << world;
     return scene;
 }
-float xOf(const Scene& scene) { return scene.primitives.back().mesh->positions[0].x; }
+float xOf(const Scene& scene) { return scene.origin.x + scene.primitives.back().mesh->positions[0].x; }
 bool isMirror(const Scene& scene) {
     Bsdf bsdf(Frame(), Vec3(0, 0, 1));
     scene.primitives.back().material->addLobes({}, Rgb(1.f), bsdf);
@@ -69,7 +69,7 @@ TEST(BlocksV3, ObjectsEndTheStateBelowThem) {
 
 TEST(BlocksV3, WorldEndEndsAll) {
     const auto scene =
-        loadWith("s.pbrt:4:1: warning: WorldEnd comes before the AttributeEnd of AttributeBegin in line 2 of s.pbrt",
+        loadWith("s.pbrt:5:1: warning: WorldEnd comes before the AttributeEnd of AttributeBegin in line 2 of s.pbrt",
                  "AttributeBegin Translate 1 0 0");
     EXPECT_EQ(xOf(*scene), 1);
 }

@@ -41,7 +41,9 @@ TEST(ColorSpace, ReflectancesNeverExceedOne) {
             }
             // What absorbs in its own space does so in Rec. 709.
             const float own = std::max({c.x, c.y, c.z});
-            if (own <= 0.6f) EXPECT_LT(std::max({albedo.x, albedo.y, albedo.z}), 0.9f) << name << i;
+            if (own <= 0.6f) {
+                EXPECT_LT(std::max({albedo.x, albedo.y, albedo.z}), 0.9f) << name << i;
+            }
         }
     // Greys are what they are, and no colour is near another that is mapped far away.
     const ColorSpace* aces = ColorSpace::named("aces2065-1");

@@ -74,7 +74,9 @@ void expectSame(const Scene& a, const Scene& b, const std::string& name) {
         EXPECT_EQ(p.media.changes(), q.media.changes()) << name;
         for (const auto mask : {&Primitive::alpha, &Primitive::shadowAlpha}) {
             ASSERT_EQ(p.*mask == nullptr, q.*mask == nullptr) << name;
-            if (p.*mask) EXPECT_EQ((p.*mask)->eval({}), (q.*mask)->eval({})) << name;
+            if (p.*mask) {
+                EXPECT_EQ((p.*mask)->eval({}), (q.*mask)->eval({})) << name;
+            }
         }
         EXPECT_EQ(p.alphaIsShare, q.alphaIsShare) << name;
     }

@@ -205,10 +205,10 @@ TEST(SceneFileV4, ImageMaps) {
 TEST(SceneFileV4, ReflectancesAreAtMostOne) {
     EXPECT_EQ(
         errorOfWorldV4("Material \"diffuse\" \"rgb reflectance\" [2 1 .5]"),
-        "s.pbrt:2:40: parameter 'reflectance' of material 'diffuse' is the share of the light that is reflected, and "
+        "s.pbrt:2:38: parameter 'reflectance' of material 'diffuse' is the share of the light that is reflected, and "
         "must be from 0 to 1, not 2\n"
         "    Material \"diffuse\" \"rgb reflectance\" [2 1 .5]\n"
-        "                                           ^");
+        "                                         ^");
     for (const char* material :
          {"\"coateddiffuse\" \"rgb reflectance\"", "\"diffusetransmission\" \"rgb transmittance\"",
           "\"conductor\" \"rgb reflectance\"", "\"coatedconductor\" \"rgb reflectance\"", "\"hair\" \"rgb color\"",
