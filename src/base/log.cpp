@@ -3,10 +3,14 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <map>
 #include <mutex>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "base/limits.h"
+#include "base/warning_batch.h"
 
 namespace drc {
 namespace {
@@ -39,25 +43,61 @@ std::set<std::string>& warnings() {
     return seen;
 }
 int unseenWarnings = 0;  // warnings beyond limits::kWarnings; their texts are not kept, so repetitions count too
-
-// Warnings with the same key are the same.
-void warn(const std::string& key, std::string text) {
-    {
-        const std::lock_guard lock(warningMutex);
-        std::set<std::string>& seen = warnings();
-        if (seen.contains(key)) return;
-        if (seen.size() < limits::kWarnings)
-            seen.insert(key);
-        else if (unseenWarnings++ > 0)
-            return;
-        else
-            text = "warning: there are more warnings than these; they are not shown";
-    }
-    logger().warn("{}", text);
-}
+bool saidThereAreMore = false;
 
 std::string warningText(const SourceLocation& where, const std::string& message) {
     return printable((where.empty() ? "" : where.str() + ": ") + "warning: " + message);
+}
+
+// What the WarningBatch keeps back.
+struct Kept {
+    std::string text;  // with the first place
+    int more = 0;      // further places
+};
+int openBatches = 0;
+std::vector<Kept>& kept() {
+    static std::vector<Kept> all;
+    return all;
+}
+std::map<std::string, size_t>& keptByMessage() {
+    static std::map<std::string, size_t> indices;
+    return indices;
+}
+
+// Warnings with the same key are the same. atEnd: what is added to a warning that is not kept back.
+void warn(const std::string& key, const SourceLocation& where, const std::string& message, const char* atEnd) {
+    std::string text = warningText(where, message);
+    {
+        const std::lock_guard lock(warningMutex);
+        std::set<std::string>& seen = warnings();
+        if (const auto known = keptByMessage().find(message); known != keptByMessage().end() && !where.empty()) {
+            // A further place, unless this very warning has been given.
+            Kept& first = kept()[known->second];
+            if (first.text == text || seen.contains(text)) return;
+            ++first.more;
+            if (key != text) return;
+            if (seen.size() < limits::kWarnings)
+                seen.insert(text);
+            else
+                ++unseenWarnings;
+            return;
+        }
+        if (seen.contains(key)) return;
+        const bool isKnown = seen.size() < limits::kWarnings;
+        if (isKnown) {
+            seen.insert(key);
+        } else {
+            ++unseenWarnings;
+            if (std::exchange(saidThereAreMore, true)) return;
+            text = "warning: there are more warnings than these; they are not shown";
+        }
+        if (openBatches > 0) {
+            if (isKnown) keptByMessage()[message] = kept().size();
+            kept().push_back({text});
+            return;
+        }
+    }
+    logger().warn("{}{}", text, atEnd);
 }
 
 }  // namespace
@@ -73,12 +113,28 @@ void logInfo(const std::string& message) { logger().info("{}", printable(message
 void logDebug(const std::string& message) { logger().debug("{}", message); }
 
 void logWarning(const SourceLocation& where, const std::string& message) {
-    const std::string text = warningText(where, message);
-    warn(text, text);
+    warn(warningText(where, message), where, message, "");
 }
 
 void logWarningOnce(const SourceLocation& where, const std::string& message) {
-    warn(printable(message), warningText(where, message + " (said once)"));
+    warn(printable(message), where, message, " (said once)");
+}
+
+WarningBatch::WarningBatch() {
+    const std::lock_guard lock(warningMutex);
+    ++openBatches;
+}
+
+WarningBatch::~WarningBatch() {
+    std::vector<Kept> ready;
+    {
+        const std::lock_guard lock(warningMutex);
+        if (--openBatches > 0) return;
+        ready.swap(kept());
+        keptByMessage().clear();
+    }
+    for (const Kept& warning : ready)
+        logger().warn("{}{}", warning.text, warning.more > 0 ? fmt::format(" (and {} more)", warning.more) : "");
 }
 
 int warningCount() {
@@ -90,6 +146,7 @@ void forgetWarnings() {
     const std::lock_guard lock(warningMutex);
     warnings().clear();
     unseenWarnings = 0;
+    saidThereAreMore = false;
 }
 
 }  // namespace drc

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/warning_batch.h"
+
 namespace drc {
 namespace {
 
@@ -36,6 +38,30 @@ TEST(Log, WhatIsSaidOnceNamesTheFirstPlace) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(),
               "drc: a.pbrt:1:1: warning: nothing is built (said once)\n"
               "drc: a.pbrt:1:1: warning: nothing else is built (said once)\n");
+}
+
+TEST(Log, ABatchSaysEachMessageOnceWithTheNumberOfItsPlaces) {
+    forgetWarnings();
+    testing::internal::CaptureStderr();
+    {
+        const WarningBatch batch;
+        for (int line = 1; line <= 130; ++line) {
+            logWarningOnce({"a.pbrt", line, 1}, "is not built");
+            logWarning({"a.pbrt", line, 2}, "is unknown");
+        }
+        logWarning({"a.pbrt", 130, 2}, "is unknown");
+        logWarning({"a.pbrt", 7, 3}, "is alone");
+        logWarning("has no place");
+        logWarning("has no place");
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+        testing::internal::CaptureStderr();
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "drc: a.pbrt:1:1: warning: is not built (and 129 more)\n"
+              "drc: a.pbrt:1:2: warning: is unknown (and 129 more)\n"
+              "drc: a.pbrt:7:3: warning: is alone\n"
+              "drc: warning: has no place\n");
+    EXPECT_EQ(warningCount(), 133) << "each place of what may differ from place to place, and three";
 }
 
 TEST(Log, AThousandWarningsAreEnough) {

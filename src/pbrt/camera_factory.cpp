@@ -99,10 +99,9 @@ std::unique_ptr<Camera> makeLensCamera(const CameraContext& context, bool simple
     p.focusDistance = params.getFloat("focusdistance", 10);
     if (!(p.focusDistance > 0)) params.failAt(*params.find("focusdistance", {ParamType::Float}), "must be positive");
     p.simpleWeighting = simpleWeighting;
-    const std::string lens = params.getString("lensfile", "");
-    if (lens.empty()) fail(params.pos(), "the realistic camera needs the parameter \"string lensfile\"");
-    const SourcePos pos = params.find("lensfile", {ParamType::String})->valuePos;
-    const std::string path = context.files.find(lens, pos, "lens file");
+    const Param& lens = params.needFile("lensfile");
+    const SourcePos pos = lens.valuePos;
+    const std::string path = context.files.find(lens.strings[0], pos, "lens file");
     p.lens = placedAt(pos, [&] { return readLensFile(path, stop); });
     try {
         return makeRealisticCamera(p, context.film);

@@ -2,6 +2,7 @@
 
 #include <Imath/ImathMatrix.h>
 
+#include <algorithm>
 #include <map>
 
 #include "image/color.h"
@@ -47,6 +48,22 @@ ColorSpace::ColorSpace(const Primaries& primaries) {
         light_[i] = toRec709(primary);
         reflectance_[i] = toRec709(primary * adapt);
     }
+}
+
+Rgb ColorSpace::reflectance(const Rgb& c) const {
+    const Rgb plain = clampNonNegative(mix(reflectance_, c));
+    const float most = std::max({plain.x, plain.y, plain.z});
+    // Above the first, the colour begins to depart from the plain one, and from the second on it is another.
+    constexpr float kPlain = 0.8f, kOther = 1;
+    if (most <= kPlain) return plain;
+    // All bounces between walls of the albedo a bring a / (1 - a) of the light of the lamps.
+    constexpr float kMost = 1 - 1e-6f;
+    const auto allBounces = [&](float a) { return std::clamp(a, 0.f, kMost) / (1 - std::clamp(a, 0.f, kMost)); };
+    const Rgb sum = clampNonNegative(mix(reflectance_, Rgb(allBounces(c.x), allBounces(c.y), allBounces(c.z))));
+    const Rgb other(sum.x / (1 + sum.x), sum.y / (1 + sum.y), sum.z / (1 + sum.z));
+    const float share = std::clamp((most - kPlain) / (kOther - kPlain), 0.f, 1.f);
+    const Rgb mixed = plain * (1 - share) + other * share;
+    return Rgb(std::min(mixed.x, 1.f), std::min(mixed.y, 1.f), std::min(mixed.z, 1.f));
 }
 
 namespace {

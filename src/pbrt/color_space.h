@@ -15,10 +15,12 @@ class ColorSpace {
     static const ColorSpace& srgb() { return *named("srgb"); }
     static std::vector<std::string_view> names();
 
-    // Colours outside Rec. 709 are clamped at zero. Light keeps its chromaticity. A reflectance keeps its appearance
-    // under the colour space's own white, so that white paper stays white.
+    // Colours outside Rec. 709 are clamped at zero. Light keeps its chromaticity.
     Rgb light(const Rgb& c) const { return clampNonNegative(mix(light_, c)); }
-    Rgb reflectance(const Rgb& c) const { return clampNonNegative(mix(reflectance_, c)); }
+    // From 0 to 1. A reflectance keeps its appearance under the colour space's own white, so that white paper stays
+    // white, as long as Rec. 709 can show it. A saturated one may not have a colour from 0 to 1 there: then it is the
+    // one with which the light between walls adds up to the same colour.
+    Rgb reflectance(const Rgb& c) const;
 
   private:
     struct Primaries;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "image/color.h"
 
 namespace drc::pbrt {
@@ -24,6 +26,34 @@ TEST(ColorSpace, WhiteReflectanceIsWhiteInEverySpace) {
         EXPECT_NEAR(luminance(space->light(Rgb(1.f))), 1, 1e-3f) << name;
     }
     EXPECT_EQ(ColorSpace::named("rec709"), nullptr);
+}
+
+// Saturated colours of a wide gamut have no plain counterpart from 0 to 1. Walls must not reflect more than they
+// receive.
+TEST(ColorSpace, ReflectancesNeverExceedOne) {
+    for (const std::string_view name : ColorSpace::names())
+        for (int i = 0; i < 11 * 11 * 11; ++i) {
+            const Rgb c(float(i % 11) / 10, float(i / 11 % 11) / 10, float(i / 121) / 10);
+            const Rgb albedo = ColorSpace::named(name)->reflectance(c);
+            for (int k = 0; k < 3; ++k) {
+                EXPECT_GE(albedo[k], 0) << name;
+                EXPECT_LE(albedo[k], 1) << name;
+            }
+            // What absorbs in its own space does so in Rec. 709.
+            const float own = std::max({c.x, c.y, c.z});
+            if (own <= 0.6f) {
+                EXPECT_LT(std::max({albedo.x, albedo.y, albedo.z}), 0.9f) << name << i;
+            }
+        }
+    // Greys are what they are, and no colour is near another that is mapped far away.
+    const ColorSpace* aces = ColorSpace::named("aces2065-1");
+    expectNear(aces->reflectance(Rgb(0.9f)), Rgb(0.9f), 1e-3f);
+    Rgb last = aces->reflectance(Rgb(0.f, 0.3f, 0.2f));
+    for (float red = 0; red <= 1; red += 0.01f) {
+        const Rgb next = aces->reflectance(Rgb(red, 0.3f, 0.2f));
+        expectNear(next, last, 0.03f);
+        last = next;
+    }
 }
 
 TEST(ColorSpace, PublishedMatrices) {

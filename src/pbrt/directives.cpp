@@ -53,12 +53,14 @@ Typed typed(Context c, const std::string& kind) {
 
 Vec3 vec3(const double* v) { return Vec3(float(v[0]), float(v[1]), float(v[2])); }
 
-// Matrices are stored column by column.
+// Matrices are stored column by column. A last row of 0 0 0 w divides all points by w, which shapes that are not
+// meshes, and instances, do not know: the same transformation is one with a last row of 0 0 0 1.
 Transform matrix(Context c) {
     const auto m = numbers<16>(c);
+    const double w = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] != 0 ? m[15] : 1;
     std::array<double, 16> rows;
     for (size_t row = 0; row < 4; ++row)
-        for (size_t column = 0; column < 4; ++column) rows[4 * row + column] = m[4 * column + row];
+        for (size_t column = 0; column < 4; ++column) rows[4 * row + column] = m[4 * column + row] / w;
     return Transform(rows);
 }
 

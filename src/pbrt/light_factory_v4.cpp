@@ -103,7 +103,7 @@ std::optional<std::array<Vec3, 4>> portalOf(const LightContext& context) {
 SourceLight makeInfinite(const LightContext& context) {
     const ParamSet& params = context.params;
     const LightImage square = sphereOf(context, "environment map");
-    if (!square.empty() && params.has("L"))
+    if (!square.empty() && params.find("L", {ParamType::Color}) != nullptr)
         fail(params.pos(), "the infinite light has both 'L' and 'filename'; give the one or the other");
     const double own = square.empty() ? double(kPi) : horizontalIlluminance(square);
     const Rgb radiance = params.getColor("L", Rgb(1.f)) * brightness(params, "illuminance", own);
@@ -131,7 +131,8 @@ double emittedByWhite(const Primitive& primitive) {
 std::shared_ptr<const EmissionImage> emissionImageOf(const ParamSet& params, const FileSearch& files) {
     LightImage image = imageOf(params, files, "filename", "picture that is emitted", readLinear);
     if (image.empty()) return nullptr;
-    if (params.has("L")) fail(params.pos(), "the area light has both 'L' and 'filename'; give the one or the other");
+    if (params.find("L", {ParamType::Color}) != nullptr)
+        fail(params.pos(), "the area light has both 'L' and 'filename'; give the one or the other");
     // Its lower left corner is at (u, v) = (0, 0).
     return std::make_shared<const EmissionImage>(flippedTopToBottom(std::move(image)));
 }

@@ -25,10 +25,10 @@ float degreesBetween(const ParamSet& params, std::string_view name, float fallba
 
 LightImage imageOf(const ParamSet& params, const FileSearch& files, std::string_view param, const std::string& what,
                    DecodedImage (*read)(const std::string& path)) {
-    const std::string name = params.getString(param, "");
-    if (name.empty()) return {};
-    const SourcePos pos = params.find(param, {ParamType::String})->valuePos;
-    const std::string path = files.find(name, pos, what);
+    const Param* name = params.findFile(param);
+    if (name == nullptr) return {};
+    const SourcePos pos = name->valuePos;
+    const std::string path = files.find(name->strings[0], pos, what);
     try {
         DecodedImage image = read(path);
         return {image.width, image.height, std::move(image.texels)};

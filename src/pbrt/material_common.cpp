@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pbrt/suggest.h"
+#include "pbrt/undefined_name.h"
 
 namespace drc::pbrt {
 
@@ -77,9 +78,14 @@ void checkLobes(const Material& material, const SourcePos& pos) {
 MaterialPtr namedPart(const MaterialContext& c, const std::string& name, const std::string& what,
                       const SourcePos& pos) {
     const auto found = c.sources.materials.find(name);
-    if (!found)
-        fail(pos, "the mix material's " + what + " '" + name + "' has not been defined" +
-                      suggestion(name, c.sources.materials.names()));
+    if (!found || found->awaited) {
+        const std::string complaint = "the mix material's " + what + " '" + name + "' has not been defined",
+                          advice = suggestion(name, c.sources.materials.names());
+        if (c.sources.textures.dialect == Dialect::V4)
+            throw UndefinedName(kMaterialName, name, pos, complaint + advice);
+        warn(pos, complaint + "; 'matte' is mixed in its place" + advice);
+        return nullptr;
+    }
     if (!found->material) fail(pos, "the mix material's " + what + " '" + name + "' is 'none'");
     return found->material;
 }

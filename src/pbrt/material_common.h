@@ -42,7 +42,8 @@ HairParams hairOf(const TextureParams& p, RgbTexturePtr reflectance, std::string
 // Throws Error at pos if a material may have more lobes than a Bsdf can hold.
 void checkLobes(const Material& material, const SourcePos& pos);
 
-// A material that a mix names. Throws Error at pos if it is undefined or 'none'. `what` is used in messages.
+// A material that a mix names. Throws Error at pos if it is 'none'. If it is undefined, it is null in pbrt-v3, with a
+// warning; in pbrt-v4 UndefinedName is thrown. `what` is used in messages.
 MaterialPtr namedPart(const MaterialContext& c, const std::string& name, const std::string& what, const SourcePos& pos);
 
 }  // namespace drc::pbrt

@@ -133,7 +133,8 @@ MaterialPtr principled(const MaterialContext& c) { return principledOf(c.params,
 
 MaterialPtr mix(const MaterialContext& c) {
     const auto part = [&](const std::string& param) {
-        return namedPart(c, c.params.getString(param, ""), param, c.params.own().pos());
+        MaterialPtr named = namedPart(c, c.params.getString(param, ""), param, c.params.own().pos());
+        return named ? named : makeMatte({});
     };
     const MaterialPtr first = part("namedmaterial1");
     MaterialPtr whole =
@@ -143,11 +144,9 @@ MaterialPtr mix(const MaterialContext& c) {
 }
 
 MaterialPtr fourier(const MaterialContext& c) {
-    const Param* name = c.params.own().find("bsdffile", {ParamType::String});
-    if (name == nullptr)
-        fail(c.params.own().pos(), c.params.own().owner() + " needs the parameter \"string bsdffile\"");
-    const std::string path = c.sources.files.find(c.params.getString("bsdffile", ""), name->valuePos, "BSDF file");
-    return makeFourier(c.sources.bsdfs.fourier(path, name->valuePos), reliefOf(c.params));
+    const Param& name = c.params.own().needFile("bsdffile");
+    const std::string path = c.sources.files.find(name.strings[0], name.valuePos, "BSDF file");
+    return makeFourier(c.sources.bsdfs.fourier(path, name.valuePos), reliefOf(c.params));
 }
 
 // What the two materials with scattering below the surface have in common.

@@ -18,6 +18,7 @@ struct MaterialInstance {
     ParamSet params;
     MaterialPtr material;  // null: "none"
     std::string name;      // that MakeNamedMaterial gives it; empty: none
+    bool awaited = false;  // it uses names that are defined later, and is made when they are
 };
 using NamedMaterials = NamedMap<MaterialInstance>;
 

@@ -142,7 +142,8 @@ TEST(MaterialFactory, Mix) {
 
 TEST(MaterialFactory, MixErrors) {
     const auto error = [](const std::string& text) { return errorOfWorld(kParts + "Material \"mix\" " + text); };
-    EXPECT_THAT(error("\"string namedmaterial1\" \"a\""), HasSubstr("namedmaterial2 '' has not been defined"));
+    EXPECT_THAT(warningsOfWorld(kParts + "Material \"mix\" \"string namedmaterial1\" \"a\""),
+                HasSubstr("namedmaterial2 '' has not been defined; 'matte' is mixed in its place"));
     EXPECT_THAT(error("\"string namedmaterial1\" \"a\" \"string namedmaterial2\" \"n\""), HasSubstr("'n' is 'none'"));
     const auto mixOf = [](const std::string& name, const std::string& a, const std::string& b) {
         return "MakeNamedMaterial \"" + name + "\" \"string type\" \"mix\" \"string namedmaterial1\" \"" + a +
@@ -185,10 +186,11 @@ TEST(MaterialFactory, HairHasOneColour) {
 }
 
 TEST(MaterialFactory, WrongParametersAndTypesAreReported) {
-    EXPECT_THAT(
-        errorOfWorld("Material \"disney\" \"rgb metallic\" [1 1 1]"),
-        HasSubstr("s.pbrt:2:19: parameter 'metallic' of material 'disney' must be of type 'float' or 'texture'"));
-    EXPECT_THAT(errorOfWorld("Material \"disney\" \"string thin\" \"true\""), HasSubstr("must be of type 'bool'"));
+    EXPECT_EQ(
+        warningsOfWorld("Material \"disney\" \"rgb metallic\" [1 1 1]"),
+        "drc: s.pbrt:2:19: warning: parameter 'metallic' of material 'disney' must be of type 'float' or 'texture', "
+        "not 'rgb'; ignored\n");
+    EXPECT_THAT(warningsOfWorld("Material \"disney\" \"string thin\" \"true\""), HasSubstr("must be of type 'bool'"));
     EXPECT_THAT(errorOfWorld("Material \"disnee\""), HasSubstr("did you mean 'disney'?"));
 }
 

@@ -1,7 +1,10 @@
 #include "pbrt/material_factory_v4.h"
 
+#include <fmt/core.h>
+
 #include "pbrt/material_common.h"
 #include "pbrt/material_principled_params.h"
+#include "pbrt/normalized_name.h"
 #include "scene/material_coated.h"
 #include "scene/material_conductor.h"
 #include "scene/material_dielectric.h"
@@ -19,21 +22,38 @@ namespace {
 // The colours of a normal map are numbers, whatever the file format.
 Relief reliefOf(const MaterialContext& c) {
     FloatTexturePtr heights = c.params.scalarOrNull("displacement");
-    const Param* map = c.params.own().find("normalmap", {ParamType::String});
+    const Param* map = c.params.own().findFile("normalmap");
     if (map == nullptr) return heights;
-    const std::string path = c.sources.files.find(c.params.getString("normalmap", ""), map->valuePos, "normal map");
+    const std::string path = c.sources.files.find(map->strings[0], map->valuePos, "normal map");
     if (heights)
         warn(map->valuePos,
              c.params.own().owner() + " has a 'normalmap' and a 'displacement'; as in pbrt, the normal map counts");
-    return {nullptr, makeImageMap(c.sources.images.color(path, TexelGamma::Linear, map->valuePos), ImageMapParams())};
+    return {nullptr,
+            makeImageMap(c.sources.images.color(path, {.gamma = TexelGamma::Linear}, map->valuePos), ImageMapParams())};
 }
 
-// A reflectance may be given as a number, which is a grey.
-RgbTexturePtr reflectanceOf(const TextureParams& p, std::string_view name = "reflectance") {
-    if (const Param* grey = p.own().findIfTyped(name, {ParamType::Float}); grey != nullptr)
-        return constantTexture(Rgb(p.own().getFloat(name, 0)));
-    return p.colorOrNull(name);
+// As in pbrt, an "rgb" outside of [0, 1] is an error, while textures and spectra are clamped.
+void checkRgb(const ParamSet& own, std::string_view name) {
+    const Param* param = own.findIfTyped(name, {ParamType::Color});
+    if (param == nullptr || param->typeName != "rgb") return;
+    for (const double number : param->numbers)
+        if (!(number >= 0 && number <= 1))
+            fail(param->valuePos,
+                 fmt::format("parameter '{}' of {} is the share of the light that is reflected, and must "
+                             "be from 0 to 1, not {:g}",
+                             name, own.owner(), number));
 }
+
+// A reflectance from 0 to `most`. It may be given as a number, which is a grey.
+RgbTexturePtr reflectanceOf(const TextureParams& p, std::string_view name = "reflectance", float most = 1) {
+    checkRgb(p.own(), name);
+    const bool isGrey = p.own().findIfTyped(name, {ParamType::Float}) != nullptr;
+    const RgbTexturePtr given = isGrey ? constantTexture(Rgb(p.own().getFloat(name, 0))) : p.colorOrNull(name);
+    return given ? makeClampedTexture(given, most) : nullptr;
+}
+
+// As in pbrt, conductors reflect a little less than all light.
+constexpr float kMostOfConductor = .9999f;
 
 // An index of refraction may be given as a spectrum. Since there is no dispersion here, its luminance is used.
 FloatTexturePtr indexOf(const TextureParams& p, std::string_view name = "eta") {
@@ -62,7 +82,7 @@ MaterialPtr conductor(const MaterialContext& c) {
     const TextureParams& p = c.params;
     ConductorParams made{.eta = p.colorOrNull("eta"),
                          .k = p.colorOrNull("k"),
-                         .reflectance = reflectanceOf(p),
+                         .reflectance = reflectanceOf(p, "reflectance", kMostOfConductor),
                          .roughness = p.scalarOrNull("roughness"),
                          .uRoughness = p.scalarOrNull("uroughness"),
                          .vRoughness = p.scalarOrNull("vroughness"),
@@ -103,7 +123,7 @@ CoatParams coatOf(const TextureParams& p, const std::string& prefix) {
             .vRoughness = p.scalarOrNull(prefix + "vroughness"),
             .eta = indexOf(p, prefix + "eta"),
             .thickness = p.scalarOrNull("thickness"),
-            .albedo = p.colorOrNull("albedo"),
+            .albedo = reflectanceOf(p, "albedo"),
             .g = p.scalarOrNull("g")};
 }
 
@@ -118,7 +138,7 @@ MaterialPtr coatedConductor(const MaterialContext& c) {
     CoatedConductorParams made{.coat = coatOf(p, "interface."),
                                .eta = p.colorOrNull("conductor.eta"),
                                .k = p.colorOrNull("conductor.k"),
-                               .reflectance = reflectanceOf(p),
+                               .reflectance = reflectanceOf(p, "reflectance", kMostOfConductor),
                                .roughness = p.scalarOrNull("conductor.roughness"),
                                .uRoughness = p.scalarOrNull("conductor.uroughness"),
                                .vRoughness = p.scalarOrNull("conductor.vroughness"),
@@ -129,17 +149,15 @@ MaterialPtr coatedConductor(const MaterialContext& c) {
 }
 
 MaterialPtr measured(const MaterialContext& c) {
-    const Param* name = c.params.own().find("filename", {ParamType::String});
-    if (name == nullptr)
-        fail(c.params.own().pos(), c.params.own().owner() + " needs the parameter \"string filename\"");
-    const std::string path = c.sources.files.find(c.params.getString("filename", ""), name->valuePos, "BSDF file");
-    return makeMeasured(c.sources.bsdfs.measured(path, name->valuePos), reliefOf(c));
+    const Param& name = c.params.own().needFile("filename");
+    const std::string path = c.sources.files.find(name.strings[0], name.valuePos, "BSDF file");
+    return makeMeasured(c.sources.bsdfs.measured(path, name.valuePos), reliefOf(c));
 }
 
 MaterialPtr hair(const MaterialContext& c) {
     const TextureParams& p = c.params;
     RgbTexturePtr reflectance = reflectanceOf(p);
-    const RgbTexturePtr color = p.colorOrNull("color");  // pbrt accepts this name, too
+    const RgbTexturePtr color = reflectanceOf(p, "color");  // pbrt accepts this name, too
     const std::string_view name = reflectance || !color ? "reflectance" : "color";
     return makeHair(hairOf(p, reflectance ? std::move(reflectance) : color, name, reliefOf(c)));
 }
@@ -187,8 +205,10 @@ MaterialPtr mix(const MaterialContext& c) {
     if (names == nullptr) fail(own.pos(), own.owner() + " needs the parameter \"string materials\" with two names");
     if (names->count() != 2)
         own.failAt(*names, "must have two materials' names, not " + std::to_string(names->count()));
-    const MaterialPtr first = namedPart(c, names->strings[0], "first of 'materials'", names->valuePos);
-    const MaterialPtr second = namedPart(c, names->strings[1], "second of 'materials'", names->valuePos);
+    const auto part = [&](size_t i, const std::string& what) {
+        return namedPart(c, normalizedName(names->strings[i], Dialect::V4), what, names->valuePos);
+    };
+    const MaterialPtr first = part(0, "first of 'materials'"), second = part(1, "second of 'materials'");
     MaterialPtr whole =
         makeMix({.first = first, .second = second, .amount = makeRemainderTexture(c.params.scalar("amount", 0.5f))});
     checkLobes(*whole, own.pos());

@@ -129,11 +129,16 @@ TEST(MediumInterface, FindsMediaThatAreDefinedLater) {
         const auto scene = v4 ? loadWorldV4(text) : loadWorld(text);
         EXPECT_EQ(scene->primitives[0].media.inside->g, 0.5f);
     }
-    EXPECT_EQ(
-        errorOfWorld("MakeNamedMedium \"mist\" \"string type\" \"homogeneous\"\nMediumInterface \"mits\" \"gone\""),
-        "s.pbrt:3:17: no medium 'mits' is defined; did you mean 'mist'?\n"
-        "    MediumInterface \"mits\" \"gone\"\n"
-        "                    ^");
+    const std::string unknown =
+        "MakeNamedMedium \"mist\" \"string type\" \"homogeneous\"\nMediumInterface \"mits\" \"gone\"\n";
+    EXPECT_EQ(errorOfWorldV4(unknown),
+              "s.pbrt:3:17: no medium 'mits' is defined; did you mean 'mist'?\n"
+              "    MediumInterface \"mits\" \"gone\"\n"
+              "                    ^");
+    EXPECT_EQ(warningsOfWorld(unknown + "Shape \"sphere\""),
+              "drc: s.pbrt:3:17: warning: no medium 'mits' is defined; there is empty space in its place; did you mean "
+              "'mist'?\n"
+              "drc: s.pbrt:3:24: warning: no medium 'gone' is defined; there is empty space in its place\n");
 }
 
 TEST(MediumInterface, SeesASecondDefinitionFromThereOn) {

@@ -1,5 +1,7 @@
 #include "pbrt/mesh_shapes.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +66,7 @@ const Param& required(const ParamSet& params, std::string_view name, ParamType t
 
 // Vertex indices, perFace (3 or 4) for each face. If `optional`, a mesh of a single face needs none (pbrt-v4).
 std::vector<uint32_t> readIndices(const ParamSet& params, size_t vertexCount, size_t perFace, bool optional) {
-    if (optional && vertexCount == perFace && !params.has("indices"))
+    if (optional && vertexCount == perFace && params.find("indices", {ParamType::Integer}) == nullptr)
         return perFace == 3 ? std::vector<uint32_t>{0, 1, 2} : std::vector<uint32_t>{0, 1, 2, 3};
     const Param& indices = required(params, "indices", ParamType::Integer);
     const size_t n = indices.numbers.size();
@@ -125,6 +127,24 @@ Geometry geometryOf(const ShapeContext& context, std::shared_ptr<TriangleMesh> m
     return geometry;
 }
 
+// Leaves out triangles that are no more than an edge, because one of their vertices comes twice. pbrt-v3 goes on with
+// them.
+std::vector<uint32_t> withoutEdges(std::vector<uint32_t> indices, const ParamSet& params) {
+    size_t kept = 0;
+    for (size_t i = 0; i < indices.size(); i += 3) {
+        const uint32_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
+        if (a == b || b == c || c == a) continue;
+        indices[kept] = a, indices[kept + 1] = b, indices[kept + 2] = c;
+        kept += 3;
+    }
+    if (const size_t dropped = (indices.size() - kept) / 3; dropped > 0)
+        warn(params.find("indices", {ParamType::Integer})->pos,
+             fmt::format("{} of the triangles of {} has the same vertex twice, and is left out", dropped,
+                         params.owner()));
+    indices.resize(kept);
+    return indices;
+}
+
 // Gives the corners of bilinear patches, in the order (0,0) (1,0) (0,1) (1,1), the texture coordinates (u, v). Vertices
 // that several patches share are duplicated, because their coordinates differ.
 void giveCornersCoordinates(TriangleMesh& mesh, std::vector<uint32_t>& corners) {
@@ -164,10 +184,10 @@ Geometry bilinearMesh(const ShapeContext& context) {
 
 Geometry plyMesh(const ShapeContext& context) {
     const ParamSet& params = context.params;
-    const Param& name = required(params, "filename", ParamType::String);
+    const Param& name = params.needFile("filename");
     if (context.dialect == Dialect::V4) params.notBuilt({"displacement", "displacement.edgelength"});
     Geometry geometry;
-    geometry.meshFile = params.getString("filename", "");
+    geometry.meshFile = name.strings[0];
     geometry.loadMesh = [path = context.files.find(geometry.meshFile, name.valuePos, "PLY file"),
                          placing = Placing(context)] { return placed(readPly(path), placing); };
     return geometry;
@@ -177,8 +197,9 @@ Geometry loopSubdivision(const ShapeContext& context) {
     const ParamSet& params = context.params;
     const auto positions =
         std::make_shared<const std::vector<Vec3>>(vectors<Vec3>(required(params, "P", ParamType::Point3)));
-    const auto indices =
-        std::make_shared<const std::vector<uint32_t>>(readIndices(params, positions->size(), 3, false));
+    const auto indices = std::make_shared<const std::vector<uint32_t>>(
+        withoutEdges(readIndices(params, positions->size(), 3, false), params));
+    if (indices->empty()) return {};
     const int levels = params.getInt("levels", params.getInt("nlevels", 3));
     if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
     params.ignore({"scheme"});  // pbrt has only one

@@ -143,9 +143,11 @@ TEST(MovingScene, ShapesOfObjectsAreNoLightsAndObjectsDoNotNest) {
                 HasSubstr("moving.pbrt:8:7: warning: shapes of an instanced object cannot be area lights"));
     EXPECT_TRUE(scene->lights.empty());
     EXPECT_EQ(scene->objects.at(0).primitives.at(0).areaLight, nullptr);
-    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\"\nObjectEnd\nObjectBegin \"b\"\nObjectInstance \"a\"\nObjectEnd"),
-                HasSubstr("s.pbrt:5:16: ObjectInstance inside of an object"));
-    EXPECT_THAT(errorOfWorld("ObjectEnd"), HasSubstr("ObjectEnd without ObjectBegin"));
+    const std::string nested = "ObjectBegin \"a\"\nObjectEnd\nObjectBegin \"b\"\nObjectInstance \"a\"\nObjectEnd";
+    EXPECT_THAT(errorOfWorldV4(nested), HasSubstr("s.pbrt:5:16: ObjectInstance inside of an object"));
+    EXPECT_THAT(warningsOfWorld(nested), HasSubstr("s.pbrt:5:16: warning: ObjectInstance inside of an object: objects "
+                                                   "cannot be nested; the instance is left out"));
+    EXPECT_THAT(errorOfWorldV4("ObjectEnd"), HasSubstr("ObjectEnd without ObjectBegin"));
 }
 
 }  // namespace

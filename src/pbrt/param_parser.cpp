@@ -9,6 +9,7 @@
 #include "pbrt/illuminants.h"
 #include "pbrt/metal_spectra.h"
 #include "pbrt/named_spectra.h"
+#include "pbrt/normalized_name.h"
 #include "pbrt/spectrum.h"
 #include "pbrt/suggest.h"
 
@@ -87,7 +88,8 @@ class ParamParser {
         if (token.kind == TokenKind::Number && !takesText && param_.type != ParamType::Bool) {
             param_.numbers.push_back(token.number());
         } else if (token.kind == TokenKind::String && (takesText || param_.typeName == "spectrum")) {
-            param_.strings.push_back(token.value());
+            const bool isName = param_.type == ParamType::Texture;
+            param_.strings.push_back(isName ? normalizedName(token.value(), rules_.dialect) : token.value());
         } else if (param_.type == ParamType::Bool &&
                    (token.kind == TokenKind::String || token.kind == TokenKind::Word) &&
                    (token.text == "true" || token.text == "false")) {
@@ -97,7 +99,10 @@ class ParamParser {
                                          : takesText                     ? "a quoted string"
                                          : param_.typeName == "spectrum" ? "a number or the name of a .spd file"
                                                                          : "a number";
-            const std::string advice = param_.type == ParamType::Bool ? adviceForBool(token) : "";
+            const bool takesNumbers = param_.type != ParamType::Bool && !takesText;
+            const std::string advice = takesNumbers                     ? token.whyNoNumber()
+                                       : param_.type == ParamType::Bool ? adviceForBool(token)
+                                                                        : "";
             fail(token.pos, "expected " + expected + " for parameter '" + param_.name + "' of type '" +
                                 param_.typeName + "' of " + owner_ + ", found " + token.describe() + advice);
         }

@@ -74,6 +74,8 @@ size_t Param::count() const {
     }
 }
 
+bool Param::namesNoTexture() const { return type == ParamType::Texture && count() == 1 && strings[0].empty(); }
+
 void ParamSet::add(Param param) {
     for (Param& old : params_)
         if (old.name == param.name && old.type == param.type) {
@@ -109,6 +111,13 @@ void ParamSet::inherit(const ParamSet& defaults) {
     }
 }
 
+ParamSet ParamSet::only(std::initializer_list<std::string_view> names) const {
+    ParamSet part(owner_, pos_);
+    for (const Param& param : params_)
+        if (std::find(names.begin(), names.end(), param.name) != names.end()) part.params_.push_back(param);
+    return part;
+}
+
 void ParamSet::failAt(const Param& param, const std::string& complaint) const {
     fail(param.pos, "parameter '" + param.name + "' of " + owner_ + " " + complaint);
 }
@@ -123,7 +132,7 @@ const Param* ParamSet::findIfTyped(std::string_view name, std::initializer_list<
     for (const Param& param : params_)
         if (param.name == name && isIn(param.type, types)) {
             param.used = true;
-            return &param;
+            if (!param.namesNoTexture()) return &param;
         }
     return nullptr;
 }
@@ -133,11 +142,25 @@ const Param* ParamSet::find(std::string_view name, std::initializer_list<ParamTy
     for (const Param& param : params_) {
         // Another lookup may have wanted it under its own type, as with "texture Kd" beside "rgb Kd".
         if (param.name != name || param.used) continue;
+        param.used = true;
+        if (param.inherited) continue;  // it may be meant for other directives
         std::string expected;
         for (const ParamType type : types) expected += (expected.empty() ? "" : " or ") + describe(type);
-        failAt(param, "must be of type " + expected + ", not '" + param.typeName + "'");
+        warnOnce(param.pos, "parameter '" + param.name + "' of " + owner_ + " must be of type " + expected + ", not '" +
+                                param.typeName + "'; ignored");
     }
     return nullptr;
+}
+
+const Param* ParamSet::findFile(std::string_view name) const {
+    const Param* file = findOne(name, ParamType::String);
+    return file != nullptr && !file->strings[0].empty() ? file : nullptr;
+}
+
+const Param& ParamSet::needFile(std::string_view name) const {
+    if (const Param* file = findFile(name)) return *file;
+    if (const Param* empty = findIfTyped(name, {ParamType::String})) failAt(*empty, "is empty; it must name a file");
+    fail(pos_, owner_ + " needs the parameter \"string " + std::string(name) + "\"");
 }
 
 bool isInteger(double number) {

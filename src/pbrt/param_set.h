@@ -31,10 +31,12 @@ struct Param {
 
     // The number of values of `type`: points, not their coordinates.
     size_t count() const;
+    // Whether it is a texture with the empty name. To all getters it is as if it were not given.
+    bool namesNoTexture() const;
 };
 
-// Each getter marks the parameter as used, and returns the default if there is none. It throws Error at the parameter
-// if it has another type or not exactly one value.
+// Each getter marks the parameter as used, and returns the default if there is none. A parameter of another type is
+// none, with a warning, as in pbrt-v3. Throws Error at a parameter that does not have exactly one value.
 class ParamSet {
   public:
     ParamSet() = default;
@@ -45,6 +47,8 @@ class ParamSet {
     void add(Param param);
     // Replaces all parameters of that name, whatever their type.
     void replace(Param param);
+    // A set of these parameters alone, as far as there are any.
+    ParamSet only(std::initializer_list<std::string_view> names) const;
     // Adds the defaults that the set does not have itself. Unused ones give no warning.
     void inherit(const ParamSet& defaults);
 
@@ -59,10 +63,14 @@ class ParamSet {
     Vec3 getVector(std::string_view name, const Vec3& fallback) const;
     Rgb getColor(std::string_view name, const Rgb& fallback) const;
 
-    // Any number of values; null if there is no such parameter. Throws Error if it has none of these types.
+    // Any number of values; null if there is no such parameter, and with a warning if it has none of these types.
     const Param* find(std::string_view name, std::initializer_list<ParamType> types) const;
-    // The same, but a parameter of another type is ignored, since it is meant for something else.
+    // The same without a warning, where a parameter of another type may be meant for something else.
     const Param* findIfTyped(std::string_view name, std::initializer_list<ParamType> types) const;
+    // The string that names a file; null if there is none, or if it is empty, which names none.
+    const Param* findFile(std::string_view name) const;
+    // The same. Throws Error if there is none.
+    const Param& needFile(std::string_view name) const;
     bool has(std::string_view name) const;
 
     // Which parameters have been looked up, whether they are there or not: the names that the directive knows.

@@ -64,14 +64,37 @@ TEST_F(ParamSetTest, WrongNumberOfValues) {
     EXPECT_THAT(errorOf([&] { parse("\"string s\" []").getString("s", ""); }), HasSubstr("type 'string', not 0"));
 }
 
+// As a parameter that is not known: a warning, and the default holds.
 TEST_F(ParamSetTest, WrongType) {
     const ParamSet p = parse("\"string Kd\" \"red\"");
+    Rgb kd(0.f);
     EXPECT_EQ(
-        errorOf([&] { p.getColor("Kd", Rgb(0.f)); }),
-        "p.pbrt:1:1: parameter 'Kd' of material 'matte' must be of type 'rgb' (or 'xyz', 'blackbody', 'spectrum'), "
-        "not 'string'\n"
-        "    \"string Kd\" \"red\"\n"
-        "    ^");
+        saidBy([&] {
+            kd = p.getColor("Kd", Rgb(.25f));
+            p.getColor("Kd", Rgb(.25f));
+            p.warnUnused();
+        }),
+        "drc: p.pbrt:1:1: warning: parameter 'Kd' of material 'matte' must be of type 'rgb' (or 'xyz', 'blackbody', "
+        "'spectrum'), not 'string'; ignored (said once)\n");
+    EXPECT_EQ(kd, Rgb(.25f));
+    // What an Attribute sets may be meant for other directives.
+    ParamSet own = parse("");
+    own.inherit(p);
+    EXPECT_EQ(saidBy([&] { own.getColor("Kd", Rgb(.25f)); }), "");
+}
+
+TEST_F(ParamSetTest, EmptyNamesAreNone) {
+    const ParamSet p = parse("\"texture bump\" \"\" \"string file\" \"\" \"string other\" \"a.png\"");
+    EXPECT_EQ(saidBy([&] {
+                  EXPECT_EQ(p.find("bump", {ParamType::Texture}), nullptr);
+                  EXPECT_EQ(p.getFloat("bump", 3), 3);
+                  EXPECT_EQ(p.findFile("file"), nullptr);
+              }),
+              "");
+    EXPECT_EQ(p.needFile("other").strings[0], "a.png");
+    EXPECT_THAT(errorOf([&] { p.needFile("file"); }), HasSubstr("parameter 'file' of material 'matte' is empty"));
+    EXPECT_THAT(errorOf([&] { p.needFile("none"); }),
+                HasSubstr("material 'matte' needs the parameter \"string none\""));
 }
 
 // pbrt-v3's own default of a parameter of sppm is the least integer.

@@ -28,10 +28,9 @@ void applyFrame(const ParamSet& params, RenderSettings& settings) {
     settings.film.width = positiveOf(params, "xresolution", settings.film.width, limits::kFilmSide);
     settings.film.height = positiveOf(params, "yresolution", settings.film.height, limits::kFilmSide);
     settings.filmAt = params.pos().location();
-    settings.outputFile = params.getString("filename", settings.outputFile);
-    if (const Param* file = params.find("filename", {ParamType::String})) {
+    if (const Param* file = params.findFile("filename")) {
+        settings.outputFile = file->strings[0];
         settings.outputFileAt = file->pos.location();
-        if (settings.outputFile.empty()) params.failAt(*file, "is empty");
     }
     settings.film.diagonal = params.getPositiveFloat("diagonal", settings.film.diagonal);
     if (const Param* window = params.find("cropwindow", {ParamType::Float})) {

@@ -27,8 +27,13 @@ std::optional<RgbMatrix> whiteBalanceOf(const ParamSet& params) {
 
 void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings& settings) {
     checkKnown({"gbuffer", "rgb", "spectral"}, "film", type, params.pos());
-    if (type != "rgb")
-        warn(params.pos(), "film '" + type + "' is not supported yet; the picture is written as film 'rgb' has it");
+    if (type == "spectral")
+        warn(params.pos(), "film 'spectral' is not supported yet; the picture is written as film 'rgb' has it");
+    if (type == "gbuffer")
+        warn(params.pos(),
+             "the picture of film 'gbuffer' is that of film 'rgb'; --aovs adds albedo, normal and depth to EXR files, "
+             "and "
+             "its other channels are not supported yet");
     applyFrame(params, settings);
     applyPixelBounds(params, settings);
     // pbrt also multiplies by the exposure time, see exposureTimeV4(). In its first versions it was a parameter of the

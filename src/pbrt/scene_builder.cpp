@@ -3,17 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <exception>
-#include <new>
 
 #include "base/limits.h"
-#include "base/parallel.h"
 #include "pbrt/medium_factory.h"
 #include "pbrt/overrides.h"
 #include "pbrt/scene_limits.h"
 #include "pbrt/suggest.h"
-#include "scene/texture_scale.h"
 
 namespace drc::pbrt {
 namespace {
@@ -26,8 +21,14 @@ std::string placeOf(const SourcePos& pos) {
 }  // namespace
 
 SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect, const Vec3& origin)
-    : files_(files), dialect_(dialect), fromFile_(Transform::translate(-origin)), make_(factoriesOf(dialect)) {
+    : files_(files),
+      dialect_(dialect),
+      fromFile_(Transform::translate(-origin)),
+      make_(factoriesOf(dialect)),
+      blocks_(dialect),
+      media_(dialect) {
     scene_->origin = origin;
+    state_.textures.dialect = dialect;
     const auto setting = [](const std::string& kind, const char* type) {
         return Setting{type, ParamSet(kind + " '" + type + "'", {})};
     };
@@ -62,14 +63,16 @@ void SceneBuilder::transformTimes(float start, float end, const SourcePos& pos) 
     transformTimes_ = {start, end};
 }
 
-void SceneBuilder::nameCoordinateSystem(const std::string& name) { coordinateSystems_[name] = state_.ctm; }
+void SceneBuilder::nameCoordinateSystem(const std::string& name) { coordinateSystems_[named(name)] = state_.ctm; }
 
 void SceneBuilder::useCoordinateSystem(const std::string& name, const SourcePos& pos) {
-    const auto found = coordinateSystems_.find(name);
+    const auto found = coordinateSystems_.find(named(name));
     if (found == coordinateSystems_.end()) {
         std::vector<std::string_view> names;
         for (const auto& entry : coordinateSystems_) names.push_back(entry.first);
-        fail(pos, "no coordinate system '" + name + "' has been named" + suggestion(name, names));
+        warn(pos, "no coordinate system '" + name + "' has been named; the transformation stays as it is" +
+                      suggestion(name, names));
+        return;
     }
     state_.ctm = found->second;
 }
@@ -94,53 +97,30 @@ void SceneBuilder::worldBegin(const SourcePos& pos) {
 }
 
 void SceneBuilder::worldEnd(const SourcePos& pos) {
-    if (!blocks_.empty())
-        fail(pos, "WorldEnd comes before the " + blocks_.back().kind + "End of " + blocks_.back().kind + "Begin in " +
-                      placeOf(blocks_.back().pos));
+    if (!blocks_.empty()) warn(pos, "WorldEnd comes before the " + blocks_.innermost());
     worldEnded_ = true;
 }
 
 void SceneBuilder::beginBlock(const std::string& kind, const SourcePos& pos) {
-    if (blocks_.size() >= limits::kBlockDepth)
-        fail(pos, kind + "Begin within more than " + std::to_string(limits::kBlockDepth) + " other blocks");
-    blocks_.push_back({kind, pos, state_, {}});
-    if (kind == "Import") blocks_.back().coordinateSystems = coordinateSystems_;
-}
-
-void SceneBuilder::pop(const std::string& kind, const SourcePos& pos) {
-    if (blocks_.empty()) fail(pos, kind + "End without " + kind + "Begin");
-    if (kind == "Import" && blocks_.back().kind != kind)
-        fail(blocks_.back().pos, "the " + blocks_.back().kind + "Begin is not ended in the imported file");
-    if (blocks_.back().kind == "Import" && kind != "Import")
-        fail(pos, kind + "End without " + kind + "Begin in the imported file");
-    if (blocks_.back().kind != kind)
-        fail(pos, kind + "End where the " + blocks_.back().kind + "Begin in " + placeOf(blocks_.back().pos) +
-                      " must be ended first");
+    blocks_.begin(kind, pos, state_);
+    if (kind == "Import") savedSystems_.push_back(coordinateSystems_);
 }
 
 void SceneBuilder::endBlock(const std::string& kind, const SourcePos& pos) {
-    pop(kind, pos);
-    GraphicsState& saved = blocks_.back().saved;
-    if (dialect_ == Dialect::V4) {
-        // Names belong to the file. A coordinate system that an imported file names is its own.
-        saved.textures = std::move(state_.textures);
-        saved.namedMaterials = std::move(state_.namedMaterials);
-        if (kind == "Import") coordinateSystems_ = std::move(blocks_.back().coordinateSystems);
-        state_ = std::move(saved);
-    } else if (kind == "Transform") {
-        state_.ctm = saved.ctm;
-        state_.active = saved.active;
-    } else {
-        state_ = std::move(saved);
-    }
-    blocks_.pop_back();
+    blocks_.end(kind, pos, state_);
+    if (kind != "Import") return;
+    // A coordinate system that an imported file names is its own.
+    coordinateSystems_ = std::move(savedSystems_.back());
+    savedSystems_.pop_back();
 }
 
 void SceneBuilder::objectBegin(const std::string& name, const SourcePos& pos) {
-    if (openObject_) fail(pos, "ObjectBegin inside of another object");
+    if (openObject_ && dialect_ == Dialect::V4) fail(pos, "ObjectBegin inside of another object");
+    if (openObject_) warn(pos, "ObjectBegin inside of another object, which ends here");
     beginBlock("Object", pos);
+    warnIfRedefined(objects_.contains(named(name)), kObjectName, name, pos);
     openObject_ = scene_->objects.size();
-    objects_[name] = *openObject_;
+    objects_[named(name)] = *openObject_;
     scene_->objects.push_back({name, {}});
 }
 
@@ -156,15 +136,37 @@ void SceneBuilder::addInstance(size_t object, const AnimatedTransform& toWorld, 
     scene_->instances.push_back(instance);
 }
 
+std::vector<std::string_view> SceneBuilder::namesOfObjects() const {
+    std::vector<std::string_view> names;
+    for (const auto& entry : objects_) names.push_back(entry.first);
+    return names;
+}
+
 void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos) {
-    if (openObject_) fail(pos, "ObjectInstance inside of an object: objects cannot be nested");
-    const auto found = objects_.find(name);
-    if (found == objects_.end()) {
-        std::vector<std::string_view> names;
-        for (const auto& entry : objects_) names.push_back(entry.first);
-        fail(pos, "no object '" + name + "' has been defined" + suggestion(name, names));
+    if (openObject_) {
+        const std::string complaint = "ObjectInstance inside of an object: objects cannot be nested";
+        if (dialect_ == Dialect::V4) fail(pos, complaint);
+        warn(pos, complaint + "; the instance is left out");
+        return;
     }
     const AnimatedTransform toWorld = motionOf("object '" + name + "'", pos);
+    const auto place = [this, key = named(name), toWorld, pos] { placeInstance(key, toWorld, pos); };
+    try {
+        place();
+    } catch (const UndefinedName&) {
+        if (dialect_ == Dialect::V4)
+            later_.use(place);
+        else
+            warn(pos, "no object '" + name + "' has been defined; the instance is left out" +
+                          suggestion(name, namesOfObjects()));
+    }
+}
+
+void SceneBuilder::placeInstance(const std::string& name, const AnimatedTransform& toWorld, const SourcePos& pos) {
+    const auto found = objects_.find(name);
+    if (found == objects_.end())
+        throw UndefinedName(kObjectName, name, pos,
+                            "no object '" + name + "' has been defined" + suggestion(name, namesOfObjects()));
     addInstance(found->second, toWorld, pos);
     for (const MovingPart& part : movingParts_[found->second]) addInstance(part.object, toWorld * part.motion, pos);
 }
@@ -197,43 +199,104 @@ ParamSet SceneBuilder::completed(const std::string& target, ParamSet params) con
     return params;
 }
 
+void SceneBuilder::warnIfRedefined(bool isKnown, const std::string& kind, const std::string& name,
+                                   const SourcePos& pos) const {
+    if (isKnown && dialect_ == Dialect::V4)
+        warn(pos, "a " + kind + " '" + name +
+                      "' has been defined before, which pbrt-v4 refuses; this one counts for what comes after it");
+}
+
+std::shared_ptr<const MaterialInstance> SceneBuilder::makeMaterial(const std::string& type, ParamSet params,
+                                                                   const std::string& name) {
+    params = completed("material", std::move(params));
+    auto instance = std::make_shared<MaterialInstance>();
+    const auto make = [this, instance, type, params, name] {
+        *instance = *make_.material(type, params, materialSources());
+        instance->name = name;
+    };
+    try {
+        make();
+    } catch (const UndefinedName&) {
+        *instance = {type, {}, nullptr, name, true};
+        later_.define(kMaterialName, name, make);
+    }
+    return instance;
+}
+
 void SceneBuilder::material(const std::string& type, ParamSet params) {
-    state_.material = make_.material(type, completed("material", std::move(params)), materialSources());
+    state_.material = makeMaterial(type, std::move(params), "");
 }
 
 void SceneBuilder::makeNamedMaterial(const std::string& name, ParamSet params) {
     const Param* type = params.find("type", {ParamType::String});
     if (type == nullptr) fail(params.pos(), "the named material '" + name + "' needs the parameter \"string type\"");
     const std::string typeName = params.getString("type", "");
-    auto instance = std::make_shared<MaterialInstance>(
-        *make_.material(typeName, completed("material", std::move(params)), materialSources()));
-    instance->name = name;
-    state_.namedMaterials.set(name, std::move(instance));
+    const std::string key = named(name);
+    warnIfRedefined(state_.namedMaterials.find(key) != nullptr, kMaterialName, name, params.pos());
+    state_.namedMaterials.set(key, makeMaterial(typeName, std::move(params), key));
 }
 
 void SceneBuilder::namedMaterial(const std::string& name, const SourcePos& pos) {
-    auto found = state_.namedMaterials.find(name);
-    if (!found)
-        fail(pos, "no material '" + name + "' has been named" + suggestion(name, state_.namedMaterials.names()));
-    state_.material = std::move(found);
+    const std::string key = named(name);
+    if (auto found = state_.namedMaterials.find(key)) {
+        state_.material = std::move(found);
+    } else if (dialect_ == Dialect::V4) {
+        state_.material = laterMaterial(key, pos);
+    } else {
+        warn(pos, "no material '" + name + "' has been named; the material before it stays" +
+                      suggestion(name, state_.namedMaterials.names()));
+    }
+}
+
+std::shared_ptr<const MaterialInstance> SceneBuilder::laterMaterial(const std::string& name, const SourcePos& pos) {
+    std::shared_ptr<const MaterialInstance>& known = laterMaterials_[name];
+    if (known) return known;
+    const auto instance = std::make_shared<MaterialInstance>();
+    instance->awaited = true;
+    instance->name = name;
+    later_.use([this, instance, name, pos] {
+        const auto found = state_.namedMaterials.find(name);
+        if (!found || found->awaited)
+            throw UndefinedName(
+                kMaterialName, name, pos,
+                "no material '" + name + "' has been named" + suggestion(name, state_.namedMaterials.names()));
+        *instance = *found;
+    });
+    return known = instance;
 }
 
 void SceneBuilder::texture(const std::string& name, const std::string& valueType, const std::string& type,
                            ParamSet params) {
     params = completed("texture", std::move(params));
+    const bool isFloat = valueType == "float";
+    if (!isFloat && valueType != "spectrum" && valueType != "color")
+        fail(params.pos(), "texture '" + name + "' must be of type 'float' or 'spectrum', not '" + valueType + "'");
+    const std::string key = named(name), kind = isFloat ? kFloatTextureName : kSpectrumTextureName;
+    const bool isKnown =
+        isFloat ? state_.textures.scalars.find(key) != nullptr : state_.textures.colors.find(key) != nullptr;
+    warnIfRedefined(isKnown, kind, name, params.pos());
+    const auto define = [this, key, isFloat, type, params, toWorld = staticTransform("textures", params.pos())] {
+        defineTexture(key, isFloat, type, params, toWorld);
+    };
+    try {
+        define();
+    } catch (const UndefinedName&) {
+        later_.define(kind, key, define);
+    }
+}
+
+void SceneBuilder::defineTexture(const std::string& name, bool isFloat, const std::string& type, const ParamSet& params,
+                                 const Transform& toWorld) {
     const TextureParams textureParams(params, state_.textures);
-    const TextureRequest request{
-        textureParams, staticTransform("textures", params.pos()), files_, textureFiles_, dialect_, scene_->origin};
-    if (valueType == "float") {
+    const TextureRequest request{textureParams, toWorld, files_, textureFiles_, dialect_, scene_->origin};
+    if (isFloat) {
         auto texture = makeFloatTexture(type, request);
         state_.textures.scalarCosts.set(name, costAbove(textureParams.cost(), params));
         state_.textures.scalars.set(name, std::move(texture));
-    } else if (valueType == "spectrum" || valueType == "color") {
+    } else {
         auto texture = makeRgbTexture(type, request);
         state_.textures.colorCosts.set(name, costAbove(textureParams.cost(), params));
         state_.textures.colors.set(name, std::move(texture));
-    } else {
-        fail(params.pos(), "texture '" + name + "' must be of type 'float' or 'spectrum', not '" + valueType + "'");
     }
     params.warnUnused();
 }
@@ -260,98 +323,13 @@ void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
 
 void SceneBuilder::makeNamedMedium(const std::string& name, ParamSet params) {
     params = completed("medium", std::move(params));
-    media_.define(name, makeMedium(params, dialect_));
+    warnIfRedefined(media_.isDefined(named(name)), "medium", name, params.pos());
+    media_.define(named(name), makeMedium(params, dialect_));
     params.warnUnused();
 }
 
 void SceneBuilder::mediumInterface(const Token& inside, const Token& outside) {
-    state_.media = {media_.named(inside.value(), inside.pos), media_.named(outside.value(), outside.pos)};
-}
-
-void SceneBuilder::shape(const std::string& type, ParamSet params) {
-    params = completed("shape", std::move(params));
-    const bool moves = state_.ctm.isAnimated();  // if so, the transformation is applied by an instance
-    const ShapeContext context{
-        params,   state_.textures, files_, moves ? Transform() : placement().start(), state_.reverseOrientation,
-        dialect_, curvePiecesLeft_};
-    auto geometry = make_.shape(type, context);
-    if (!geometry) return;
-    if (geometry->curves) curvePiecesLeft_ -= geometry->curves->pieceCount();
-    if (geometry->shape && !isWithinReach(geometry->shape->bounds()))
-        fail(params.pos(), "the " + params.owner() + " reaches farther from the origin than 1e18");
-    PendingPrimitive pending;
-    pending.pos = params.pos();
-    pending.object = moves ? movingObject(params.owner(), params.pos()) : openObject_;
-    pending.geometry = std::move(*geometry);
-    pending.primitive.shape = pending.geometry.shape;
-    pending.primitive.alpha = pending.geometry.alpha;
-    pending.primitive.shadowAlpha = pending.geometry.shadowAlpha;
-    pending.primitive.alphaIsShare = pending.geometry.alphaIsShare;
-    pending.primitive.visibleToCamera = params.getBool("visibletocamera", true);
-    pending.primitive.visibleToDiffuse = params.getBool("visibletodiffuse", true);
-    const bool blocks = params.getBool("blockslight", true);
-    pending.primitive.media = state_.media;
-    pending.primitive.material = make_.materialOfShape(*state_.material, params, materialSources());
-    params.warnUnused();
-    takeFromMaterial(pending.primitive);
-    const AreaLightBuilder areaLight = areaLightOf(pending.primitive);
-    const bool isInterface = !pending.primitive.material;
-    if (!blocks) pending.primitive.material = nullptr;
-    if (!areaLight && placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
-    if (areaLight && openObject_) {
-        warn(params.pos(), "shapes of an instanced object cannot be area lights; it does not emit");
-    } else if (areaLight && moves) {
-        warn(params.pos(), "shapes that move cannot be area lights; it does not emit");
-    } else if (areaLight && dialect_ == Dialect::V4 && isInterface) {
-        warn(params.pos(),
-             "as in pbrt-v4, a shape with the material 'interface' cannot be an area light; it does not emit");
-    } else if (areaLight) {
-        pending.areaLight = areaLight;
-        pending.lightSlot = scene_->lights.size();
-        scene_->lights.push_back(nullptr);
-    }
-    if (keepsNames_) pending.primitive.name = nameOf(type, pending.geometry, pending.pos);
-    pending_.push_back(std::move(pending));
-}
-
-uint32_t SceneBuilder::nameOf(const std::string& shape, const Geometry& geometry, const SourcePos& pos) {
-    const MaterialInstance& material = *state_.material;
-    const SourceLocation at = pos.location();
-    return scene_->names.add({.material = material.name,
-                              .materialKind = material.type.empty() ? "none" : std::string_view(material.type),
-                              .shapeKind = shape,
-                              .meshFile = geometry.meshFile,
-                              .file = at.file,
-                              .line = at.line});
-}
-
-void SceneBuilder::takeFromMaterial(Primitive& primitive) const {
-    if (!primitive.material || !primitive.material->opacity()) return;
-    const FloatTexturePtr& opacity = primitive.material->opacity();
-    primitive.alpha = primitive.alpha ? makeScaleTexture<float>(primitive.alpha, opacity) : opacity;
-    primitive.alphaIsShare = true;
-}
-
-AreaLightBuilder SceneBuilder::areaLightOf(const Primitive& primitive) {
-    if (state_.areaLight || !primitive.material || !primitive.material->emission()) return state_.areaLight;
-    const RgbTexturePtr& texture = primitive.material->emission();
-    auto [entry, isNew] = emissions_.try_emplace(texture, Rgb(0.f));
-    if (isNew) entry->second = emissionOf(*texture);
-    return [emission = entry->second](const Primitive& of) { return makeDiffuseAreaLight(of, emission, true); };
-}
-
-bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
-    if (!next.geometry.curves || pending_.empty()) return false;
-    PendingPrimitive& last = pending_.back();
-    const bool alike =
-        last.geometry.curves && last.geometry.curves->looksLike(*next.geometry.curves) && last.object == next.object &&
-        last.primitive.material == next.primitive.material && last.primitive.alpha == next.primitive.alpha &&
-        last.primitive.shadowAlpha == next.primitive.shadowAlpha && last.primitive.media == next.primitive.media &&
-        last.primitive.visibleToCamera == next.primitive.visibleToCamera &&
-        last.primitive.visibleToDiffuse == next.primitive.visibleToDiffuse;
-    if (last.areaLight || !alike) return false;
-    last.geometry.curves->append(*next.geometry.curves);
-    return true;
+    state_.media = {media_.named(named(inside.value()), inside.pos), media_.named(named(outside.value()), outside.pos)};
 }
 
 TransformSet SceneBuilder::placement() const {
@@ -389,58 +367,10 @@ size_t SceneBuilder::movingObject(const std::string& shape, const SourcePos& pos
 
 void SceneBuilder::checkComplete(const SourcePos& end) const {
     if (worldEnded_) return;
-    if (!blocks_.empty())
-        fail(end, "the file ends before the " + blocks_.back().kind + "End of " + blocks_.back().kind + "Begin in " +
-                      placeOf(blocks_.back().pos));
+    if (!blocks_.empty()) fail(end, "the file ends before the " + blocks_.innermost());
     if (worldBegin_ && !make_.needsWorldEnd) return;
     if (worldBegin_) fail(end, "the file ends before the WorldEnd of WorldBegin in " + placeOf(*worldBegin_));
     fail(end, "the file ends without a WorldBegin");
-}
-
-void SceneBuilder::loadMeshes(const LoadOptions& options) {
-    double subdivided = 0;
-    for (const PendingPrimitive& p : pending_) {
-        subdivided += p.geometry.subdivided;
-        if (subdivided > options.subdividedTriangles)
-            fail(p.pos, fmt::format("with this one, subdivision surfaces come to {:.3g} triangles, and at most {:.3g} "
-                                    "are made; use fewer levels",
-                                    subdivided, options.subdividedTriangles));
-    }
-    forEachPending([](PendingPrimitive& p) {
-        if (!p.geometry.loadMesh) return;
-        try {
-            p.primitive.mesh = p.geometry.loadMesh();
-        } catch (const Error& error) {
-            fail(p.pos, std::string("cannot load the mesh: ") + error.what());
-        } catch (const std::bad_alloc&) {
-            fail(p.pos, "cannot load the mesh: there is not enough memory");
-        }
-        p.geometry.loadMesh = nullptr;  // frees the data that it owns
-    });
-}
-
-void SceneBuilder::makeAreaLights() {
-    forEachPending([](PendingPrimitive& p) {
-        if (p.areaLight) p.primitive.areaLight = placedAt(p.pos, [&] { return p.areaLight(p.primitive); });
-    });
-    for (const PendingPrimitive& p : pending_)
-        if (p.lightSlot) scene_->lights[*p.lightSlot] = p.primitive.areaLight;
-}
-
-void SceneBuilder::forEachPending(const std::function<void(PendingPrimitive&)>& work) {
-    // Errors are stored by position, so that the first one in the file is reported, whichever thread found one first.
-    std::vector<std::exception_ptr> errors(pending_.size());
-    parallelFor(0, int(pending_.size()), 1, [&](int begin, int end) {
-        for (int k = begin; k < end; ++k) {
-            try {
-                work(pending_[size_t(k)]);
-            } catch (...) {
-                errors[size_t(k)] = std::current_exception();
-            }
-        }
-    });
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
 }
 
 std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
@@ -467,6 +397,12 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     scene_->camera =
         make_.camera(camera_.type, camera_.params, {inScene.animated(), transformTimes_}, settings.film, files_);
 
+    later_.finish();
+    for (PendingPrimitive& p : pending_) {
+        media_.forgetUndefined(p.primitive.media.inside);
+        media_.forgetUndefined(p.primitive.media.outside);
+    }
+    media_.forgetUndefined(scene_->cameraMedium);
     scene_->media = media_.finish();
     loadMeshes(options);
     makeAreaLights();

@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "pbrt/blocks.h"
 #include "pbrt/dialect_factories.h"
 #include "pbrt/file_search.h"
 #include "pbrt/graphics_state.h"
 #include "pbrt/instance_budget.h"
+#include "pbrt/later_names.h"
+#include "pbrt/normalized_name.h"
 #include "pbrt/param_parser.h"
 #include "pbrt/scene_file.h"
 #include "pbrt/scene_media.h"
@@ -50,10 +53,9 @@ class SceneBuilder {
 
     bool inWorld() const { return worldBegin_.has_value(); }
     void worldBegin(const SourcePos& pos);
-    // Throws Error if blocks are still open.
     void worldEnd(const SourcePos& pos);
 
-    // kind: "Attribute", "Transform", "Import". What a block's end restores: docs/pbrt-dialects.md, "Scopes".
+    // kind: "Attribute", "Transform", "Import".
     void beginBlock(const std::string& kind, const SourcePos& pos);
     void endBlock(const std::string& kind, const SourcePos& pos);
     void objectBegin(const std::string& name, const SourcePos& pos);
@@ -75,23 +77,18 @@ class SceneBuilder {
     void areaLight(const std::string& type, ParamSet params);
     void shape(const std::string& type, ParamSet params);
     void makeNamedMedium(const std::string& name, ParamSet params);
-    // The names of media, which may be defined later; empty: none.
+    // The names of media, which may be defined later in both dialects; empty: none.
     void mediumInterface(const Token& inside, const Token& outside);
 
     // Throws Error, at the end of the file, if the scene is incomplete.
     void checkComplete(const SourcePos& end) const;
     // Waits for the images of textures. Throws Error at the first that cannot be read.
     void finishTextures() { textureFiles_.finish(); }
-    // Loads the meshes, waits for the images of textures and returns the finished scene.
+    // Looks up the names that were defined after their use, loads the meshes, waits for the images of textures and
+    // returns the finished scene.
     std::unique_ptr<Scene> finish(const LoadOptions& options);
 
   private:
-    struct Block {
-        std::string kind;
-        SourcePos pos;
-        GraphicsState saved;
-        std::map<std::string, TransformSet> coordinateSystems;  // of an import
-    };
     struct Setting {
         std::string type;
         ParamSet params;
@@ -100,10 +97,15 @@ class SceneBuilder {
     struct PendingPrimitive {
         Primitive primitive;
         Geometry geometry;
+        std::string shape;  // its type
+        std::shared_ptr<const MaterialInstance> material;
         AreaLightBuilder areaLight;
         std::optional<size_t> lightSlot;  // index into Scene::lights that is reserved for areaLight
         std::optional<size_t> object;     // index into Scene::objects; none for the scene itself
+        bool inObject = false, moves = false, blocksLight = true;
         SourcePos pos;
+        // Whether its material or a mask is defined later, and whether it has masks then.
+        bool awaitsNames = false, awaitsMasks = false;
     };
 
     // A moving instance within an object, in the object's space.
@@ -123,18 +125,35 @@ class SceneBuilder {
     // same motion share it.
     size_t movingObject(const std::string& shape, const SourcePos& pos);
     void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
+    // Gives the shape what others define: its masks, its material, and whether it is an area light. Throws
+    // UndefinedName if one of them is defined later. params: of the shape; of them pbrt-v4 needs the masks alone.
+    void dress(PendingPrimitive& p, const ParamSet& params);
     // What the primitive's material says of its alpha.
     void takeFromMaterial(Primitive& primitive) const;
-    // What makes the area light of a shape: the graphics state's, or that of its material; empty: it does not emit.
-    AreaLightBuilder areaLightOf(const Primitive& primitive);
-    // The row of Scene::names for a shape with the present material.
-    uint32_t nameOf(const std::string& shape, const Geometry& geometry, const SourcePos& pos);
+    // What makes the area light of a shape: that of the graphics state, or that of its material; empty: it does not
+    // emit.
+    AreaLightBuilder areaLightOf(const PendingPrimitive& p);
+    // The row of Scene::names for a shape.
+    uint32_t nameOf(const PendingPrimitive& p);
     // Appends curves to the preceding ones if they are of the same type, because hair comes as one shape per curve.
     bool joinCurves(const PendingPrimitive& next);
     MaterialSources materialSources() {
         return {state_.textures, state_.namedMaterials, files_, textureFiles_, bsdfFiles_};
     }
-    void pop(const std::string& kind, const SourcePos& pos);
+    // Makes a material, which is awaited if it uses names that are defined later.
+    std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
+                                                         const std::string& name);
+    // The material of a name that is defined later.
+    std::shared_ptr<const MaterialInstance> laterMaterial(const std::string& name, const SourcePos& pos);
+    // Throws UndefinedName for a texture that is made of others that are defined later.
+    void defineTexture(const std::string& name, bool isFloat, const std::string& type, const ParamSet& params,
+                       const Transform& toWorld);
+    // Throws UndefinedName.
+    void placeInstance(const std::string& name, const AnimatedTransform& toWorld, const SourcePos& pos);
+    std::vector<std::string_view> namesOfObjects() const;
+    std::string named(const std::string& name) const { return normalizedName(name, dialect_); }
+    // pbrt-v4 refuses a name that is defined again.
+    void warnIfRedefined(bool isKnown, const std::string& kind, const std::string& name, const SourcePos& pos) const;
     void loadMeshes(const LoadOptions& options);
     void makeAreaLights();
     // Calls work for all pending primitives, on all cores. Of what it throws, that of the first primitive is rethrown.
@@ -148,8 +167,11 @@ class SceneBuilder {
     Transform fromFile_;  // of world coordinates: moves the scene's origin to zero
     const DialectFactories& make_;
     GraphicsState state_;
-    std::vector<Block> blocks_;
+    Blocks blocks_;
     std::map<std::string, TransformSet> coordinateSystems_;
+    std::vector<std::map<std::string, TransformSet>> savedSystems_;  // one for each import that is open
+    LaterNames later_;
+    std::map<std::string, std::shared_ptr<const MaterialInstance>> laterMaterials_;
     TextureFiles textureFiles_;
     BsdfFiles bsdfFiles_;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/warning_batch.h"
 #include "pbrt/parser.h"
 
 namespace drc::pbrt {
@@ -24,7 +25,11 @@ Vec3 originOf(const Bounds& bounds) {
 }
 
 std::unique_ptr<Scene> load(const std::shared_ptr<const Source>& source, const LoadOptions& options) {
-    auto scene = Parser(source).parse(options);
+    std::unique_ptr<Scene> scene;
+    {
+        const WarningBatch warnings;
+        scene = Parser(source).parse(options);
+    }
     const Vec3 origin = originOf(scene->bounds());
     if (origin == Vec3(0.f)) return scene;
     // Read again, not moved, because positions have been rounded to floats.
@@ -41,6 +46,7 @@ std::unique_ptr<Scene> loadPbrtFile(const std::string& path, const LoadOptions& 
 }
 
 std::unique_ptr<Scene> loadPbrtCamera(const std::string& path, const Vec3& origin, const LoadOptions& options) {
+    const WarningBatch warnings;
     return Parser(Source::fromFile(path), origin).parseCamera(options);
 }
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "base/log.h"
+#include "image/color.h"
 #include "image/image_io.h"
 #include "pbrt/material_comparison.h"
 #include "pbrt/scene_file.h"
@@ -190,10 +191,44 @@ TEST(SceneFileV4, ImageMaps) {
     EXPECT_NEAR(upper("\"bool invert\" true"), 0.8f, 5e-3f);
     EXPECT_NEAR(upper("\"float scale\" 2 \"bool invert\" true"), 0.6f, 1e-2f);
     EXPECT_NEAR(upper("\"string encoding\" \"linear\""), 0.4845f, 5e-3f);
-    EXPECT_EQ(warningsOf([&] { EXPECT_NEAR(upper("\"string encoding\" \"gamma 1.8\""), 0.2f, 5e-3f); }), 1);
+    EXPECT_NEAR(upper("\"string encoding\" \"gamma 1.8\""), std::pow(srgbEncode(0.2f), 1.8f), 5e-3f);
+    for (const char* encoding : {"gamma", "gamma x", "gamma 0", "gamma -1", "gamma 2.2x", ""})
+        EXPECT_THAT(errorOf([&] { upper("\"string encoding\" \"" + std::string(encoding) + "\""); }),
+                    HasSubstr("must be 'sRGB', 'linear' or 'gamma' with a positive number"))
+            << encoding;
     EXPECT_THAT(errorOf([&] { upper("\"string encoding\" \"rgb\""); }),
                 HasSubstr("must be 'sRGB', 'linear' or 'gamma'"));
     EXPECT_THAT(errorOf([&] { upper("\"string filter\" \"trilinaer\""); }), HasSubstr("did you mean 'trilinear'?"));
+}
+
+// No surface reflects more than it receives.
+TEST(SceneFileV4, ReflectancesAreAtMostOne) {
+    EXPECT_EQ(
+        errorOfWorldV4("Material \"diffuse\" \"rgb reflectance\" [2 1 .5]"),
+        "s.pbrt:2:38: parameter 'reflectance' of material 'diffuse' is the share of the light that is reflected, and "
+        "must be from 0 to 1, not 2\n"
+        "    Material \"diffuse\" \"rgb reflectance\" [2 1 .5]\n"
+        "                                         ^");
+    for (const char* material :
+         {"\"coateddiffuse\" \"rgb reflectance\"", "\"diffusetransmission\" \"rgb transmittance\"",
+          "\"conductor\" \"rgb reflectance\"", "\"coatedconductor\" \"rgb reflectance\"", "\"hair\" \"rgb color\"",
+          "\"subsurface\" \"rgb reflectance\"", "\"coateddiffuse\" \"rgb albedo\""})
+        for (const char* value : {" [0 1.5 0]", " [0 -.5 0]"})
+            EXPECT_THAT(errorOfWorldV4("Material " + std::string(material) + value), HasSubstr("must be from 0 to 1"))
+                << material;
+    expectNear(albedoOf("Texture \"s\" \"spectrum\" \"constant\" \"rgb value\" [.9 .4 .2]\n"
+                        "Texture \"t\" \"spectrum\" \"scale\" \"texture tex\" \"s\" \"float scale\" 2\n"
+                        "Material \"diffuse\" \"texture reflectance\" \"t\""),
+               Rgb(1, .8f, .4f));
+    expectNear(albedoOf("Material \"diffuse\" \"spectrum reflectance\" [300 2 800 2]"), Rgb(1.f));
+    expectNear(albedoOf("Material \"diffuse\" \"float reflectance\" 2"), Rgb(1.f));
+    // Deep red, of which more than 1 would be reflected in our red.
+    const Rgb deep = albedoOf("Material \"diffuse\" \"spectrum reflectance\" [400 0 590 0 600 1 800 1]");
+    EXPECT_LE(deep.x, 1);
+    // An index of refraction, and the factor of a texture, are no reflectances.
+    EXPECT_EQ(errorOfWorldV4("Material \"conductor\" \"rgb eta\" [2 1 .5] \"rgb k\" [3 3 3]"), "");
+    // In pbrt-v3 a reflectance may be anything.
+    EXPECT_EQ(errorOfWorld("Material \"matte\" \"rgb Kd\" [2 1 .5]"), "");
 }
 
 TEST(SceneFileV4, SolidTexturesLieInTheirOwnSpace) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/limits.h"
+#include "scene/projected_shape.h"
 
 namespace drc::pbrt {
 namespace {
@@ -63,6 +64,11 @@ bool isUsable(const Transform& t) {
 }
 
 void checkPlacement(const AnimatedTransform& objectToWorld, const SourcePos& pos) {
+    if (!isAffine(objectToWorld.start()) || !isAffine(objectToWorld.end()))
+        fail(
+            pos,
+            "instances, and what moves, cannot have a transformation with perspective: the last row of its matrix must "
+            "be 0 0 0 1");
     constexpr int kMoments = 9;  // between which the stretch is interpolated linearly
     for (int i = 0; i < (objectToWorld.isAnimated() ? kMoments : 1); ++i) {
         const Transform t = objectToWorld.at(float(i) / (kMoments - 1));

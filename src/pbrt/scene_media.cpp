@@ -1,5 +1,7 @@
 #include "pbrt/scene_media.h"
 
+#include <algorithm>
+
 #include "pbrt/suggest.h"
 
 namespace drc::pbrt {
@@ -24,19 +26,35 @@ void SceneMedia::define(const std::string& name, const Medium& medium) {
     entry.defined = true;
 }
 
+bool SceneMedia::isDefined(const std::string& name) const {
+    const auto found = entries_.find(name);
+    return found != entries_.end() && found->second.defined;
+}
+
+void SceneMedia::forgetUndefined(const Medium*& medium) const {
+    for (const auto& entry : entries_)
+        if (!entry.second.defined && entry.second.medium.get() == medium) medium = nullptr;
+}
+
 std::vector<std::shared_ptr<const Medium>> SceneMedia::finish() {
-    const std::pair<const std::string, Entry>* missing = nullptr;
+    std::vector<const std::pair<const std::string, Entry>*> missing;
     std::vector<std::string_view> names;
     for (const auto& entry : entries_) {
         if (entry.second.defined)
             names.push_back(entry.first);
-        else if (missing == nullptr || entry.second.order < missing->second.order)
-            missing = &entry;
+        else
+            missing.push_back(&entry);
     }
-    if (missing)
-        fail(missing->second.pos, "no medium '" + missing->first + "' is defined" + suggestion(missing->first, names));
+    std::ranges::sort(missing, {}, [](const auto* entry) { return entry->second.order; });
+    for (const auto* entry : missing) {
+        const std::string complaint = "no medium '" + entry->first + "' is defined",
+                          advice = suggestion(entry->first, names);
+        if (dialect_ == Dialect::V4) fail(entry->second.pos, complaint + advice);
+        warn(entry->second.pos, complaint + "; there is empty space in its place" + advice);
+    }
     std::vector<std::shared_ptr<const Medium>> all = std::move(replaced_);
-    for (auto& entry : entries_) all.push_back(std::move(entry.second.medium));
+    for (auto& entry : entries_)
+        if (entry.second.defined) all.push_back(std::move(entry.second.medium));
     return all;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pbrt/dialect.h"
 #include "pbrt/source.h"
 #include "scene/medium.h"
 
@@ -12,12 +13,18 @@ namespace drc::pbrt {
 
 class SceneMedia {
   public:
+    explicit SceneMedia(Dialect dialect) : dialect_(dialect) {}
+
     // The medium of this name, which may be defined later; null for the empty name.
     const Medium* named(const std::string& name, const SourcePos& pos);
     // A second definition counts from there on.
     void define(const std::string& name, const Medium& medium);
-    // All media. Throws Error at the first mention of one that has not been defined.
+    bool isDefined(const std::string& name) const;
+    // All media that are defined. If one is mentioned that is not: throws Error at its first mention in pbrt-v4; in
+    // pbrt-v3 there is a warning, and forgetUndefined() must have been called for all that got it from named().
     std::vector<std::shared_ptr<const Medium>> finish();
+    // Puts empty space in place of a medium that is not defined. Before finish().
+    void forgetUndefined(const Medium*& medium) const;
 
   private:
     struct Entry {
@@ -26,6 +33,7 @@ class SceneMedia {
         size_t order = 0;  // of its first mention
         bool defined = false;
     };
+    Dialect dialect_;
     std::map<std::string, Entry> entries_;
     std::vector<std::shared_ptr<const Medium>> replaced_;
 };

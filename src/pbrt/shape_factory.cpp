@@ -5,6 +5,7 @@
 #include "pbrt/curve_shape.h"
 #include "pbrt/mesh_shapes.h"
 #include "pbrt/registry.h"
+#include "scene/projected_shape.h"
 #include "scene/shape_cone.h"
 #include "scene/shape_cylinder.h"
 #include "scene/shape_disk.h"
@@ -94,13 +95,6 @@ Geometry hyperboloid(const ShapeContext& context) {
     return {.shape = std::move(shape)};
 }
 
-// Null if opaque. pbrt-v3's surfaces are transparent only where a mask is zero; pbrt-v4's let a share of the rays pass.
-FloatTexturePtr maskOf(const ShapeContext& context, std::string_view name) {
-    FloatTexturePtr mask = TextureParams(context.params, context.textures).scalarOrNull(name);
-    const auto isOpaque = [&](float value) { return context.dialect == Dialect::V4 ? value >= 1 : value != 0; };
-    return mask && mask->isConstant() && isOpaque(mask->eval({})) ? nullptr : mask;
-}
-
 using ShapeMaker = Geometry (*)(const ShapeContext&);
 constexpr Registered<ShapeMaker> kShapes[] = {
     {"cone", cone},
@@ -122,15 +116,23 @@ constexpr Registered<ShapeMaker> kShapesV4[] = {
     {"loopsubdiv", loopSubdivision}, {"plymesh", plyMesh}, {"sphere", sphere},     {"trianglemesh", triangleMesh},
 };
 
+// Meshes divide by w themselves. Other shapes become meshes.
+Geometry withPerspective(ShapeMaker maker, const ShapeContext& context) {
+    ShapeContext inObject = context;
+    inObject.objectToWorld = Transform();
+    Geometry geometry = maker(inObject);
+    if (!geometry.shape) return maker(context);
+    return {.loadMesh = [shape = geometry.shape, toWorld = context.objectToWorld] {
+        return std::make_shared<const TriangleMesh>(projectedShape(*shape, toWorld));
+    }};
+}
+
 std::optional<Geometry> make(std::span<const Registered<ShapeMaker>> table, const std::string& type,
                              const ShapeContext& context) {
     const auto maker = findMaker<ShapeMaker>(table, "shape", type, context.params.pos(), "the shape is left out");
     if (maker == nullptr) return std::nullopt;
-    Geometry geometry = maker(context);
+    Geometry geometry = isAffine(context.objectToWorld) ? maker(context) : withPerspective(maker, context);
     if (!geometry.shape && !geometry.loadMesh) return std::nullopt;
-    geometry.alpha = maskOf(context, "alpha");
-    geometry.shadowAlpha = maskOf(context, "shadowalpha");
-    geometry.alphaIsShare = context.dialect == Dialect::V4;
     return geometry;
 }
 
@@ -142,6 +144,13 @@ std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& c
 
 std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext& context) {
     return make(kShapesV4, type, context);
+}
+
+FloatTexturePtr maskOf(const ParamSet& shape, std::string_view name, const NamedTextures& textures) {
+    FloatTexturePtr mask = TextureParams(shape, textures).scalarOrNull(name);
+    // pbrt-v3's surfaces are transparent only where a mask is zero; pbrt-v4's let a share of the rays pass.
+    const auto isOpaque = [&](float value) { return textures.dialect == Dialect::V4 ? value >= 1 : value != 0; };
+    return mask && mask->isConstant() && isOpaque(mask->eval({})) ? nullptr : mask;
 }
 
 }  // namespace drc::pbrt

@@ -17,7 +17,6 @@ namespace drc::pbrt {
 
 struct ShapeContext {
     const ParamSet& params;
-    const NamedTextures& textures;
     const FileSearch& files;
     Transform objectToWorld;
     bool reverseOrientation = false;
@@ -31,17 +30,19 @@ struct Geometry {
     std::shared_ptr<Curves> curves{};  // the same as `shape` if it is curves, so that several can be joined
     // Reads and transforms the mesh. Slow; to be called once, on any thread. Owns everything that it needs.
     std::function<TriangleMeshPtr()> loadMesh{};
-    std::string meshFile{};                  // that loadMesh() reads, as the scene's file names it; empty: none
-    double subdivided = 0;                   // number of triangles after subdivision
-    FloatTexturePtr alpha{}, shadowAlpha{};  // for all shapes; set by makeShape()
-    bool alphaIsShare = false;               // Primitive::alphaIsShare
+    std::string meshFile{};  // that loadMesh() reads, as the scene's file names it; empty: none
+    double subdivided = 0;   // number of triangles after subdivision
 };
 
 // None, with a warning, for types that are not supported. Throws Error for types that pbrt-v3 does not have either, and
 // for wrong parameters. A missing file is reported here, a damaged one when the mesh is loaded. Unknown parameters are
 // left for the material.
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context);
-// The counterpart for pbrt-v4, where all shapes may have an alpha mask.
+// The counterpart for pbrt-v4.
 std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext& context);
+
+// The mask that the parameter "alpha" or "shadowalpha" of a shape gives; null if it is opaque. Throws UndefinedName as
+// TextureParams does.
+FloatTexturePtr maskOf(const ParamSet& shape, std::string_view name, const NamedTextures& textures);
 
 }  // namespace drc::pbrt

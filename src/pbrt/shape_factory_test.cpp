@@ -108,6 +108,15 @@ TEST(ShapeFactory, LoopSubdivision) {
     EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"integer indices\" [0 1 2] \"point P\" [0 0 0 1 0 0 0 1 0]\n"
                              "\"integer nlevels\" -1"),
                 HasSubstr("s.pbrt:2:7: the 'nlevels' of a loopsubdiv must not be negative"));
+    // A triangle that is no more than an edge is left out, between its neighbours too.
+    const std::string square = "\n\"point P\" [0 0 0 1 0 0 1 1 0 0 1 0] \"integer nlevels\" 1";
+    std::unique_ptr<Scene> scene;
+    EXPECT_EQ(
+        saidBy([&] { scene = loadWorld("Shape \"loopsubdiv\" \"integer indices\" [0 1 2 2 0 0 0 2 3]" + square); }),
+        "drc: s.pbrt:2:20: warning: 1 of the triangles of shape 'loopsubdiv' has the same vertex twice, and is left "
+        "out\n");
+    EXPECT_EQ(scene->primitives.at(0).mesh->triangleCount(), 8u);
+    EXPECT_TRUE(loadWorld("Shape \"loopsubdiv\" \"integer indices\" [0 0 1]" + square)->primitives.empty());
     EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"integer indices\" [0 1 2 0 1 2] \"point P\" [0 0 0 1 0 0 0 1 0]"),
                 HasSubstr("s.pbrt:2:7: cannot load the mesh: the edge between vertices 0 and 1 is in two triangles"));
 }

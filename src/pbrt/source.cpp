@@ -76,25 +76,25 @@ std::unique_ptr<Source> Source::fromText(std::string text, std::string name, std
 Source::Line Source::lineAt(size_t offset) const {
     std::call_once(linesFound_, [this] {
         const std::string_view all = text();
-        lineStarts_.push_back(0);
+        lineStarts_.push_back(all.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
         for (size_t i = all.find('\n'); i != std::string_view::npos; i = all.find('\n', i + 1))
             lineStarts_.push_back(i + 1);
     });
-    const auto after = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), offset);
+    const auto after = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), std::max(offset, lineStarts_[0]));
     return {size_t(after - lineStarts_.begin()) - 1, after[-1]};
 }
 
 SourceLocation SourcePos::location() const {
     if (source == nullptr) return {};
     const Source::Line line = source->lineAt(offset);
-    return {source->name(), 1 + int(line.number), 1 + int(offset - line.start)};
+    return {source->name(), 1 + int(line.number), 1 + int(std::max(offset, line.start) - line.start)};
 }
 
 std::string SourcePos::excerpt() const {
     if (source == nullptr) return "";
     const std::string_view text = source->text();
-    const size_t at = std::min(offset, text.size());
-    const size_t lineStart = source->lineAt(at).start;
+    const size_t lineStart = source->lineAt(std::min(offset, text.size())).start;
+    const size_t at = std::max(std::min(offset, text.size()), lineStart);
     const size_t lineEnd = std::min(text.find('\n', at), text.size());
 
     size_t first = lineStart, last = lineEnd;

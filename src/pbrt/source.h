@@ -14,6 +14,9 @@
 
 namespace drc::pbrt {
 
+// Editors on Windows put it before text in UTF-8. It is no part of the text.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 // A file, or a text in memory, that is being read. Lives as long as any position in it is used.
 class Source {
   public:

@@ -71,7 +71,8 @@ Rgb reflectanceToRgb(std::vector<SpectrumSample> samples, Beyond beyond) {
     if (samples.empty()) return Rgb(0.f);
     const Interpolated reflectance(std::move(samples), beyond);
     static const Rgb kWhite = integrate([](double nm) { return double(d65At(float(nm))); });
-    return clampNonNegative(integrate([&](double nm) { return reflectance(nm) * double(d65At(float(nm))); }) / kWhite);
+    const Rgb c = integrate([&](double nm) { return reflectance(nm) * double(d65At(float(nm))); }) / kWhite;
+    return Rgb(std::clamp(c.x, 0.f, 1.f), std::clamp(c.y, 0.f, 1.f), std::clamp(c.z, 0.f, 1.f));
 }
 
 std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths) {

@@ -19,7 +19,8 @@ struct SpectrumSample {
 enum class Beyond { Constant, Zero };
 // Samples in any order; linear between them. A single sample that is zero beyond is a band of a nanometre.
 Rgb spectrumToRgb(std::vector<SpectrumSample> samples, Beyond beyond = Beyond::Constant);
-// The colour of a reflectance under pbrt-v4's white, D65: a spectrum that is 1 everywhere is white. Not negative.
+// The colour of a reflectance under pbrt-v4's white, D65: a spectrum that is 1 everywhere is white. From 0 to 1, as
+// saturated ones would else reflect more red, green or blue than they receive.
 Rgb reflectanceToRgb(std::vector<SpectrumSample> samples, Beyond beyond = Beyond::Constant);
 // The same for many spectra with common wavelengths, which ascend: the colour is the sum of these times the values.
 std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths);

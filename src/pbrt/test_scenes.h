@@ -1,9 +1,13 @@
 // Helpers for tests of the pbrt front end.
 #pragma once
+#include <gtest/gtest.h>
+
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "base/folder_testing.h"
+#include "base/log.h"
 #include "pbrt/scene_file.h"
 
 namespace drc::pbrt {
@@ -22,6 +26,22 @@ inline std::unique_ptr<Scene> loadWorld(const std::string& text, const std::stri
 // The same for pbrt-v4: between the film and WorldBegin, on line 1, and the end of the file.
 inline std::unique_ptr<Scene> loadWorldV4(const std::string& text, const std::string& directory = ".") {
     return loadPbrtString("Film \"rgb\" WorldBegin\n" + text + "\n", directory, {}, "s.pbrt");
+}
+// All that is said while f runs.
+inline std::string saidBy(const std::function<void()>& f) {
+    forgetWarnings();
+    testing::internal::CaptureStderr();
+    f();
+    return testing::internal::GetCapturedStderr();
+}
+inline std::string warningsOfScene(const std::string& text, const std::string& directory = ".") {
+    return saidBy([&] { loadPbrtString(text, directory, {}, "s.pbrt"); });
+}
+inline std::string warningsOfWorld(const std::string& text, const std::string& directory = ".") {
+    return saidBy([&] { loadWorld(text, directory); });
+}
+inline std::string warningsOfWorldV4(const std::string& text, const std::string& directory = ".") {
+    return saidBy([&] { loadWorldV4(text, directory); });
 }
 inline std::string errorOfWorldV4(const std::string& text, const std::string& directory = ".") {
     return errorOf([&] { loadWorldV4(text, directory); });

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <charconv>
+#include <cmath>
+#include <optional>
 #include <type_traits>
 
 #include "base/limits.h"
@@ -181,21 +184,38 @@ ImageWrap wrapOf(const TextureParams& p) {
 }
 
 TexelGamma gammaOf(const ParamSet& own) {
-    if (!own.has("gamma")) return TexelGamma::FromFile;
+    if (own.find("gamma", {ParamType::Bool}) == nullptr) return TexelGamma::FromFile;
     return own.getBool("gamma", true) ? TexelGamma::Srgb : TexelGamma::Linear;
 }
 
+// The power of an encoding such as "gamma 2.2"; none if it is written otherwise.
+std::optional<float> powerOf(std::string_view encoding) {
+    constexpr std::string_view kGamma = "gamma ";
+    if (!encoding.starts_with(kGamma)) return {};
+    encoding.remove_prefix(std::min(encoding.find_first_not_of(' ', kGamma.size()), encoding.size()));
+    float power = 0;
+    const auto [end, error] = std::from_chars(encoding.data(), encoding.data() + encoding.size(), power);
+    const bool isNumber = error == std::errc() && end == encoding.data() + encoding.size();
+    return isNumber && power > 0 && std::isfinite(power) ? std::optional(power) : std::nullopt;
+}
+
 // pbrt-v4's encoding of images that store integers; other images are linear.
-TexelGamma encodingOf(const ParamSet& own) {
+TexelReading readingV4(const ParamSet& own) {
+    TexelReading how{.number = ColorNumber::MeanOrAlpha};
     const std::string encoding = own.getString("encoding", "sRGB");
-    if (encoding == "sRGB") return TexelGamma::FromFile;
-    if (encoding == "linear") return TexelGamma::Linear;
-    const SourcePos pos = own.find("encoding", {ParamType::String})->valuePos;
-    if (!encoding.starts_with("gamma "))
-        fail(pos, "the 'encoding' of " + own.owner() + " must be 'sRGB', 'linear' or 'gamma' with a number, not '" +
-                      encoding + "'");
-    warn(pos, "the encoding '" + encoding + "' is not supported yet; that of sRGB is used");
-    return TexelGamma::FromFile;
+    if (encoding == "sRGB") return how;
+    if (encoding == "linear") {
+        how.gamma = TexelGamma::Linear;
+        return how;
+    }
+    const std::optional<float> power = powerOf(encoding);
+    if (!power)
+        fail(own.find("encoding", {ParamType::String})->valuePos,
+             "the 'encoding' of " + own.owner() +
+                 " must be 'sRGB', 'linear' or 'gamma' with a positive number, as in 'gamma 2.2', not '" + encoding +
+                 "'");
+    how.power = *power;
+    return how;
 }
 
 // Every lookup is filtered over the ray cone's footprint, whatever the scene says: 'point', 'bilinear' (pbrt-v4's
@@ -211,11 +231,10 @@ bool isTrilinear(const ParamSet& own) {
 template <typename T>
 TexturePtr<T> imageMap(const TextureRequest& request) {
     const TextureParams& p = request.params;
-    const Param* name = p.own().find("filename", {ParamType::String});
-    if (name == nullptr) fail(p.own().pos(), p.own().owner() + " needs the parameter 'filename' of type 'string'");
-    const std::string path = request.files.find(p.getString("filename", ""), name->valuePos, "texture");
+    const Param& name = p.own().needFile("filename");
+    const std::string path = request.files.find(name.strings[0], name.valuePos, "texture");
     const bool v4 = request.dialect == Dialect::V4;
-    const TexelGamma gamma = v4 ? encodingOf(p.own()) : gammaOf(p.own());
+    const TexelReading how = v4 ? readingV4(p.own()) : TexelReading{.gamma = gammaOf(p.own())};
     ImageMapParams params;
     params.mapping = mapping2DOf(request);
     params.wrap = wrapOf(p);
@@ -231,9 +250,9 @@ TexturePtr<T> imageMap(const TextureRequest& request) {
     }
     TexturePtr<T> texture;
     if constexpr (std::is_same_v<T, float>)
-        texture = makeImageMap(request.images.scalar(path, gamma, name->valuePos), params);
+        texture = makeImageMap(request.images.scalar(path, how, name.valuePos), params);
     else
-        texture = makeImageMap(request.images.color(path, gamma, name->valuePos), params);
+        texture = makeImageMap(request.images.color(path, how, name.valuePos), params);
     return v4 && p.getBool("invert", false) ? makeInvertedTexture<T>(texture) : texture;
 }
 

@@ -2,32 +2,41 @@
 
 #include <malloc.h>
 
+#include <cmath>
 #include <new>
+#include <type_traits>
 
 #include "image/image_io.h"
+#include "pbrt/mean_or_alpha.h"
 
 namespace drc::pbrt {
 namespace {
 
 template <typename T>
-MipPyramid<T> readPyramid(const std::string& path, TexelGamma gamma) {
-    const ImageFile file = readImageFile(path);
-    const bool srgb = gamma == TexelGamma::Srgb || (gamma == TexelGamma::FromFile && file.isSrgbEncoded());
-    return MipPyramid<T>(file.image, srgb ? TexelEncoding::Srgb : TexelEncoding::Linear);
+MipPyramid<T> readPyramid(const std::string& path, const TexelReading& how) {
+    ImageFile file = readImageFile(path);
+    const bool isInteger = file.isSrgbEncoded();
+    const bool srgb = how.gamma == TexelGamma::Srgb || (how.gamma == TexelGamma::FromFile && isInteger);
+    TexelEncoding encoding = srgb && how.power == 0 ? TexelEncoding::Srgb : TexelEncoding::Linear;
+    if (how.power > 0 && isInteger)
+        for (float& v : file.image.data()) v = std::pow(std::max(0.f, v), how.power);
+    if (std::is_same_v<T, float> && how.number == ColorNumber::MeanOrAlpha)
+        file.image = meanOrAlpha(file.image, encoding);
+    return MipPyramid<T>(file.image, encoding);
 }
 
 }  // namespace
 
 template <typename T>
-std::shared_ptr<const MipPyramid<T>> TextureFiles::find(Cache<T>& cache, const std::string& path, TexelGamma gamma,
-                                                        const SourcePos& pos) {
-    auto& entry = cache[{path, gamma}];
+std::shared_ptr<const MipPyramid<T>> TextureFiles::find(Cache<T>& cache, const std::string& path,
+                                                        const TexelReading& how, const SourcePos& pos) {
+    auto& entry = cache[{path, how}];
     if (entry) return entry;
     entry = std::make_shared<MipPyramid<T>>();
     Reading& reading = *readings_.emplace_back(std::make_unique<Reading>(pos));
-    tasks_.start([&reading, pyramid = entry, path, gamma] {
+    tasks_.start([&reading, pyramid = entry, path, how] {
         try {
-            *pyramid = readPyramid<T>(path, gamma);
+            *pyramid = readPyramid<T>(path, how);
         } catch (...) {
             reading.error = std::current_exception();
         }
@@ -35,13 +44,14 @@ std::shared_ptr<const MipPyramid<T>> TextureFiles::find(Cache<T>& cache, const s
     return entry;
 }
 
-std::shared_ptr<const RgbPyramid> TextureFiles::color(const std::string& path, TexelGamma gamma, const SourcePos& pos) {
-    return find<Rgb>(colors_, path, gamma, pos);
+std::shared_ptr<const RgbPyramid> TextureFiles::color(const std::string& path, const TexelReading& how,
+                                                      const SourcePos& pos) {
+    return find<Rgb>(colors_, path, how, pos);
 }
 
-std::shared_ptr<const FloatPyramid> TextureFiles::scalar(const std::string& path, TexelGamma gamma,
+std::shared_ptr<const FloatPyramid> TextureFiles::scalar(const std::string& path, const TexelReading& how,
                                                          const SourcePos& pos) {
-    return find<float>(scalars_, path, gamma, pos);
+    return find<float>(scalars_, path, how, pos);
 }
 
 void TextureFiles::finish() {

@@ -42,9 +42,9 @@ TEST_F(TextureFilesTest, AnyNumberOfThreadsReadsTheSame) {
         std::vector<std::shared_ptr<const RgbPyramid>> colors;
         std::vector<std::shared_ptr<const FloatPyramid>> scalars;
         for (const std::string& path : paths_) {
-            colors.push_back(files.color(path, TexelGamma::FromFile, {}));
-            scalars.push_back(files.scalar(path, TexelGamma::Linear, {}));
-            EXPECT_EQ(files.color(path, TexelGamma::FromFile, {}), colors.back());
+            colors.push_back(files.color(path, {}, {}));
+            scalars.push_back(files.scalar(path, {.gamma = TexelGamma::Linear}, {}));
+            EXPECT_EQ(files.color(path, {}, {}), colors.back());
         }
         files.finish();
         std::vector<Rgb> values;
@@ -66,7 +66,7 @@ TEST_F(TextureFilesTest, AnyNumberOfThreadsReadsTheSame) {
     const Image image = readImage(paths_[2]);
     const float s = 10.5f / float(image.width()), t = 1 - 20.5f / float(image.height());
     TextureFiles files;
-    const auto texture = files.color(paths_[2], TexelGamma::Linear, {});
+    const auto texture = files.color(paths_[2], {.gamma = TexelGamma::Linear}, {});
     files.finish();
     EXPECT_LT(length(texture->lookup(Vec2(s, t), 0, ImageWrap::Repeat) - image.rgb(10, 20)), 1e-4f);
 }

@@ -3,27 +3,52 @@
 #include <algorithm>
 
 #include "pbrt/suggest.h"
+#include "pbrt/undefined_name.h"
 
 namespace drc::pbrt {
 namespace {
 
+// The textures of one type, and what to know of them.
+template <typename T>
+struct Kind;
+template <>
+struct Kind<float> {
+    static constexpr const char* kName = kFloatTextureName;
+    static constexpr ParamType kConstant = ParamType::Float;
+    static const NamedMap<FloatTexture>& all(const NamedTextures& t) { return t.scalars; }
+    static const NamedMap<RgbTexture>& others(const NamedTextures& t) { return t.colors; }
+    static const NamedMap<TextureCost>& costs(const NamedTextures& t) { return t.scalarCosts; }
+    static float constant(const ParamSet& set, std::string_view name) { return set.getFloat(name, 0); }
+};
+template <>
+struct Kind<Rgb> {
+    static constexpr const char* kName = kSpectrumTextureName;
+    static constexpr ParamType kConstant = ParamType::Color;
+    static const NamedMap<RgbTexture>& all(const NamedTextures& t) { return t.colors; }
+    static const NamedMap<FloatTexture>& others(const NamedTextures& t) { return t.scalars; }
+    static const NamedMap<TextureCost>& costs(const NamedTextures& t) { return t.colorCosts; }
+    static Rgb constant(const ParamSet& set, std::string_view name) { return set.getColor(name, Rgb(0.f)); }
+};
+
 // The texture that a parameter of the set names. Adds its cost.
-template <typename T, typename Other>
-std::shared_ptr<const Texture<T>> named(const ParamSet& set, const Param& param, const NamedMap<Texture<T>>& textures,
-                                        const NamedMap<Texture<Other>>& others, const std::string& kind,
-                                        const NamedMap<TextureCost>& costs, TextureCost& cost) {
-    if (param.count() != 1) set.failAt(param, "must have one texture's name, not " + std::to_string(param.count()));
+template <typename T>
+std::shared_ptr<const Texture<T>> named(const ParamSet& set, const Param& param, const NamedTextures& textures,
+                                        TextureCost& cost) {
+    using K = Kind<T>;
     const std::string& name = param.strings[0];
-    if (auto texture = textures.find(name)) {
-        if (const auto own = costs.find(name)) {
+    if (auto texture = K::all(textures).find(name)) {
+        if (const auto own = K::costs(textures).find(name)) {
             cost.depth = std::max(cost.depth, own->depth);
             cost.lookups += own->lookups;
         }
         return texture;
     }
-    fail(param.valuePos, "no " + kind + " texture '" + name + "' has been defined" +
-                             (others.find(name) ? "; the texture of that name has the other type"
-                                                : suggestion(name, textures.names())));
+    const std::string complaint = std::string("no ") + K::kName + " '" + name + "' has been defined",
+                      advice = K::others(textures).find(name) ? "; the texture of that name has the other type"
+                                                              : suggestion(name, K::all(textures).names());
+    if (textures.dialect == Dialect::V4) throw UndefinedName(K::kName, name, param.valuePos, complaint + advice);
+    warn(param.valuePos, complaint + "; the default of '" + param.name + "' of " + set.owner() + " counts" + advice);
+    return nullptr;
 }
 
 }  // namespace
@@ -32,21 +57,22 @@ const ParamSet& TextureParams::setWith(std::string_view name, std::initializer_l
     return shape_ != nullptr && shape_->findIfTyped(name, types) != nullptr ? *shape_ : own_;
 }
 
-RgbTexturePtr TextureParams::colorOrNull(std::string_view name) const {
-    const ParamSet& set = setWith(name, {ParamType::Texture, ParamType::Color});
-    if (const Param* texture = set.findIfTyped(name, {ParamType::Texture}))
-        return named(set, *texture, textures_.colors, textures_.scalars, "spectrum", textures_.colorCosts, cost_);
-    if (set.find(name, {ParamType::Color, ParamType::Texture}) == nullptr) return nullptr;
-    return std::make_shared<ConstantTexture<Rgb>>(set.getColor(name, Rgb(0.f)));
+template <typename T>
+std::shared_ptr<const Texture<T>> TextureParams::textureOrConstant(std::string_view name) const {
+    constexpr ParamType kConstant = Kind<T>::kConstant;
+    const ParamSet& set = setWith(name, {ParamType::Texture, kConstant});
+    if (const Param* texture = set.findIfTyped(name, {ParamType::Texture})) {
+        if (texture->count() != 1)
+            set.failAt(*texture, "must have one texture's name, not " + std::to_string(texture->count()));
+        return named<T>(set, *texture, textures_, cost_);
+    }
+    if (set.find(name, {kConstant, ParamType::Texture}) == nullptr) return nullptr;
+    return constantTexture(Kind<T>::constant(set, name));
 }
 
-FloatTexturePtr TextureParams::scalarOrNull(std::string_view name) const {
-    const ParamSet& set = setWith(name, {ParamType::Texture, ParamType::Float});
-    if (const Param* texture = set.findIfTyped(name, {ParamType::Texture}))
-        return named(set, *texture, textures_.scalars, textures_.colors, "float", textures_.scalarCosts, cost_);
-    if (set.find(name, {ParamType::Float, ParamType::Texture}) == nullptr) return nullptr;
-    return std::make_shared<ConstantTexture<float>>(set.getFloat(name, 0));
-}
+RgbTexturePtr TextureParams::colorOrNull(std::string_view name) const { return textureOrConstant<Rgb>(name); }
+
+FloatTexturePtr TextureParams::scalarOrNull(std::string_view name) const { return textureOrConstant<float>(name); }
 
 RgbTexturePtr TextureParams::color(std::string_view name, const Rgb& fallback) const {
     if (auto texture = colorOrNull(name)) return texture;

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "pbrt/dialect.h"
 #include "pbrt/named_map.h"
 #include "pbrt/param_set.h"
 #include "scene/texture.h"
@@ -17,6 +18,7 @@ struct NamedTextures {
     NamedMap<FloatTexture> scalars;
     NamedMap<RgbTexture> colors;
     NamedMap<TextureCost> scalarCosts, colorCosts;  // with the same names as the textures
+    Dialect dialect = Dialect::V3;
 };
 
 // As in pbrt-v3, a parameter of the shape overrides the material's parameter of the same name.
@@ -26,8 +28,9 @@ class TextureParams {
     TextureParams(const ParamSet& own, const NamedTextures& textures, const ParamSet* shape = nullptr)
         : own_(own), textures_(textures), shape_(shape) {}
 
-    // The texture, or a constant one. Each throws Error at a parameter that names a texture which does not exist or has
-    // the wrong type. The OrNull functions return null if there is no such parameter.
+    // The texture, or a constant one. The OrNull functions return null if there is no such parameter; an empty name
+    // names no texture. For a texture that is not defined, or has the wrong type, the default counts in pbrt-v3, with a
+    // warning; in pbrt-v4 UndefinedName is thrown.
     RgbTexturePtr color(std::string_view name, const Rgb& fallback) const;
     RgbTexturePtr colorOrNull(std::string_view name) const;
     FloatTexturePtr scalar(std::string_view name, float fallback) const;
@@ -44,6 +47,9 @@ class TextureParams {
   private:
     // The set (the shape's or the material's own) that provides a parameter of this name and one of these types.
     const ParamSet& setWith(std::string_view name, std::initializer_list<ParamType> types) const;
+    // The texture of that name, or the constant of this type; null if the set has neither.
+    template <typename T>
+    std::shared_ptr<const Texture<T>> textureOrConstant(std::string_view name) const;
 
     const ParamSet& own_;
     const NamedTextures& textures_;

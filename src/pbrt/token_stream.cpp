@@ -64,7 +64,8 @@ Token TokenStream::expectString(const std::string& purpose) {
 
 double TokenStream::expectNumber(const std::string& purpose) {
     const Token token = next();
-    if (token.kind != TokenKind::Number) fail(token.pos, "expected " + purpose + ", found " + token.describe());
+    if (token.kind != TokenKind::Number)
+        fail(token.pos, "expected " + purpose + ", found " + token.describe() + token.whyNoNumber());
     return token.number();
 }
 

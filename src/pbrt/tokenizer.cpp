@@ -8,7 +8,9 @@ namespace drc::pbrt {
 namespace {
 
 constexpr bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
-constexpr bool endsWord(char c) { return isSpace(c) || c == '"' || c == '[' || c == ']' || c == '#' || c == '\0'; }
+// As in pbrt, '#' begins a comment only where a token may begin: "1.#IND", as some compilers print what is no number,
+// is one token, and not the number 1 before a comment.
+constexpr bool endsWord(char c) { return isSpace(c) || c == '"' || c == '[' || c == ']' || c == '\0'; }
 constexpr bool startsNumber(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
 
 }  // namespace
@@ -65,13 +67,22 @@ double Token::number() const {
     if (text.size() > 1 && *first == '+' && first[1] != '-') ++first;
     double result = 0;
     const auto [end, error] = std::from_chars(first, last, result);
-    if (kind != TokenKind::Number || end != last || error == std::errc::invalid_argument)
-        fail(pos, "expected a number, found " + describe());
+    // from_chars knows "-nan" and "-inf", which are words of C and not numbers of a scene.
+    const bool isWord = text.find_first_of("nN") != std::string_view::npos;
+    if (kind != TokenKind::Number || end != last || error == std::errc::invalid_argument || isWord)
+        fail(pos, "expected a number, found " + describe() + whyNoNumber());
     if (error == std::errc::result_out_of_range) result = std::strtod(std::string(first, last).c_str(), nullptr);
-    // Scenes consist of floats. Numbers that overflow a float or are NaN ("-nan") would spread over the picture.
+    // Scenes consist of floats. Numbers that overflow a float would spread over the picture.
     if (!std::isfinite(static_cast<float>(result)))
         fail(pos, "expected a number within 3.4e38 of zero, found " + describe());
     return result;
+}
+
+std::string Token::whyNoNumber() const {
+    if (kind != TokenKind::Word && kind != TokenKind::Number) return "";
+    const size_t comment = text.find('#');
+    const bool isComment = comment != std::string_view::npos && comment > 0 && text[comment - 1] != '.';
+    return std::string(", which is not a number") + (isComment ? "; a comment needs a blank before its '#'" : "");
 }
 
 std::string Token::describe() const {
@@ -86,7 +97,7 @@ std::string Token::describe() const {
 }
 
 Tokenizer::Tokenizer(const Source& source) : source_(&source), text_(source.text()) {
-    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
+    if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
 }
 
 Token Tokenizer::next() {

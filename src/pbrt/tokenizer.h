@@ -22,6 +22,8 @@ struct Token {
     double number() const;
     // The token for messages: "'Foo'", "string \"x\"", "the end of the file".
     std::string describe() const;
+    // What to add to a message that a number was expected; empty for tokens that could not be meant for one.
+    std::string whyNoNumber() const;
 };
 
 class Tokenizer {

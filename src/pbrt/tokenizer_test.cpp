@@ -77,12 +77,13 @@ TEST(Tokenizer, NumbersTakenTogetherAreThoseTakenOneByOne) {
     EXPECT_GT(together, 2000u);
 }
 
-TEST(Tokenizer, WordsEndAtBracketsQuotesAndComments) {
-    const auto source = Source::fromText("[1 2]\"a\"3#c", "a", ".");
+// As in pbrt a comment begins only where a token may begin.
+TEST(Tokenizer, WordsEndAtBracketsAndQuotes) {
+    const auto source = Source::fromText("[1 2]\"a\"#b\n3#c", "a", ".");
     Tokenizer tokenizer(*source);
     std::vector<std::string> texts;
     for (Token t = tokenizer.next(); t.kind != TokenKind::End; t = tokenizer.next()) texts.emplace_back(t.text);
-    EXPECT_THAT(texts, testing::ElementsAre("[", "1", "2", "]", "a", "3"));
+    EXPECT_THAT(texts, testing::ElementsAre("[", "1", "2", "]", "a", "3#c"));
 }
 
 std::string valueOf(const std::string& text) {
@@ -120,12 +121,17 @@ TEST(Tokenizer, Numbers) {
     EXPECT_EQ(numberOf("1E3"), 1000);
     EXPECT_EQ(numberOf("1e-999"), 0);
     EXPECT_EQ(numberOf("-3.4e38"), -3.4e38);
-    for (const char* beyond : {"1e999", "-1e999", "3.5e38", "-nan", "-inf", "+inf"})
+    for (const char* beyond : {"1e999", "-1e999", "3.5e38"})
         EXPECT_THAT(errorOf([&] { numberOf(beyond); }),
                     testing::StartsWith("a:1:1: expected a number within 3.4e38 of zero, found '"))
             << beyond;
-    for (const char* bad : {"1.2.3", "--1", "+-1", "1x", "-", "+", "."})
-        EXPECT_THAT(errorOf([&] { numberOf(bad); }), testing::StartsWith("a:1:1: expected a number, found '"));
+    for (const char* bad : {"1.2.3", "--1", "+-1", "1x", "-", "+", ".", "1e", "0x10", "1,5", "nan", "-nan", "inf",
+                            "-inf", "+inf", "1.#IND", "-1.#INF", "1.#QNAN", "1.#J"})
+        EXPECT_THAT(
+            errorOf([&] { numberOf(bad); }),
+            testing::StartsWith("a:1:1: expected a number, found '" + std::string(bad) + "', which is not a number\n"));
+    EXPECT_THAT(errorOf([&] { numberOf("2#two"); }),
+                testing::HasSubstr("which is not a number; a comment needs a blank before its '#'\n"));
 }
 
 TEST(Tokenizer, ZeroBytesEndIt) {
@@ -139,7 +145,10 @@ TEST(Tokenizer, ZeroBytesEndIt) {
 TEST(Tokenizer, ByteOrderMarkAndCarriageReturns) {
     const auto source = Source::fromText("\xEF\xBB\xBFWorldBegin\r\nWorldEnd\r\n", "a", ".");
     Tokenizer tokenizer(*source);
-    EXPECT_EQ(tokenizer.next().text, "WorldBegin");
+    const Token begin = tokenizer.next();
+    EXPECT_EQ(begin.text, "WorldBegin");
+    EXPECT_EQ(begin.pos.location().column, 1);
+    EXPECT_EQ(begin.pos.excerpt(), "    WorldBegin\n    ^");
     const Token end = tokenizer.next();
     EXPECT_EQ(end.text, "WorldEnd");
     EXPECT_EQ(end.pos.location().line, 2);

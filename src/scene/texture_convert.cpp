@@ -1,5 +1,6 @@
 #include "scene/texture_convert.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace drc {
@@ -17,6 +18,20 @@ class InvertedTexture final : public Texture<T> {
 
   private:
     std::shared_ptr<const Texture<T>> texture_;
+};
+
+Rgb clamped(const Rgb& c, float most) {
+    return Rgb(std::clamp(c.x, 0.f, most), std::clamp(c.y, 0.f, most), std::clamp(c.z, 0.f, most));
+}
+
+class ClampedTexture final : public RgbTexture {
+  public:
+    ClampedTexture(RgbTexturePtr texture, float most) : texture_(std::move(texture)), most_(most) {}
+    Rgb eval(const TextureContext& at) const override { return clamped(texture_->eval(at), most_); }
+
+  private:
+    RgbTexturePtr texture_;
+    float most_;
 };
 
 class GreyTexture final : public RgbTexture {
@@ -47,6 +62,11 @@ std::shared_ptr<const Texture<T>> makeInvertedTexture(std::shared_ptr<const Text
 }
 template FloatTexturePtr makeInvertedTexture<float>(FloatTexturePtr);
 template RgbTexturePtr makeInvertedTexture<Rgb>(RgbTexturePtr);
+
+RgbTexturePtr makeClampedTexture(RgbTexturePtr texture, float most) {
+    if (texture->isConstant()) return constantTexture(clamped(texture->eval({}), most));
+    return std::make_shared<ClampedTexture>(std::move(texture), most);
+}
 
 RgbTexturePtr makeGreyTexture(FloatTexturePtr number) { return std::make_shared<GreyTexture>(std::move(number)); }
 

@@ -1,0 +1,13 @@
+// What pbrt-v4 makes of a colour image where a texture needs numbers, as masks do.
+#pragma once
+#include "image/image.h"
+#include "scene/mip_pyramid.h"
+
+namespace drc::pbrt {
+
+// One channel: the alpha of an image that has red, green and blue, and an alpha which is not 1 everywhere; else the
+// mean of red, green and blue; else the first channel. encoding: of the image, and of the result. A mean is linear. As
+// in pbrt, alpha is decoded as the colours are.
+Image meanOrAlpha(const Image& image, TexelEncoding& encoding);
+
+}  // namespace drc::pbrt

@@ -1,0 +1,27 @@
+// What happens where a name is used that nothing has been defined by so far. Never defined, it is an error in pbrt-v4;
+// in pbrt-v3, which looks names up where they are used, a warning.
+#pragma once
+#include <string>
+
+#include "base/error.h"
+#include "pbrt/source.h"
+
+namespace drc::pbrt {
+
+// Kinds of things that have names of their own, for messages.
+inline constexpr const char* kMaterialName = "material";
+inline constexpr const char* kFloatTextureName = "float texture";
+inline constexpr const char* kSpectrumTextureName = "spectrum texture";
+inline constexpr const char* kObjectName = "object";
+
+// Thrown in pbrt-v4, where the name may be defined later in the file: see LaterNames.
+class UndefinedName : public Error {
+  public:
+    UndefinedName(std::string kindOfName, std::string missing, const SourcePos& at, const std::string& message)
+        : Error(at.location(), message, at.excerpt()), kind(std::move(kindOfName)), name(std::move(missing)), pos(at) {}
+
+    std::string kind, name;
+    SourcePos pos;  // of the use
+};
+
+}  // namespace drc::pbrt
