@@ -15,7 +15,7 @@ function draw() {
     const ratio = devicePixelRatio, w = Math.round(screen.clientWidth * ratio), h = Math.round(screen.clientHeight * ratio);
     if (screen.width !== w || screen.height !== h) { screen.width = w; screen.height = h; }
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.fillStyle = "#191817";
+    pen.fillStyle = getComputedStyle(screen).backgroundColor;
     pen.fillRect(0, 0, w, h);
     if (!current) return;
     const at = placed();
@@ -52,3 +52,4 @@ function outline(x, y, width, height, dashes) {
   }
 }
 new ResizeObserver(draw).observe(screen);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);

@@ -34,6 +34,7 @@ function onFrame(event) {
   $("pause").setAttribute("aria-pressed", String(!!event.paused));
   $("progress").style.width = event.samples > 0 ? "0" : 100 * (event.share ?? 0) + "%";
   tellError();
+  if (event.camera) hear(event.camera);
   if (event.number) load();
   draw();
 }
@@ -64,12 +65,26 @@ async function start() {
   if (first.reference) reference = new Picture(await (await ask("frame?layer=reference")).arrayBuffer());
   $("split").disabled = $("without").disabled = !reference;
   onFrame(first);
-  const events = new EventSource("events");
-  events.addEventListener("frame", e => onFrame(JSON.parse(e.data)));
-  events.onopen = async () => { if (lost) { lost = false; onFrame(await (await ask("state")).json()); } };
-  events.onerror = () => { lost = true; say("the renderer does not answer; trying again", true); };
+  listen();
 }
-let lost = false;
+// Events of the renderer, as long as there is one: a page outlives the program that it came from.
+function listen() {
+  const events = new EventSource("events");
+  events.addEventListener("frame", event => onFrame(JSON.parse(event.data)));
+  events.onopen = async () => {
+    const now = await (await ask("state")).json();
+    // Another render under the same address: all that this page knows is of the former.
+    if (now.run === state.run) onFrame(now); else location.reload();
+  };
+  events.onerror = async () => {
+    say("the renderer does not answer; trying again", true);
+    // Else the browser itself goes on trying.
+    if (events.readyState !== EventSource.CLOSED) return;
+    const answer = await fetch("state").catch(() => null);
+    if (answer?.status === 403) say("drc view has been started anew: open the new address, which it has printed", true);
+    else setTimeout(listen, 2000);
+  };
+}
 async function listLayers() {
   for (;;) {
     const now = await (await ask("state")).json();
