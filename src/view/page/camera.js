@@ -50,12 +50,14 @@ function unitsPerPixel(depth) {
   const { kind, width } = pictureOf(camera);
   return width * (kind === "parallel" ? 1 : depth) / placed().width;
 }
+// By how much the middle of the picture lies above the horizon, radians.
+const elevation = () => Math.asin(between(-1, dot(directions().ahead, vertical()), 1));
 // Turns the camera about a point, which stays where it is in the picture: ahead comes to lie further to the right, and
 // higher, by so many radians.
 function turn(about, rightward, upward) {
-  const up = vertical(), { ahead, right, hand } = directions(), elevation = Math.asin(between(-1, dot(ahead, up), 1));
+  const up = vertical(), { ahead, right, hand } = directions(), now = elevation();
   // Not over the poles.
-  const most = Math.max(1.5, Math.abs(elevation)), rise = between(-most, elevation + upward, most) - elevation;
+  const most = Math.max(1.5, Math.abs(now)), rise = between(-most, now + upward, most) - now;
   const level = Math.abs(dot(ahead, up)) < 0.9999 ? scaled(unit(cross(up, ahead)), hand) : right;
   const by = v => turned(turned(v, level, -hand * rise), up, hand * rightward);
   camera.eye = add(about, by(add(camera.eye, about, -1)));

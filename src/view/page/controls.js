@@ -2,6 +2,8 @@
 // ---- Controls --------------------------------------------------------------------------------------------------
 function setInspect(on) {
   inspect = on;
+  // What a click has told may cover a part of the picture.
+  if (!on) $("pixel").replaceChildren("\u00a0");
   tellMode();
 }
 function fit() { zoom = 1; panX = panY = 0; draw(); }

@@ -28,9 +28,9 @@ function steer(d) {
     if (closer !== 1) dolly(grip, closer);
     pan(depthOf(grip), x, y);
   } else if (steering === "look") {
-    // What is in the middle of the picture follows the pointer.
+    // What is in the middle of the picture follows the pointer. Where it looks down or up, more of a turn shows less.
     const angle = pictureOf(camera).kind === "parallel" ? Math.PI / size : unitsPerPixel(1);
-    turn(camera.eye, -x * angle, y * angle);
+    turn(camera.eye, -x * angle / Math.max(0.3, Math.cos(elevation())), y * angle);
   } else {
     turn(grip, x / size * Math.PI, -y / size * Math.PI);
   }
