@@ -25,7 +25,7 @@ namespace {
 constexpr int kSamples = 1 << 16;
 
 struct ViewOptions {
-    std::string scene, resolution, address = "127.0.0.1", oidnLibrary;
+    std::string scene, resolution, address = "127.0.0.1", token, oidnLibrary;
     std::vector<std::string> overrides;
     RenderParams params;
     int port = 0, threads = 0;
@@ -57,13 +57,22 @@ class FrameFilters {
     std::unique_ptr<const PictureFilter> moving_, still_;  // null: frames stay as they are
 };
 
-std::string encodeFrame(RenderSettings settings, const LiveFrame& frame, const RenderParams& params) {
+// Whoever is given a picture is not given the view.
+std::string commandLineWithout(const std::string& token) {
+    std::string line = processInfo().commandLine;
+    if (const size_t at = line.find(token); !token.empty() && at != std::string::npos)
+        line.replace(at, token.size(), "...");
+    return line;
+}
+
+std::string encodeFrame(RenderSettings settings, const LiveFrame& frame, const RenderParams& params,
+                        const std::string& token) {
     const PixelRegion& region = frame.picture.film->region();
     settings.film.width = std::max(region.x1, settings.film.width);
     settings.film.height = std::max(region.y1, settings.film.height);
     const PictureWriter writer(settings, {"drc.exr"}, true);
     return writer.encode(frame.picture, {{"drc:version", DRC_VERSION},
-                                         {"drc:command", processInfo().commandLine},
+                                         {"drc:command", commandLineWithout(token)},
                                          {"drc:seed", std::to_string(params.seed)},
                                          {"drc:integrator", params.integrator},
                                          {"drc:spp", std::to_string(frame.samples)}})[0];
@@ -112,10 +121,11 @@ void view(ViewOptions o) {
                   .estimate = hasHalves(params.integrator) ? [&](const LayeredPicture& p) { return filters.errorOf(p); }
                                                            : std::function<DenoisedError(const LayeredPicture&)>(),
                   .outdated = &outdated});
-    ViewService service(*scene, session.accel(), render,
-                        {.title = sceneTitle(o.scene),
-                         .token = randomToken(),
-                         .encodeExr = [&](const LiveFrame& frame) { return encodeFrame(settings, frame, params); }});
+    ViewService service(
+        *scene, session.accel(), render,
+        {.title = sceneTitle(o.scene),
+         .token = o.token.empty() ? randomToken() : o.token,
+         .encodeExr = [&](const LiveFrame& frame) { return encodeFrame(settings, frame, params, o.token); }});
     HttpSettings http;
     http.address = o.address;
     http.port = uint16_t(o.port);
@@ -151,6 +161,16 @@ void addViewCommand(CLI::App& app) {
         ->add_option("--listen", o->address,
                      "Address to listen on; others than 127.0.0.1 let other machines watch and steer")
         ->capture_default_str();
+    command
+        ->add_option("--token", o->token,
+                     "The part of the address that others do not know: 16 to 128 letters, digits, - and _. With --port "
+                     "the address stays the same. By default another one each time")
+        ->envname("DRC_VIEW_TOKEN")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return isToken(text) ? std::string() : "must be 16 to 128 letters, digits, - and _";
+            },
+            "", "token"));
     command->add_flag("--open", o->open, "Open the page in the browser");
     command->add_option("--nthreads", o->threads, "Number of threads; by default one for each core");
     command->add_option("--oidn-library", o->oidnLibrary, "Open Image Denoise's library");
