@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/limits.h"
+#include "pbrt/graphics_state.h"
+#include "pbrt/param_set.h"
 
 namespace drc::pbrt {
 
@@ -22,8 +24,7 @@ std::string LookAt::fault() const {
 TransformSet CameraOverride::placed(const TransformSet& worldToCamera) const {
     if (!lookAt) return worldToCamera;
     Transform there = Transform::lookAt(lookAt->eye, lookAt->look, lookAt->up);
-    if (there.swapsHandedness() != worldToCamera.start().swapsHandedness())
-        there = Transform::scale(-1, 1, 1) * there;
+    if (there.swapsHandedness() != worldToCamera.start().swapsHandedness()) there = Transform::scale(-1, 1, 1) * there;
     return {{there, there}};
 }
 

@@ -3,10 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "pbrt/graphics_state.h"
-#include "pbrt/param_set.h"
+#include "math/vec.h"
 
 namespace drc::pbrt {
+
+class ParamSet;
+struct TransformSet;
 
 struct LookAt {
     Vec3 eye{0.f}, look{0.f}, up{0, 1, 0};  // the file's coordinates; up need not be perpendicular
@@ -18,8 +20,8 @@ struct CameraOverride {
     std::optional<LookAt> lookAt{};
     std::optional<float> fov{};  // of the picture's shorter side, in degrees, in (0, 180)
 
-    // The transform of a camera for which the file has `worldToCamera`. One that stands elsewhere stands still; it keeps
-    // left and right swapped if the file's has them so.
+    // The transform of a camera for which the file has `worldToCamera`. One that stands elsewhere stands still; it
+    // keeps left and right swapped if the file's has them so.
     TransformSet placed(const TransformSet& worldToCamera) const;
     // Changes the parameters of the file's camera. Throws Error, at the camera, if it has no field of view.
     void applyFov(const std::string& type, ParamSet& params) const;

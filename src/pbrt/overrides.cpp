@@ -8,7 +8,6 @@
 
 #include "base/suggest.h"
 
-
 namespace drc::pbrt {
 namespace {
 

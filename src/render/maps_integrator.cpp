@@ -107,9 +107,8 @@ std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& s
     constexpr auto kSingle = FilmLayerSpec::Storage::Single;
     constexpr int kGroups = LayerFilter::kGroups;
     std::vector<FilmLayerSpec> layers(kLobeGBuffer);
-    layers[kEmission] = {.name = "emission",
-                         .groups = params.variance ? 2 : 1,
-                         .quantum = radianceQuantum(scene.settings.filmScale)};
+    layers[kEmission] = {
+        .name = "emission", .groups = params.variance ? 2 : 1, .quantum = radianceQuantum(scene.settings.filmScale)};
     layers[kLit] = {.name = "lit", .groups = kGroups, .storage = kSingle};
     layers[kGlossy] = {.name = "glossy", .groups = kGroups, .storage = kSingle};
     layers[kBroad] = {.name = "broad", .groups = kGroups, .storage = kSingle};

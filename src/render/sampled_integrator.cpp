@@ -11,8 +11,7 @@ int halfOf(uint64_t seed, uint32_t index) {
 
 std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const RenderSettings& settings, bool direct) {
     const double quantum = radianceQuantum(settings.filmScale);
-    std::vector<FilmLayerSpec> layers{
-        {.name = kBeautyLayer, .groups = params.variance ? 2 : 1, .quantum = quantum}};
+    std::vector<FilmLayerSpec> layers{{.name = kBeautyLayer, .groups = params.variance ? 2 : 1, .quantum = quantum}};
     if (params.parts && direct) layers.push_back({.name = kDirectLayer, .quantum = quantum});
     if (params.gBuffer) addGBufferSpec(layers, params.independentHalves ? 2 : 1);
     if (settings.transparentFilm) layers.push_back({.name = kAlphaLayer, .channels = 1});

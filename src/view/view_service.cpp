@@ -247,6 +247,9 @@ HttpResponse ViewService::state() const {
     value["title"] = settings_.title;
     value["film"] = {film_.width, film_.height};
     value["home"] = asJson(home_, scene_);
+    value["display"] = {{"exposure", settings_.display.exposure},
+                        {"auto", settings_.display.autoExposure},
+                        {"view", viewName(settings_.display.view)}};
     value["layers"] = frame ? layersOf(*frame) : std::vector<std::string>{"beauty"};
     const std::lock_guard lock(mutex_);
     value["camera"] = asJson(camera_, scene_);
