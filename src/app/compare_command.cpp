@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "app/option_checks.h"
+#include "app/usage_error.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "image/difference_image.h"
@@ -119,7 +121,8 @@ std::string extensionOf(const std::string& path) {
 
 // Called before the work, not after it.
 void checkDifferencePath(const std::string& path) {
-    if (extensionOf(path) != ".png") throw Error(fmt::format("--diff {}: the differences are written as .png", path));
+    if (extensionOf(path) != ".png")
+        throw UsageError(fmt::format("--diff {}: the differences are written as .png", path));
 }
 
 // The test image less the reference, linear: negative where the test image is too dark.
@@ -160,11 +163,12 @@ void compareWithTwo(const CompareOptions& options) {
 void run(const CompareOptions& options) {
     if (!options.diff.empty()) checkDifferencePath(options.diff);
     if (!options.signedDiff.empty() && extensionOf(options.signedDiff) != ".exr")
-        throw Error(fmt::format("--signed-diff {}: signed differences are written as .exr", options.signedDiff));
+        throw UsageError(fmt::format("--signed-diff {}: signed differences are written as .exr", options.signedDiff));
     options.pictures.size() == 2 ? compareWithOne(options) : compareWithTwo(options);
 }
 
-void addComparison(CLI::App& app, const std::string& name) {
+// own: what the user types for it.
+void addComparison(CLI::App& app, const std::string& name, const std::string& own) {
     const auto options = std::make_shared<CompareOptions>();
     CLI::App* command =
         app.add_subcommand(name, "Measure how far an image is from a reference, or from two of different seeds");
@@ -187,22 +191,25 @@ void addComparison(CLI::App& app, const std::string& name) {
                         "Write an EXR: the test image less the reference, or less the mean of both, linear");
     command->add_option("--exposure", options->exposure, "Stops by which both are brightened for SSIM, FLIP and PNGs")
         ->capture_default_str()
-        ->check(CLI::Range(-100.f, 100.f));
+        ->check(numberIn(-100, 100));
     command->footer(
         "SSIM and FLIP compare displayed colours; relMSE (without the worst 0.1 % of pixels), MSE and L1 compare\n"
         "linear radiance. The relMSE of the means of 8x8 pixels shows errors that noise hides.\n"
         "With two references, rendered with different seeds, the errors are without the references' own noise:\n"
         "the mean of (T - R1)(T - R2) / (D^2 + 0.01), D the references' radiance about the pixel.\n\n"
         "Examples:\n"
-        "  drc compare reference.exr drc.exr --diff difference.png\n"
-        "  drc compare seed1.exr seed2.exr drc.exr");
+        "  " +
+        own +
+        " reference.exr drc.exr --diff difference.png\n"
+        "  " +
+        own + " seed1.exr seed2.exr drc.exr");
     command->callback([options] { run(*options); });
 }
 
 }  // namespace
 
-void addCompareCommand(CLI::App& app) { addComparison(app, "compare"); }
+void addCompareCommand(CLI::App& app) { addComparison(app, "compare", "drc compare"); }
 
-void addImageDiff(CLI::App& image) { addComparison(image, "diff"); }
+void addImageDiff(CLI::App& image) { addComparison(image, "diff", "drc image diff"); }
 
 }  // namespace drc

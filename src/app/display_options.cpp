@@ -4,7 +4,7 @@
 
 #include "app/option_checks.h"
 #include "app/picture_writer.h"
-#include "base/error.h"
+#include "app/usage_error.h"
 
 namespace drc {
 namespace {
@@ -45,7 +45,8 @@ void refuseDisplayOptionsWithoutPng(const CLI::App& command, const std::vector<s
     for (const char* name : kOptions)
         if (command.count(name) > 0) given.push_back(name);
     if (given.empty()) return;
-    throw Error(fmt::format("{}: EXR files stay linear and unexposed; give a .png as output", fmt::join(given, ", ")));
+    throw UsageError(
+        fmt::format("{}: EXR files stay linear and unexposed; give a .png as output", fmt::join(given, ", ")));
 }
 
 }  // namespace drc

@@ -6,6 +6,7 @@
 
 #include "app/image_output.h"
 #include "app/image_subcommands.h"
+#include "app/option_checks.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/parallel.h"
@@ -107,9 +108,7 @@ void addImageDenoise(CLI::App& image) {
         ->capture_default_str()
         ->check(CLI::IsMember({"on", "off", "clean"}));
     command->add_option("--oidn-library", options->library, "As of drc render");
-    command->add_option("--nthreads", options->threads, "Number of threads; 0: one for each core")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 4096));
+    addThreadsOption(*command, options->threads);
     command->footer(
         "An EXR keeps its other layers as they are.\n\n"
         "Example: drc image denoise render.exr -o clean.exr");

@@ -2,6 +2,8 @@
 #include <filesystem>
 
 #include "app/command.h"
+#include "app/option_checks.h"
+#include "app/usage_error.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/interrupt.h"
@@ -164,8 +166,9 @@ void addReferenceCommand(CLI::App& app) {
     auto* inputs = command->add_option("--inputs", o->examples.inputs, "One-sample realisations of each map")
                        ->capture_default_str()
                        ->check(CLI::Range(1, limits::kExampleInputs));
-    auto* projection =
-        command->add_option("--projection", o->projection, "equal-area or latlong")->capture_default_str();
+    auto* projection = command->add_option("--projection", o->projection, "equal-area or latlong")
+                           ->capture_default_str()
+                           ->check(CLI::IsMember({"equal-area", "latlong"}));
     auto* size = command->add_option("--map-size", o->size, "Texels along each side")
                      ->capture_default_str()
                      ->check(CLI::Range(4, limits::kExampleMapSize));
@@ -174,15 +177,15 @@ void addReferenceCommand(CLI::App& app) {
                      "shard, or iispt: a folder of PFM files a scene, as the authors' programs read and write them")
         ->capture_default_str()
         ->check(CLI::IsMember({"shard", "iispt"}));
-    command->add_option("--seed", o->examples.seed, "Seed of all random numbers")->capture_default_str();
-    command->add_option("--nthreads", o->threads, "Threads; 0: one a core")->capture_default_str();
+    addSeedOption(*command, o->examples.seed, "Seed of all random numbers");
+    addThreadsOption(*command, o->threads);
     command->add_flag("--quiet", o->quiet, "Say nothing but errors");
     command->footer(
         "An interrupted run goes on where it was when the same command is given again.\n"
         "Example: drc reference rooms/*/scene.pbrt --tiles 12 --spp 64 -o examples");
     command->callback([=] {
         if (o->layout == "iispt" && (*inputs || *projection || *size))
-            throw Error(
+            throw UsageError(
                 "--layout iispt has one input and latlong maps of 32 x 32: leave out --inputs, --projection and "
                 "--map-size");
         writeReferences(*o);

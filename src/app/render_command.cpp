@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -12,6 +12,7 @@
 #include "app/picture_finisher.h"
 #include "app/render_options.h"
 #include "app/same_world.h"
+#include "app/usage_error.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/interrupt.h"
@@ -21,7 +22,6 @@
 #include "pbrt/scene_file.h"
 #include "render/deadline.h"
 #include "render/noise_threshold.h"
-#include "scene/crop_window.h"
 #include "scene/film_output.h"
 
 namespace drc {
@@ -56,25 +56,8 @@ ChosenMapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& in
     return {makeNetworkMapDenoiser(weights, indirect.capture.layout, precision), weights->hash()};
 }
 
-pbrt::LoadOptions loadOptionsOf(const RenderOptions& o) {
-    pbrt::LoadOptions load;
-    if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
-    load.overrides = o.overrides;
-    return load;
-}
-
-std::optional<CropWindow> cropOf(const RenderOptions& o) {
-    try {
-        if (!o.crop.empty()) return cropWindowOf(o.crop);
-    } catch (const Error& error) {
-        throw Error(std::string("--crop: ") + error.what());
-    }
-    return {};
-}
-
 std::unique_ptr<Scene> loadScene(RenderOptions& o) {
-    cropOf(o);  // whatever is wrong with it is said first
-    auto scene = pbrt::loadPbrtFile(o.scene, loadOptionsOf(o));
+    auto scene = o.overrides.load(o.scene);
     if (o.outputs.empty()) o.outputs = filmOutputs(scene->settings);
     return scene;
 }
@@ -161,8 +144,11 @@ void run(Session& session, PictureFinisher& finisher, const RenderOptions& o, Ch
 // What else than the parameters of a render its bits depend on.
 Checkpoint::Identity othersOf(const RenderOptions& o, const std::string& weightsHash) {
     Checkpoint::Identity others;
-    for (const std::string& replaced : o.overrides)
+    for (const std::string& replaced : o.overrides.parameters)
         others.emplace_back("-D " + replaced.substr(0, replaced.find('=')), replaced);
+    if (!o.overrides.lookAt.empty())
+        others.emplace_back("--lookat", fmt::format("{}", fmt::join(o.overrides.lookAt, " ")));
+    if (o.overrides.fov) others.emplace_back("--fov", fmt::format("{}", *o.overrides.fov));
     if (!usesMaps(o.params.integrator)) return others;
     const RenderParams& p = o.params;
     others.insert(others.end(), {{"--map-denoiser", o.mapDenoiser},
@@ -198,7 +184,7 @@ class SceneRender {
           chosen_(usesMaps(params_.integrator) ? chooseMapDenoiser(o, params_.indirect) : ChosenMapDenoiser()) {
         stats_.timer("load").add(Clock::now() - start);
         params_.denoise = denoiser_.denoise;
-        if (const auto crop = cropOf(o)) std::copy(crop->begin(), crop->end(), scene_->settings.cropWindow);
+        o.overrides.cropFilm(scene_->settings);
         const auto build = Clock::now();
         session_.emplace(*scene_, params_, chosen_.mapDenoiser, &stats_, start);
         stats_.timer("build").add(Clock::now() - build);
@@ -255,7 +241,7 @@ class SceneRender {
 
     // Goes on with the camera of o.scene, if its world is that of this scene. Otherwise false, and nothing has changed.
     bool moveCamera(Clock::time_point start) {
-        const std::unique_ptr<Scene> camera = world_.cameraIn(o_.scene, *scene_, loadOptionsOf(o_));
+        const std::unique_ptr<Scene> camera = world_.cameraIn(o_.scene, *scene_, o_.overrides.loadOptions());
         if (!camera) return false;
         start_ = start;
         scene_->settings.outputFile = camera->settings.outputFile;
@@ -277,10 +263,10 @@ class SceneRender {
         if (o_.spacing) o_.params.firstSpacing = *o_.spacing / float(scene_->settings.film.height);
         if (o_.aovs) o_.params.gBuffer = o_.params.parts = o_.params.variance = true;
         if (o_.noiseThreshold) estimateErrors(o_.params, *o_.noiseThreshold);
-        RenderParams params = resolved(o_.params, *scene_);
+        RenderParams params = asUsage([&] { return resolved(o_.params, *scene_); });
         if (o_.noiseThreshold && !hasHalves(params.integrator))
-            throw Error("--noise-threshold: with --integrator " + params.integrator +
-                        " the error cannot be estimated; it can with drc, path and direct");
+            throw UsageError("--noise-threshold: with --integrator " + params.integrator +
+                             " the error cannot be estimated; it can with drc, path and direct");
         refuseIdleOptions(command, params.integrator);
         return params;
     }
@@ -288,7 +274,7 @@ class SceneRender {
         ChosenDenoiser denoiser =
             chooseDenoiser(o_.params.denoise, params_, [&] { return findOidn(OidnSearch::ofProcess(o_.oidnLibrary)); });
         if (!o_.oidnLibrary.empty() && !denoiser.oidn)
-            throw Error("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
+            throw UsageError("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
         return denoiser;
     }
 
@@ -309,14 +295,15 @@ void render(RenderOptions o, const CLI::App& command) {
     setThreadCount(o.threads);
     installInterruptHandler();
     setSomethingToSave(false);
+    o.overrides.check();
     for (const std::string& path : o.outputs) {
-        outputKind(path);
+        asUsage([&] { outputKind(path); });
         checkOutput("-o", path);
     }
     if (!o.outputs.empty()) refuseDisplayOptionsWithoutPng(command, o.outputs);
     if (!o.timing.empty()) checkOutput("--timing", o.timing);
     if (!o.checkpoint.empty()) checkOutput("--checkpoint", o.checkpoint);
-    durationOf("--every", o.every);
+    asUsage([&] { durationOf("--every", o.every); });
     std::optional<FrameList> frames;
     if (!o.frames.empty()) frames.emplace(o.frames);
 

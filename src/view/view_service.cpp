@@ -292,6 +292,9 @@ HttpResponse ViewService::state() const {
     value["run"] = run_;
     value["home"] = asJson(home_, scene_);
     value["home"]["picture"] = asJson(picture_);
+    value["display"] = {{"exposure", settings_.display.exposure},
+                        {"auto", settings_.display.autoExposure},
+                        {"view", viewName(settings_.display.view)}};
     value["layers"] = frame ? layersOf(*frame) : std::vector<std::string>{"beauty"};
     const std::lock_guard lock(mutex_);
     value["reference"] = reference_ != nullptr;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "image/display.h"
 #include "view/http_server.h"
 #include "view/live_render.h"
 #include "view/view_camera.h"
@@ -21,6 +22,7 @@ class ViewService {
         std::string token;  // see randomToken() and isToken()
         // Encodes a frame as an EXR with all that it has.
         std::function<std::string(const LiveFrame&)> encodeExr;
+        DisplaySettings display{};  // how the page shows pictures at first
     };
 
     // All must outlive the service.

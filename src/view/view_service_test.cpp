@@ -57,7 +57,8 @@ struct Served {
         render = std::make_unique<LiveRender>(*session, LiveRender::Callbacks{[](LayeredPicture&, bool) {}, {}});
         service = std::make_unique<ViewService>(
             *scene, session->accel(), *render,
-            ViewService::Settings{"room", "t", [](const LiveFrame&) { return std::string(); }});
+            ViewService::Settings{
+                "room", "t", [](const LiveFrame&) { return std::string(); }, {1.5f, true, View::Agx}});
         waitForSamples(3);
     }
     void waitForSamples(int samples) {
@@ -231,6 +232,11 @@ TEST(ViewService, TakesALens) {
         EXPECT_EQ(refused.status, 400) << wrong;
         EXPECT_THAT(refused.body, testing::StartsWith("a lens must have a window")) << wrong;
     }
+}
+
+TEST(ViewService, TellsHowThePageShowsPicturesAtFirst) {
+    const Json display = Json::parse(Served().get("state").body)["display"];
+    EXPECT_EQ(display, Json({{"exposure", 1.5}, {"auto", true}, {"view", "agx"}}));
 }
 
 TEST(ViewService, TakesAPartOfThePicture) {

@@ -62,6 +62,8 @@ async function start() {
   camera = structuredClone(first.camera);
   film = first.film;
   await listLayers();
+  view = $("view").value = first.display.view;
+  setExposure(first.display.exposure + (first.display.auto ? (await (await ask("exposure")).json()).stops : 0));
   if (first.reference) reference = new Picture(await (await ask("frame?layer=reference")).arrayBuffer());
   $("split").disabled = $("without").disabled = !reference;
   onFrame(first);
