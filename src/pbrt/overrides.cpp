@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pbrt/suggest.h"
+#include "base/suggest.h"
+
 
 namespace drc::pbrt {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "base/limits.h"
 #include "base/parallel.h"
+#include "base/suggest.h"
 #include "pbrt/medium_factory.h"
 #include "pbrt/overrides.h"
 #include "pbrt/scene_limits.h"
-#include "pbrt/suggest.h"
 #include "scene/texture_scale.h"
 
 namespace drc::pbrt {

@@ -1,6 +1,6 @@
 #include "pbrt/scene_media.h"
 
-#include "pbrt/suggest.h"
+#include "base/suggest.h"
 
 namespace drc::pbrt {
 
