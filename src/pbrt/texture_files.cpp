@@ -11,7 +11,7 @@ namespace {
 
 template <typename T>
 MipPyramid<T> readPyramid(const std::string& path, TexelGamma gamma) {
-    const ImageFile file = readImageFile(path);
+    const ImageFile file = readTextureFile(path);
     const bool srgb = gamma == TexelGamma::Srgb || (gamma == TexelGamma::FromFile && file.isSrgbEncoded());
     return MipPyramid<T>(file.image, srgb ? TexelEncoding::Srgb : TexelEncoding::Linear);
 }
