@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/image_output.h"
 #include "app/option_checks.h"
 #include "app/usage_error.h"
 #include "base/error.h"
@@ -19,6 +20,7 @@
 #include "image/image_io.h"
 #include "image/metrics.h"
 #include "image/pair_metrics.h"
+#include "image/picture_window.h"
 
 namespace drc {
 namespace {
@@ -27,6 +29,7 @@ struct CompareOptions {
     std::vector<std::string> pictures;  // one reference or two, then the test image
     std::string diff;
     std::string signedDiff;
+    std::string layer;
     bool json = false;
     float exposure = 0;
 };
@@ -132,31 +135,52 @@ Image signedDifference(const Image& reference, const Image& test) {
     return difference;
 }
 
-void writeDifferences(const CompareOptions& options, const Image& reference, const Image& test) {
+void writeDifferences(const CompareOptions& options, const Image& reference, const Image& test,
+                      const ExrWindow& window) {
     if (!options.diff.empty()) writePng(options.diff, differenceImage(reference, test, options.exposure));
-    if (!options.signedDiff.empty()) writeExr(options.signedDiff, signedDifference(reference, test));
+    if (!options.signedDiff.empty()) {
+        const Image difference = signedDifference(reference, test);
+        writeExr(options.signedDiff, {{"", &difference}}, {}, window);
+    }
+}
+
+struct Compared {
+    std::string path;
+    Image image;
+    ExrWindow window;
+
+    operator PlacedPicture() const { return {path, image, window}; }
+};
+
+Compared read(const CompareOptions& options, const std::string& path) {
+    if (!options.layer.empty()) {
+        const PictureFile file = readPictureFile(path);
+        return {path, coloursOf(file, options.layer), file.window};
+    }
+    const ImageFile file = readImageFile(path);
+    return {path, linearRgbOf(file), file.window};
 }
 
 void compareWithOne(const CompareOptions& options) {
-    const std::string &referencePath = options.pictures[0], &testPath = options.pictures[1];
-    const Image reference = readLinearRgb(referencePath), test = readLinearRgb(testPath);
-    if (reference.width() != test.width() || reference.height() != test.height())
-        throw Error(fmt::format("the images differ in size: {} is {}, {} is {}", referencePath, sizeString(reference),
-                                testPath, sizeString(test)));
-    const Metrics m = compare(reference, test, options.exposure);
-    warnOfNonFinite(m.nonFiniteReference, referencePath);
-    warnOfNonFinite(m.nonFiniteTest, testPath);
-    writeDifferences(options, reference, test);
+    const Compared reference = read(options, options.pictures[0]), test = read(options, options.pictures[1]);
+    requireSamePlace(reference, test, "compared");
+    const Metrics m = compare(reference.image, test.image, options.exposure);
+    warnOfNonFinite(m.nonFiniteReference, reference.path);
+    warnOfNonFinite(m.nonFiniteTest, test.path);
+    writeDifferences(options, reference.image, test.image, reference.window);
     fmt::print("{}{}", options.json ? toJson(m) : toTable(m), options.json ? "\n" : "");
 }
 
 void compareWithTwo(const CompareOptions& options) {
     const auto& paths = options.pictures;
-    const ReferencePair pair(readLinearRgb(paths[0]), readLinearRgb(paths[1]), options.exposure, paths[0], paths[1]);
-    const Image test = readLinearRgb(paths[2]);
-    const PairMetrics m = pair.compare(test, paths[2]);
+    Compared first = read(options, paths[0]), second = read(options, paths[1]);
+    const Compared test = read(options, paths[2]);
+    requireSamePlace(first, second, "compared");
+    requireSamePlace(first, test, "compared");
+    const ReferencePair pair(std::move(first.image), std::move(second.image), options.exposure, paths[0], paths[1]);
+    const PairMetrics m = pair.compare(test.image, paths[2]);
     for (size_t i = 0; i < paths.size(); ++i) warnOfNonFinite(m.errors.nonFinite[i], paths[i]);
-    writeDifferences(options, pair.mean(), test);
+    writeDifferences(options, pair.mean(), test.image, test.window);
     fmt::print("{}{}", options.json ? toJson(pair, m) : toTable(pair, m), options.json ? "\n" : "");
 }
 
@@ -175,10 +199,12 @@ void addComparison(CLI::App& app, const std::string& name, const std::string& ow
     command
         ->add_option(
             "PICTURE", options->pictures,
-            "REF TEST, or REF1 REF2 TEST: references (EXR, PFM, PNG, JPEG, HDR, TGA), then the image to judge; "
-            "all of one size")
+            "REF TEST, or REF1 REF2 TEST: references (EXR, PFM, PNG, JPEG, TIFF, HDR, TGA), then the image to judge; "
+            "all of one size and, of EXR files, of the same part of the whole")
         ->required()
         ->expected(2, 3);
+    command->add_option("--layer", options->layer,
+                        "The layer or the channel of EXR files to compare in place of the beauty: direct, or depth.Z");
     command->add_flag(
         "--json", options->json,
         "Print one JSON object. With one reference: ssim, flip, relmse, block_relmse, mse, l1, mean_ratio "
