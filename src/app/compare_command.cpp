@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "app/distinct_files.h"
+#include "app/picture_writer.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "image/difference_image.h"
@@ -143,8 +145,8 @@ void compareWithOne(const CompareOptions& options) {
     const Metrics m = compare(reference, test, options.exposure);
     warnOfNonFinite(m.nonFiniteReference, referencePath);
     warnOfNonFinite(m.nonFiniteTest, testPath);
-    writeDifferences(options, reference, test);
     fmt::print("{}{}", options.json ? toJson(m) : toTable(m), options.json ? "\n" : "");
+    writeDifferences(options, reference, test);
 }
 
 void compareWithTwo(const CompareOptions& options) {
@@ -153,14 +155,22 @@ void compareWithTwo(const CompareOptions& options) {
     const Image test = readLinearRgb(paths[2]);
     const PairMetrics m = pair.compare(test, paths[2]);
     for (size_t i = 0; i < paths.size(); ++i) warnOfNonFinite(m.errors.nonFinite[i], paths[i]);
-    writeDifferences(options, pair.mean(), test);
     fmt::print("{}{}", options.json ? toJson(pair, m) : toTable(pair, m), options.json ? "\n" : "");
+    writeDifferences(options, pair.mean(), test);
 }
 
 void run(const CompareOptions& options) {
     if (!options.diff.empty()) checkDifferencePath(options.diff);
     if (!options.signedDiff.empty() && extensionOf(options.signedDiff) != ".exr")
         throw Error(fmt::format("--signed-diff {}: signed differences are written as .exr", options.signedDiff));
+    DistinctFiles files;
+    for (const std::string& path : options.pictures) files.reads("the picture", path);
+    for (const auto& [option, path] :
+         {std::pair("--diff", options.diff), std::pair("--signed-diff", options.signedDiff)})
+        if (!path.empty()) {
+            files.writes(option, path);
+            checkOutput(option, path);
+        }
     options.pictures.size() == 2 ? compareWithOne(options) : compareWithTwo(options);
 }
 
