@@ -7,7 +7,9 @@
 #include <set>
 
 #include "app/command.h"
+#include "app/exit_code.h"
 #include "app/option_checks.h"
+#include "app/picture_writer.h"
 #include "app/shipped_folders.h"
 #include "app/usage_error.h"
 #include "base/atomic_file.h"
@@ -139,19 +141,24 @@ void bench(const BenchOptions& o) {
     if (o.seconds.empty() && o.spp.empty() && o.tasks.empty())
         logInfo(fmt::format("no budget is given: {} s for each render; --seconds, --spp and --tasks set others",
                             kDefaultSeconds));
+    const auto file = [&](const char* name) { return (fs::path(o.output) / name).string(); };
+    std::error_code failed;
+    fs::create_directories(o.output, failed);
+    if (failed) throw Error(fmt::format("-o {}: {}", o.output, failed.message()));
+    for (const char* name : {"bench.json", "bench.md", "index.html"}) checkOutput("-o", file(name));
     installInterruptHandler();
     const BenchReport report = runBench(settings, &interruptToken());
-    const auto file = [&](const char* name) { return (fs::path(o.output) / name).string(); };
+    if (interruptToken().cancelled()) exitCode() = 128 + interruptSignal();
     const std::string table = benchMarkdown(report);
+    fmt::print("{}", table);
     writeFileAtomically(file("bench.json"), toJson(report));
     writeFileAtomically(file("bench.md"), table);
     writeFileAtomically(file("index.html"), benchPage(report, o.output));
-    fmt::print("{}", table);
-    size_t failed = 0;
-    for (const BenchRun& run : report.runs) failed += !run.failure.empty();
+    const auto failures =
+        size_t(std::ranges::count_if(report.runs, [](const BenchRun& run) { return !run.failure.empty(); }));
     if (interruptToken().cancelled()) logInfo("interrupted; called again in the same way, it goes on");
-    logInfo(fmt::format("{}: {} runs, {} failed", file("index.html"), report.runs.size(), failed));
-    if (failed > 0 && failed == report.runs.size())
+    logInfo(fmt::format("{}: {} runs, {} failed", file("index.html"), report.runs.size(), failures));
+    if (failures > 0 && failures == report.runs.size())
         throw Error("all runs failed; the first: " + report.runs[0].failure);
 }
 
@@ -226,7 +233,8 @@ void addBenchCommand(CLI::App& app) {
     command->add_flag("-v,--verbose", o->verbose, "Print more messages, among them the command lines");
     command->footer(
         "Example: drc bench scene.pbrt --methods drc,path+oidn --seconds 10,30,60\n"
-        "After an interruption, the same command continues where it stopped.");
+        "After an interruption, which ends it with 130 (Ctrl-C), 143 (SIGTERM) or 129 (SIGHUP), the same command\n"
+        "continues where it stopped.");
     command->callback([o] { bench(*o); });
 }
 

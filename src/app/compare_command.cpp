@@ -11,8 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "app/distinct_files.h"
 #include "app/image_output.h"
 #include "app/option_checks.h"
+#include "app/picture_writer.h"
 #include "app/usage_error.h"
 #include "base/error.h"
 #include "base/log.h"
@@ -167,8 +169,8 @@ void compareWithOne(const CompareOptions& options) {
     const Metrics m = compare(reference.image, test.image, options.exposure);
     warnOfNonFinite(m.nonFiniteReference, reference.path);
     warnOfNonFinite(m.nonFiniteTest, test.path);
-    writeDifferences(options, reference.image, test.image, reference.window);
     fmt::print("{}{}", options.json ? toJson(m) : toTable(m), options.json ? "\n" : "");
+    writeDifferences(options, reference.image, test.image, reference.window);
 }
 
 void compareWithTwo(const CompareOptions& options) {
@@ -180,14 +182,22 @@ void compareWithTwo(const CompareOptions& options) {
     const ReferencePair pair(std::move(first.image), std::move(second.image), options.exposure, paths[0], paths[1]);
     const PairMetrics m = pair.compare(test.image, paths[2]);
     for (size_t i = 0; i < paths.size(); ++i) warnOfNonFinite(m.errors.nonFinite[i], paths[i]);
-    writeDifferences(options, pair.mean(), test.image, test.window);
     fmt::print("{}{}", options.json ? toJson(pair, m) : toTable(pair, m), options.json ? "\n" : "");
+    writeDifferences(options, pair.mean(), test.image, test.window);
 }
 
 void run(const CompareOptions& options) {
     if (!options.diff.empty()) checkDifferencePath(options.diff);
     if (!options.signedDiff.empty() && extensionOf(options.signedDiff) != ".exr")
         throw UsageError(fmt::format("--signed-diff {}: signed differences are written as .exr", options.signedDiff));
+    DistinctFiles files;
+    for (const std::string& path : options.pictures) files.reads("the picture", path);
+    for (const auto& [option, path] :
+         {std::pair("--diff", options.diff), std::pair("--signed-diff", options.signedDiff)})
+        if (!path.empty()) {
+            files.writes(option, path);
+            checkOutput(option, path);
+        }
     options.pictures.size() == 2 ? compareWithOne(options) : compareWithTwo(options);
 }
 

@@ -29,11 +29,11 @@ void run(EvaluateOptions& options) {
     if (!options.html.empty()) page = std::make_unique<AtomicFile>(options.html);
     const Evaluation evaluation = evaluate(options.settings);
     const EvaluationReport report = makeReport(evaluation);
+    fmt::print("{}", options.json ? evaluationJson(evaluation, report) : evaluationTable(evaluation, report));
     if (page) {
         page->write(evaluationPage(evaluation, report, {size_t(options.samples), options.seed}));
         page->commit();
     }
-    fmt::print("{}", options.json ? evaluationJson(evaluation, report) : evaluationTable(evaluation, report));
 }
 
 }  // namespace

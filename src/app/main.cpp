@@ -1,16 +1,20 @@
-// drc: the command line. Exit codes: 0 done, 1 an error that the user can mend, 64 a command line that cannot be meant
-// (EX_USAGE of sysexits.h), 128 + the signal (130 for Ctrl-C) interrupted before there was a picture.
+// drc: the command line. Exit codes, as in docs/exit-codes.md: 0 done, 1 an error that the user can mend, 64 a command
+// line that cannot be meant (EX_USAGE of sysexits.h), 128 + the signal (130 for Ctrl-C) interrupted before all was done.
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
 
 #include "app/command.h"
 #include "app/command_line.h"
+#include "app/exit_code.h"
 #include "app/usage_error.h"
 #include "base/log.h"
 
 int main(int argc, char** argv) {
     for (int i = 0; i < argc; ++i) drc::processInfo().commandLine += (i ? " " : "") + std::string(argv[i]);
+    // Then a file beyond `ulimit -f` is an error of writing it, which can be said and mended.
+    std::signal(SIGXFSZ, SIG_IGN);
 
     const std::unique_ptr<CLI::App> app = drc::makeCommandLine();
     try {
@@ -30,5 +34,5 @@ int main(int argc, char** argv) {
     // Exits without destructors: the system frees a large scene's memory at once, while they would take up to a second
     // of --time.
     std::fflush(nullptr);
-    std::_Exit(0);
+    std::_Exit(drc::exitCode());
 }

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "app/command.h"
+#include "app/exit_code.h"
 #include "app/option_checks.h"
 #include "app/usage_error.h"
 #include "base/atomic_file.h"
@@ -75,7 +76,12 @@ class ReferenceRun {
                 logError(error.what());
                 ++failed;
             }
-            if (interruptToken().cancelled()) throw Error("interrupted; run the same command again to go on");
+            if (interruptToken().cancelled()) {
+                progress_.finish();
+                logInfo("interrupted; run the same command again to go on");
+                exitCode() = 128 + interruptSignal();
+                return;
+            }
         }
         progress_.finish();
         logInfo(fmt::format("{}: {}", options_.directory, tally_.str()));
@@ -181,7 +187,8 @@ void addReferenceCommand(CLI::App& app) {
     addThreadsOption(*command, o->threads);
     command->add_flag("--quiet", o->quiet, "Say nothing but errors");
     command->footer(
-        "An interrupted run goes on where it was when the same command is given again.\n"
+        "An interrupted run ends with 130 (Ctrl-C), 143 (SIGTERM) or 129 (SIGHUP), and goes on where it was when the\n"
+        "same command is given again.\n"
         "Example: drc reference rooms/*/scene.pbrt --tiles 12 --spp 64 -o examples");
     command->callback([=] {
         if (o->layout == "iispt" && (*inputs || *projection || *size))

@@ -179,8 +179,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
                        "JSON file to write, with the seconds of reading, rendering, denoising and writing");
     CLI::Option* checkpoint = command.add_option(
         "--checkpoint", o.checkpoint,
-        "File to save the render's state in now and then, and when it is interrupted, so that it can go "
-        "on later by --resume");
+        "File to save the render's state in now and then, and at its end, also if it is interrupted, so that it can go "
+        "on later by --resume, with more samples too");
     command.add_option("--every", o.every, "How often: 60s, 5m, 1h")->capture_default_str()->needs(checkpoint);
     command.add_option("--resume", o.resume,
                        "Goes on from a checkpoint of the same scene and settings, to the same bits as if it had not "
@@ -191,9 +191,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
             "File with the further frames of an animation, or - for standard input: lines of a scene file and, "
             "after a tab, the picture to write. Where they differ in the camera alone, scene and radiance cells "
             "are kept. --time is for each frame; a line on standard output tells that its picture is there")
-        ->excludes("--checkpoint")
         ->excludes("--lookat")
-        ->excludes("--resume")
         ->excludes("--timing");
     command
         .add_option("--display-server", o.displayServer,
@@ -205,7 +203,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     command.add_flag("-v,--verbose", o.verbose, "Print more messages");
     addCells(command, o);
     addMaps(command, o);
-    command.footer("Example: drc render scene.pbrt --time 30 -o picture.png -o picture.exr");
+    command.footer(
+        "Exit codes: 0 the pictures are whole and in their place; 130 (Ctrl-C), 143 (SIGTERM) or 129 (SIGHUP)\n"
+        "interrupted, pictures that there are have fewer samples; 1 an error, which is said.\n\n"
+        "Example: drc render scene.pbrt --time 30 -o picture.png -o picture.exr");
 }
 
 void refuseIdleOptions(const CLI::App& command, const std::string& integrator) {
