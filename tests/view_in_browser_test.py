@@ -594,7 +594,7 @@ class ViewInBrowser(unittest.TestCase):
             self.assertNotIn(token.encode(), view.get("save.exr"))
             view.close()
             view = View(self.drc, "--port", port, "--token", token)
-            self.browser.wait_for(f"document.body.dataset.drawn > 0 && state?.run && state.run !== '{run}' && state.samples > 0")
+            self.browser.wait_for(f"document.body?.dataset.drawn > 0 && state?.run && state.run !== '{run}' && state.samples > 0")
         finally:
             view.close()
             self.browser.events.clear()

@@ -59,6 +59,8 @@ void LiveRender::pause(bool paused) {
         if (paused) cancel_.cancel();
     }
     changed_.notify_all();
+    // A render that rests makes no frame that would tell everybody.
+    if (callbacks_.onFrame) callbacks_.onFrame();
 }
 
 void LiveRender::setCamera(std::function<std::unique_ptr<Camera>()> make, const FilmGeometry& film, bool moving) {

@@ -51,8 +51,8 @@ struct LiveState {
 class LiveRender {
   public:
     // finish: applies the filters to a picture. moving: while the camera moves, when time counts most. onFrame: called
-    // after each new frame, and when the focus has changed, on the render's thread. estimate: of a picture with half
-    // buffers that is not filtered; may be empty.
+    // after each new frame, and when the focus has changed, on the render's thread; by pause(), on its caller's.
+    // estimate: of a picture with half buffers that is not filtered; may be empty.
     struct Callbacks {
         std::function<void(LayeredPicture&, bool moving)> finish;
         std::function<void()> onFrame;

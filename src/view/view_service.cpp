@@ -260,9 +260,10 @@ HttpResponse ViewService::page() const {
 }
 
 std::string ViewService::frameEvent() const {
+    const std::lock_guard inOrder(eventMutex_);
     const auto frame = render_.frame();
     const LiveState state = render_.state();
-    Json event{{"paused", state.paused}, {"done", state.done}, {"focus", nullptr}};
+    Json event{{"serial", ++serial_}, {"paused", state.paused}, {"done", state.done}, {"focus", nullptr}};
     if (state.focus) event["focus"] = {state.focus->x0, state.focus->y0, state.focus->x1, state.focus->y1};
     if (!state.error.empty()) event["error"] = state.error;
     if (frame)

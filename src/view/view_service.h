@@ -30,7 +30,8 @@ class ViewService {
 
     // Safe from any thread.
     HttpResponse answer(const HttpRequest& request);
-    // The data of an event "frame": what has changed.
+    // The data of an event "frame": what has changed. Its serial rises, so that a page can tell which of an event and
+    // an answer is older.
     std::string frameEvent() const;
     const std::string& token() const { return settings_.token; }
 
@@ -59,6 +60,8 @@ class ViewService {
     mutable std::mutex mutex_;
     ViewCamera camera_;
     uint64_t cameraNumber_ = 0;  // how often it has been set
+    mutable std::mutex eventMutex_;
+    mutable uint64_t serial_ = 0;
     std::shared_ptr<const Image> reference_;
 };
 

@@ -24,6 +24,8 @@ async function load() {
 }
 function say(text, bad) { $("status").textContent = text; $("status").classList.toggle("bad", !!bad); }
 function onFrame(event) {
+  // An answer may be overtaken by an event.
+  if (event.serial < state?.serial) return;
   state = Object.assign(state ?? {}, event);
   if (event.error) return say(event.error, true);
   const how = event.done ? "done" : event.paused ? "paused" : "rendering";
