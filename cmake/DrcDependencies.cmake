@@ -11,6 +11,7 @@ find_package(Imath REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
+find_package(TIFF REQUIRED)
 find_package(ZLIB REQUIRED)
 # Debian's package has no CMake files.
 find_path(UTF8PROC_INCLUDE_DIR utf8proc.h REQUIRED)

@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <thread>
 
 #include "base/atomic_file.h"
 #include "base/folder_testing.h"
@@ -33,9 +36,9 @@ class Animation : public FolderTest {
     std::string rendered(const std::string& scene, const std::string& output, const std::string& frames,
                          const std::string& options, int& status) const {
         folder_.write("frames.txt", frames);
-        const std::string command = std::string(DRC_PROGRAM) + " render -v --seed 3 --denoise off --nthreads 1 " +
-                                    options + " " + path(scene) + " -o " + path(output) + " --frames - < " +
-                                    path("frames.txt") + " 2>&1";
+        const std::string command = "echo $$ > " + path("pid") + "; exec " + DRC_PROGRAM +
+                                    " render -v --seed 3 --denoise off --nthreads 1 " + options + " " + path(scene) +
+                                    " -o " + path(output) + " --frames - < " + path("frames.txt") + " 2>&1";
         FILE* pipe = popen(command.c_str(), "r");
         std::string said;
         std::array<char, 4096> buffer;
@@ -94,6 +97,47 @@ TEST_F(Animation, AFrameThatCannotBeRenderedEndsIt) {
     EXPECT_THAT(said, testing::HasSubstr("none.pbrt"));
     EXPECT_TRUE(std::filesystem::exists(path("a.exr")));
     EXPECT_FALSE(std::filesystem::exists(path("b.exr")));
+}
+
+// An animation that is stopped within a frame, or killed between two, goes on there, to the same bits: cells that
+// frames have left to each other included.
+TEST_F(Animation, GoesOnFromACheckpoint) {
+    folder_.write("a.pbrt", scene(0));
+    folder_.write("b.pbrt", scene(.3));
+    folder_.write("c.pbrt", scene(.6));
+    folder_.write("d.pbrt", scene(.6, ".9 .1 .1"));
+    const std::string options = "--resolution 48x32 --spp 1000 ";
+    const auto render = [&](const std::string& folder, const std::string& more, int& status) {
+        std::string frames;
+        for (const char* name : {"b", "c", "d"}) frames += frame(name + std::string(".pbrt"), folder + name + ".exr");
+        return rendered("a.pbrt", folder + "a.exr", frames, options + more, status);
+    };
+    int status = 0;
+    for (const char* folder : {"whole", "parts"}) std::filesystem::create_directory(path(folder));
+    const std::string whole = render("whole/", "", status);
+    ASSERT_EQ(status, 0) << whole;
+    for (const int signal : {SIGINT, SIGKILL}) {
+        const std::string checkpoint = "--checkpoint " + path("state") + " ";
+        for (const char* name : {"a", "b", "c", "d"})
+            std::filesystem::remove(path("parts/" + std::string(name) + ".exr"));
+        std::thread stopping([&] {
+            for (int i = 0; i < 30000 && !std::filesystem::exists(path("parts/a.exr")); ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            std::this_thread::sleep_for(std::chrono::milliseconds(signal == SIGINT ? 100 : 0));
+            kill(pid_t(std::stoi(readFile(path("pid")))), signal);
+        });
+        const std::string said = render("parts/", checkpoint, status);
+        stopping.join();
+        ASSERT_FALSE(std::filesystem::exists(path("parts/d.exr"))) << "it was stopped too late";
+        if (signal == SIGINT) EXPECT_EQ(status, 130) << said;
+        const std::string rest = render("parts/", checkpoint + "--resume " + path("state"), status);
+        ASSERT_EQ(status, 0) << rest;
+        for (const char* name : {"a", "b", "c", "d"}) {
+            const std::string file = std::string(name) + ".exr";
+            EXPECT_EQ(pixels("parts/" + file), pixels("whole/" + file)) << signal << " " << file << "\n" << rest;
+            EXPECT_THAT(rest, testing::HasSubstr("\n" + path("parts/" + file) + "\n"));
+        }
+    }
 }
 
 }  // namespace

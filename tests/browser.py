@@ -1,5 +1,6 @@
 """A tab of a headless Chromium, for tests of pages. It is driven through its DevTools protocol over two pipes."""
 import base64
+import fcntl
 import json
 import os
 import select
@@ -18,20 +19,28 @@ def find_browser():
     return next(filter(None, map(shutil.which, NAMES)), None)
 
 
+def above_four(descriptor):
+    moved = fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, 5)
+    os.close(descriptor)
+    return moved
+
+
 class Browser:
     """One tab of a headless Chromium."""
 
     def __init__(self, program):
         self.profile = tempfile.TemporaryDirectory(prefix="drc-browser-", ignore_cleanup_errors=True)
-        to_browser, self.write_end = os.pipe()
-        self.read_end, from_browser = os.pipe()
-        # Chromium reads commands from descriptor 3 and answers on 4.
+        # Chromium reads commands from descriptor 3 and answers on 4, whatever else is open here.
+        to_browser, self.write_end = map(above_four, os.pipe())
+        self.read_end, from_browser = map(above_four, os.pipe())
+        def connect():
+            os.dup2(to_browser, 3)
+            os.dup2(from_browser, 4)
         self.process = subprocess.Popen(
-            ["sh", "-c", f'exec "$@" 3<&{to_browser} 4>&{from_browser}', "sh", program, "--headless", "--no-sandbox",
-             "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run", "--disable-background-networking",
-             "--hide-scrollbars", "--force-device-scale-factor=1", f"--user-data-dir={self.profile.name}",
-             "--remote-debugging-pipe", "about:blank"],
-            pass_fds=(to_browser, from_browser), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            [program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
+             "--disable-background-networking", "--hide-scrollbars", "--force-device-scale-factor=1",
+             f"--user-data-dir={self.profile.name}", "--remote-debugging-pipe", "about:blank"],
+            close_fds=False, preexec_fn=connect, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
         self.received = b""

@@ -120,7 +120,7 @@ TEST_F(CheckpointedRender, IsSavedWhenItIsInterrupted) {
         const pid_t child = start({"--spp", "100000", "--checkpoint", path("state"), "--every", "1h"});
         std::this_thread::sleep_for(std::chrono::seconds(2));
         kill(child, signal);
-        EXPECT_EQ(wait(child), 0);
+        EXPECT_EQ(wait(child), 128 + signal);
         EXPECT_EQ(readExrMetadata(path("out.exr")).at("drc:interrupted"), "true");
         const std::vector<float> then = pixels();
         const int samples = std::stoi(readExrMetadata(path("out.exr")).at("drc:spp"));
@@ -128,6 +128,43 @@ TEST_F(CheckpointedRender, IsSavedWhenItIsInterrupted) {
         EXPECT_EQ(std::stoi(readExrMetadata(path("out.exr")).at("drc:spp")), samples);
         EXPECT_EQ(then, pixels());
     }
+}
+
+// Also one that was shorter than the time between checkpoints, and with the defaults alone.
+TEST_F(CheckpointedRender, AFinishedOneTakesMoreSamples) {
+    for (const char* integrator : {"drc", "path", "bdpt", "drc-maps"}) {
+        const auto spp = [&](const char* samples) {
+            std::vector<std::string> options{"--integrator", integrator, "--spp", samples};
+            if (integrator == std::string("drc-maps"))
+                options.insert(options.end(), {"--map-denoiser", "none", "--passes", "2", "--spacing", "8"});
+            return options;
+        };
+        const auto with = [](std::vector<std::string> options, const std::vector<std::string>& more) {
+            options.insert(options.end(), more.begin(), more.end());
+            return options;
+        };
+        std::filesystem::remove(path("state"));
+        ASSERT_EQ(run(with(spp("5"), {"--checkpoint", path("state")})), 0) << said();
+        const std::vector<float> five = pixels();
+        // As it is, then with more samples, which are saved in turn, and with more still.
+        ASSERT_EQ(run(with(spp("5"), {"--resume", path("state")})), 0) << said();
+        EXPECT_THAT(said(), HasSubstr("that is all that is asked for"));
+        EXPECT_EQ(pixels(), five) << integrator;
+        ASSERT_EQ(run(with(spp("7"), {"--resume", path("state"), "--checkpoint", path("state")})), 0) << said();
+        ASSERT_EQ(run(with(spp("9"), {"--resume", path("state")})), 0) << said();
+        EXPECT_EQ(readExrMetadata(path("out.exr")).at("drc:spp"), "9");
+        const std::vector<float> nine = pixels();
+        ASSERT_EQ(run(spp("9")), 0) << said();
+        EXPECT_EQ(pixels(), nine) << integrator;
+    }
+}
+
+// Within the time that was given, which includes saving.
+TEST_F(CheckpointedRender, AFinishedOneTakesMoreTime) {
+    ASSERT_EQ(run({"--time", "2", "--checkpoint", path("state")}), 0) << said();
+    const int before = std::stoi(readExrMetadata(path("out.exr")).at("drc:spp"));
+    ASSERT_EQ(run({"--time", "2", "--resume", path("state")}), 0) << said();
+    EXPECT_GT(std::stoi(readExrMetadata(path("out.exr")).at("drc:spp")), before);
 }
 
 // One line that says what differs. Nothing is rendered.

@@ -1,11 +1,13 @@
 // Renders that are interrupted, as a user sees them: exit status, and what is in the files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -65,6 +67,19 @@ class InterruptedRender : public FolderTest {
                                        "-o",
                                        path("out.png")};
         words.insert(words.end(), options.begin(), options.end());
+        const pid_t child = start(words);
+        while (!catches(child, signal)) {
+            if (waitpid(child, nullptr, WNOHANG) == child) {
+                ADD_FAILURE() << "the program ended before it was interrupted";
+                return -1;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        kill(child, signal);
+        return exitOf(child);
+    }
+    static pid_t start(std::vector<std::string> words) {
         std::vector<char*> arguments;
         for (std::string& word : words) arguments.push_back(word.data());
         arguments.push_back(nullptr);
@@ -73,16 +88,10 @@ class InterruptedRender : public FolderTest {
             execv(DRC_PROGRAM, arguments.data());
             _exit(99);
         }
+        return child;
+    }
+    static int exitOf(pid_t child) {
         int status = 0;
-        while (!catches(child, signal)) {
-            if (waitpid(child, &status, WNOHANG) == child) {
-                ADD_FAILURE() << "the program ended before it was interrupted";
-                return -1;
-            }
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-        kill(child, signal);
         waitpid(child, &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }
@@ -100,10 +109,10 @@ TEST_F(InterruptedRender, BeforeThereIsAPictureNothingIsWritten) {
 }
 
 TEST_F(InterruptedRender, APictureIsSavedAndSaysThatItIsPartial) {
-    for (const int signal : {SIGINT, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         std::filesystem::remove(path("out.exr"));
         std::filesystem::remove(path("out.png"));
-        EXPECT_EQ(interrupted(signal, 2, "path"), 0);
+        EXPECT_EQ(interrupted(signal, 2, "path"), 128 + signal);
         const ExrMetadata metadata = readExrMetadata(path("out.exr"));
         EXPECT_EQ(metadata.at("drc:interrupted"), "true");
         EXPECT_GT(std::stoi(metadata.at("drc:spp")), 1);
@@ -119,9 +128,23 @@ TEST_F(InterruptedRender, APictureIsSavedAndSaysThatItIsPartial) {
 TEST_F(InterruptedRender, ABetterPictureIsKept) {
     writeExr(path("out.exr"), Image(4, 4), {{"drc:spp", "1000000000"}});
     const std::string before = readFile(path("out.exr"));
-    EXPECT_EQ(interrupted(SIGINT, 1.5, "path"), 0);
+    EXPECT_EQ(interrupted(SIGINT, 1.5, "path"), 128 + SIGINT);
     EXPECT_EQ(readFile(path("out.exr")), before);
     EXPECT_EQ(readExrMetadata(path("out.interrupted.exr")).at("drc:interrupted"), "true");
+}
+
+// The time is up, and its picture is being denoised and written: it is as good as it would have been.
+TEST_F(InterruptedRender, AnInterruptAfterTheLastSampleTakesNothing) {
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    std::filesystem::create_symlink("pipe", path("pipe.exr"));
+    const pid_t child = start({DRC_PROGRAM, "render", path("room.pbrt"), "--spp", "2", "--resolution", "32x32",
+                               "--denoise", "off", "-o", path("pipe.exr"), "-o", path("out.exr")});
+    // Nobody reads from the pipe, so the render waits in the middle of its outputs.
+    std::this_thread::sleep_for(std::chrono::seconds(3));
+    kill(child, SIGINT);
+    EXPECT_EQ(exitOf(child), 1);  // for the pipe's sake
+    EXPECT_EQ(readExrMetadata(path("out.exr")).count("drc:interrupted"), 0u);
+    EXPECT_TRUE(std::filesystem::exists(path("pipe.rescued.exr")));
 }
 
 }  // namespace

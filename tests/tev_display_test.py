@@ -182,10 +182,10 @@ class RenderTest(unittest.TestCase):
         self.addCleanup(process.kill)
         return process
 
-    def end(self, process):
-        """Waits for the render, whose messages it returns."""
+    def end(self, process, code=0):
+        """Waits for the render, which ends with this exit code; returns its messages."""
         _, messages = process.communicate(timeout=PATIENCE)
-        self.assertEqual(process.returncode, 0, messages)
+        self.assertEqual(process.returncode, code, messages)
         return messages
 
     def file(self):
@@ -282,7 +282,7 @@ class Viewers(RenderTest):
         process = self.start(self.port, "--spp", "100000")
         viewer.wait_for(lambda: viewer.received and len(viewer.received[0]) > 1000)
         process.send_signal(signal.SIGINT)
-        self.end(process)
+        self.end(process, 128 + signal.SIGINT)
         self.assertTrue(self.file())
 
     def test_bad_addresses(self):

@@ -9,11 +9,10 @@ import argparse
 import base64
 import http.client
 import json
+import math
 import pathlib
 import random
-import signal
 import socket
-import struct
 import subprocess
 import sys
 import tempfile
@@ -21,80 +20,10 @@ import threading
 import time
 import unittest
 import urllib.error
-import urllib.parse
 import urllib.request
 
 from browser import PATIENCE, Browser, find_browser
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-SCENE = ROOT / "scenes" / "quickstart" / "scene.pbrt"
-SIZE = (320, 180)
-
-
-class View:
-    """A running `drc view`."""
-
-    def __init__(self, drc, *options, size=SIZE):
-        self.process = subprocess.Popen([drc, "view", SCENE, "--resolution", f"{size[0]}x{size[1]}", *options],
-                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        self.url = self.process.stdout.readline().strip()
-        parts = urllib.parse.urlsplit(self.url)
-        self.port, self.path = parts.port, parts.path
-
-    def close(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGTERM)
-        self.process.wait(PATIENCE)
-        self.process.stdout.close()
-
-    def get(self, what, **options):
-        with urllib.request.urlopen(self.url + what, timeout=PATIENCE, **options) as response:
-            return response.read()
-
-    def post(self, what, body):
-        return self.get(what, data=body if isinstance(body, bytes) else json.dumps(body).encode())
-
-    def state(self):
-        return json.loads(self.get("state"))
-
-    def wait_for(self, condition):
-        limit = time.monotonic() + PATIENCE
-        while not condition(state := self.state()):
-            if time.monotonic() > limit:
-                raise TimeoutError(state)
-            time.sleep(0.02)
-        return state
-
-    def pause(self):
-        """Waits until what has been sampled is shown as well, however long the machine takes for it.
-
-        Returns the numbers of the pictures before and after that; then nothing moves."""
-        self.post("pause", True)
-        paused_at = self.wait_for(lambda s: s["paused"])["number"]
-        shown, number = None, paused_at
-        while shown != number:
-            time.sleep(1.5)
-            shown, number = number, self.state()["number"]
-        return paused_at, number
-
-    def frame(self, layer="beauty"):
-        data = self.get("frame?layer=" + layer)
-        width, height, channels, number = struct.unpack("<4I", data[:16])
-        values = struct.unpack(f"<{width * height * channels}e", data[16:])
-        return width, height, channels, number, values
-
-    def raw(self, data, timeout=20):
-        """What the server answers to these bytes."""
-        with socket.create_connection(("127.0.0.1", self.port), timeout) as s:
-            s.sendall(data)
-            answer = b""
-            try:
-                while chunk := s.recv(65536):
-                    answer += chunk
-            except (ConnectionError, TimeoutError):
-                pass
-            return answer
-
+from live_view import SCENE, SIZE, View
 
 def status_of(call):
     try:
@@ -217,6 +146,12 @@ class ViewServer(unittest.TestCase):
         self.assertEqual(status("GET", self.view.path + "frame?layer=%00"), 400)
         self.assertEqual(status("GET", self.view.path + "a" * 5000), 400)
         self.assertEqual(status("POST", self.view.path + "compare", None, b"not a picture"), 400)
+
+    def test_tokens_that_are_none(self):
+        for token in ("short", "fifteen-letters", "a" * 129, "0123456789abcdef/", "0123456789 abcdef", "0123456789abcdéf", "../../etc/passwd0"):
+            result = subprocess.run([self.drc, "view", SCENE, "--token", token], capture_output=True, text=True, timeout=PATIENCE)
+            self.assertNotEqual(result.returncode, 0, token)
+            self.assertIn("--token: must be 16 to 128 letters, digits, - and _", result.stderr + result.stdout)
 
     def test_the_page_may_not_load_anything(self):
         with urllib.request.urlopen(self.view.url) as response:
@@ -432,8 +367,11 @@ class ViewInBrowser(unittest.TestCase):
             self.assertGreater(self.mean(), 1, name)
 
     def test_orbit_and_reset(self):
-        view = self.view.state()["view"]
-        eye = self.view.state()["camera"]["eye"]
+        state = self.view.wait_for(lambda s: s["samples"] > 0)
+        view, eye, home = state["view"], state["camera"]["eye"], state["home"]
+        x, y = self.browser.run("(() => { const p = placed(), b = screen.getBoundingClientRect();"
+                                "return [(400 - b.left - p.x) / p.width, (400 - b.top - p.y) / p.height]; })()")
+        point = json.loads(self.view.get(f"point?x={x:.5f}&y={y:.5f}"))["point"]
         self.browser.mouse("mousePressed", 400, 400, 1)
         for i in range(8):
             self.browser.mouse("mouseMoved", 400 + 10 * i, 400, 1)
@@ -441,9 +379,8 @@ class ViewInBrowser(unittest.TestCase):
         self.view.wait_for(lambda s: s["view"] > view and s["samples"] > 0)
         moved = self.view.state()["camera"]
         self.assertGreater(sum(abs(a - b) for a, b in zip(moved["eye"], eye)), 0.05)
-        home = self.view.state()["home"]
-        for c in range(3):
-            self.assertAlmostEqual(moved["look"][c], home["look"][c], places=3)
+        # Around the point that was under the pointer.
+        self.assertAlmostEqual(math.dist(moved["eye"], point), math.dist(eye, point), delta=0.01 * math.dist(eye, point))
         self.browser.run("document.getElementById('home').click()")
         self.view.wait_for(lambda s: s["camera"]["eye"] == home["eye"] and s["samples"] > 0)
         self.assertEqual(tuple(self.view.state()["film"]), SIZE)
@@ -579,6 +516,88 @@ class ViewInBrowser(unittest.TestCase):
             self.browser.wait_for("document.body.dataset.drawn > 0")
             self.view.post("camera", self.view.state()["home"])
             self.assertTrue(stream.readline())
+
+    def test_light_and_dark(self):
+        """As the system is set; whatever is written can be read."""
+        script = """(() => {
+            const parse = c => c.match(/[\\d.]+/g).map(Number), linear = v => v <= 0.04045 * 255 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4;
+            const light = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+            const behind = e => { for (; e; e = e.parentElement) { const c = parse(getComputedStyle(e).backgroundColor); if (c.length < 4 || c[3] > 0) return c; } };
+            const ratios = {};
+            for (const e of document.querySelectorAll("h1, h2, span, label, legend, button:enabled, select, input, output, dt, dd, kbd, #pixel")) {
+                const a = light(parse(getComputedStyle(e).color)), b = light(behind(e));
+                ratios[e.tagName + "#" + e.id + " " + e.textContent.slice(0, 20)] = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+            }
+            return [light(behind(document.body)), light(behind(screen)), ratios]; })()"""
+        for theme in ("light", "dark"):
+            self.browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": theme}])
+            self.browser.run("say('it went wrong', true)")
+            self.settle()
+            page, around, ratios = self.browser.run(script)
+            for brightness in (page, around):
+                (self.assertGreater if theme == "light" else self.assertLess)(brightness, 0.2)
+            self.assertGreater(len(ratios), 40)
+            for element, ratio in ratios.items():
+                self.assertGreaterEqual(ratio, 4.5, (theme, element))
+            # What is around the picture is drawn, and follows at once.
+            drawn = self.browser.run("pen.getImageData(2, screen.height - 2, 1, 1).data[0]")
+            (self.assertGreater if theme == "light" else self.assertLess)(drawn, 128)
+            if self.screenshots:
+                self.browser.screenshot(self.screenshots / f"view-{theme}.png", whole=False)
+        self.browser.call("Emulation.setEmulatedMedia", features=[])
+
+    def test_phone(self):
+        """The status and all that a click tells are to be read whole."""
+        self.browser.resize(360, 740)
+        self.browser.open(self.view.url)
+        self.browser.wait_for("document.body.dataset.drawn > 0 && state.samples > 0")
+        self.browser.run("setInspect(true); say('rendering, 12345 spp + 67890 in the part, 12345.6 s')")
+        self.browser.mouse("mousePressed", 180, 370, 1)
+        self.browser.mouse("mouseReleased", 180, 370)
+        self.browser.wait_for("/ normal .* plymesh /.test(document.getElementById('pixel').textContent)")
+        for element in ("status", "pixel"):
+            shown = self.browser.run(f"""(() => {{ const e = document.getElementById('{element}'), b = e.getBoundingClientRect();
+                const range = document.createRange(); range.selectNodeContents(e);
+                return [e.scrollWidth - e.clientWidth, e.scrollHeight - e.clientHeight,
+                        ...[...range.getClientRects()].flatMap(r => [b.left - r.left, r.right - b.right, b.top - r.top, r.bottom - b.bottom]),
+                        -b.left, b.right - innerWidth, -b.top, b.bottom - innerHeight]; }})()""")
+            self.assertLessEqual(max(shown), 1, element)
+        for button in ("pause", "panel", "keys", "orbit", "look", "mode"):
+            box = self.browser.run(f"(() => {{ const b = document.getElementById('{button}').getBoundingClientRect(); return [b.left, b.right, b.height]; }})()")
+            self.assertGreaterEqual(box[0], 0)
+            self.assertLessEqual(box[1], 360)
+        if self.screenshots:
+            self.browser.screenshot(self.screenshots / "view-phone.png", whole=False)
+
+    def test_pages_of_a_render_that_has_gone(self):
+        """A new render at the same port has another address, which old pages say; with --token they go on with it."""
+        with socket.socket() as s:
+            s.bind(("127.0.0.1", 0))
+            port = str(s.getsockname()[1])
+        view = View(self.drc, "--port", port)
+        try:
+            self.browser.open(view.url)
+            self.browser.wait_for("document.body.dataset.drawn > 0")
+            view.close()
+            self.browser.wait_for("$('status').textContent.includes('does not answer')")
+            view = View(self.drc, "--port", port)
+            self.browser.wait_for("$('status').textContent.includes('open the new address')")
+            self.assertTrue(self.browser.run("$('status').classList.contains('bad')"))
+            view.close()
+
+            token = "the-same-each-time_0"
+            view = View(self.drc, "--port", port, "--token", token)
+            self.assertEqual(view.path, f"/{token}/")
+            self.browser.open(view.url)
+            self.browser.wait_for("document.body.dataset.drawn > 0")
+            run = self.browser.run("state.run")
+            self.assertNotIn(token.encode(), view.get("save.exr"))
+            view.close()
+            view = View(self.drc, "--port", port, "--token", token)
+            self.browser.wait_for(f"document.body?.dataset.drawn > 0 && state?.run && state.run !== '{run}' && state.samples > 0")
+        finally:
+            view.close()
+            self.browser.events.clear()
 
     def test_narrow(self):
         self.browser.resize(360, 640)

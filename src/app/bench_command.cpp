@@ -7,10 +7,15 @@
 #include <set>
 
 #include "app/command.h"
+#include "app/exit_code.h"
+#include "app/option_checks.h"
+#include "app/picture_writer.h"
 #include "app/shipped_folders.h"
+#include "app/usage_error.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "base/limits.h"
 #include "base/log.h"
 #include "bench/bench.h"
 #include "bench/bench_json.h"
@@ -22,6 +27,9 @@ namespace drc {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The budget if none is given.
+constexpr int kDefaultSeconds = 10;
 
 struct BenchOptions {
     std::vector<std::string> scenes, methods{"drc", "path"}, namedMethods, adapters;
@@ -38,7 +46,7 @@ double parseAmount(const std::string& text, const std::string& option) {
     double value = 0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (failure != std::errc() || end != text.data() + text.size() || !(value > 0 && value < 1e9))
-        throw Error(
+        throw UsageError(
             fmt::format("{} {}: give positive numbers with commas between, or 1..256 for 1,2,4 to 256", option, text));
     return value;
 }
@@ -48,7 +56,7 @@ void addBudgets(std::vector<Budget>& budgets, const std::vector<std::string>& te
                 const std::string& option) {
     const auto add = [&](double amount, const std::string& text) {
         if (unit != BudgetUnit::Seconds && amount != std::floor(amount))
-            throw Error(fmt::format("{} {}: must be a whole number", option, text));
+            throw UsageError(fmt::format("{} {}: must be a whole number", option, text));
         const Budget budget{unit, amount};
         if (std::find(budgets.begin(), budgets.end(), budget) == budgets.end()) budgets.push_back(budget);
     };
@@ -77,16 +85,17 @@ std::vector<BenchMethod> makeMethods(const BenchOptions& o) {
     const auto add = [&](const std::string& text) {
         methods.emplace_back(text, [&](const std::string& name) { return findAdapter(name, adapters); });
         if (!names.insert(methods.back().name()).second)
-            throw Error(fmt::format("two methods are called {}", methods.back().name()));
+            throw UsageError(fmt::format("two methods are called {}", methods.back().name()));
     };
     for (const std::string& method : o.methods) {
         if (method.find('=') != std::string::npos)
-            throw Error(fmt::format("--methods {}: give a method with options of its own by --method", method));
+            throw UsageError(fmt::format("--methods {}: give a method with options of its own by --method", method));
         add(method);
     }
     for (const std::string& method : o.namedMethods) {
         if (method.find('=') == std::string::npos)
-            throw Error(fmt::format("--method {}: give NAME=OPTIONS, the options being those of drc render", method));
+            throw UsageError(
+                fmt::format("--method {}: give NAME=OPTIONS, the options being those of drc render", method));
         add(method);
     }
     return methods;
@@ -99,15 +108,15 @@ BenchSettings makeSettings(const BenchOptions& o) {
     addBudgets(s.budgets, o.seconds, BudgetUnit::Seconds, "--seconds");
     addBudgets(s.budgets, o.spp, BudgetUnit::Spp, "--spp");
     addBudgets(s.budgets, o.tasks, BudgetUnit::Tasks, "--tasks");
-    if (s.budgets.empty()) s.budgets = {{BudgetUnit::Seconds, 10}};
+    if (s.budgets.empty()) s.budgets = {{BudgetUnit::Seconds, kDefaultSeconds}};
     for (const BenchMethod& method : s.methods)
         if (std::none_of(s.budgets.begin(), s.budgets.end(), [&](const Budget& b) { return method.keeps(b.unit); }))
-            throw Error(fmt::format("method {} keeps none of the budgets that are asked for", method.name()));
+            throw UsageError(fmt::format("method {} keeps none of the budgets that are asked for", method.name()));
     if (!o.resolution.empty()) {
         const FilmGeometry film = parseResolution(o.resolution);
         constexpr int kLeast = 11;  // what SSIM needs
         if (film.width < kLeast || film.height < kLeast)
-            throw Error(
+            throw UsageError(
                 fmt::format("--resolution {}: pictures are compared from {} pixels upwards", o.resolution, kLeast));
         s.width = film.width, s.height = film.height;
     }
@@ -129,19 +138,27 @@ void bench(const BenchOptions& o) {
     setLogLevel(o.quiet ? LogLevel::Quiet : o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
     const BenchSettings settings = makeSettings(o);
+    if (o.seconds.empty() && o.spp.empty() && o.tasks.empty())
+        logInfo(fmt::format("no budget is given: {} s for each render; --seconds, --spp and --tasks set others",
+                            kDefaultSeconds));
+    const auto file = [&](const char* name) { return (fs::path(o.output) / name).string(); };
+    std::error_code failed;
+    fs::create_directories(o.output, failed);
+    if (failed) throw Error(fmt::format("-o {}: {}", o.output, failed.message()));
+    for (const char* name : {"bench.json", "bench.md", "index.html"}) checkOutput("-o", file(name));
     installInterruptHandler();
     const BenchReport report = runBench(settings, &interruptToken());
-    const auto file = [&](const char* name) { return (fs::path(o.output) / name).string(); };
+    if (interruptToken().cancelled()) exitCode() = 128 + interruptSignal();
     const std::string table = benchMarkdown(report);
+    fmt::print("{}", table);
     writeFileAtomically(file("bench.json"), toJson(report));
     writeFileAtomically(file("bench.md"), table);
     writeFileAtomically(file("index.html"), benchPage(report, o.output));
-    fmt::print("{}", table);
-    size_t failed = 0;
-    for (const BenchRun& run : report.runs) failed += !run.failure.empty();
+    const auto failures =
+        size_t(std::ranges::count_if(report.runs, [](const BenchRun& run) { return !run.failure.empty(); }));
     if (interruptToken().cancelled()) logInfo("interrupted; called again in the same way, it goes on");
-    logInfo(fmt::format("{}: {} runs, {} failed", file("index.html"), report.runs.size(), failed));
-    if (failed > 0 && failed == report.runs.size())
+    logInfo(fmt::format("{}: {} runs, {} failed", file("index.html"), report.runs.size(), failures));
+    if (failures > 0 && failures == report.runs.size())
         throw Error("all runs failed; the first: " + report.runs[0].failure);
 }
 
@@ -170,14 +187,19 @@ void addBenchCommand(CLI::App& app) {
     command->add_option(
         "--adapter", o->adapters,
         "Adapter file of another program, or its folder; may be repeated. The adapter's name is then a method");
-    command->add_option("--seconds", o->seconds, "Wall-clock budgets of the whole process, as 10,30")->delimiter(',');
+    command
+        ->add_option(
+            "--seconds", o->seconds,
+            fmt::format("Wall-clock budgets of the whole process, as 10,30. Default, if no budget is given: {}",
+                        kDefaultSeconds))
+        ->delimiter(',');
     command
         ->add_option("--spp", o->spp, "Budgets in samples a pixel, as 1..256: adapters and ours without radiance maps")
         ->delimiter(',');
     command->add_option("--tasks", o->tasks, "Budgets in indirect tasks, as 1..256: drc-maps")->delimiter(',');
     command->add_option("--direct-spp", o->directSpp, "Samples a pixel of direct light where the budget is in tasks")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(wholeNumberIn(1, limits::kSamplesPerPixel));
     command->add_option("--repeats", o->repeats, "Number of runs of each method, each with its own seed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
@@ -190,7 +212,7 @@ void addBenchCommand(CLI::App& app) {
         ->add_option("--reference-error", o->reference.error,
                      "Standard error that the noise of rendered references may leave in an error")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(numberAbove(0));
     command->add_option("--reference-integrator", o->reference.integrator, "path or bdpt")
         ->capture_default_str()
         ->check(CLI::IsMember({"path", "bdpt"}));
@@ -198,22 +220,21 @@ void addBenchCommand(CLI::App& app) {
         ->add_option("--reference-spp", o->reference.maxSpp,
                      "Samples a pixel of each reference at which rendering it stops, whatever its noise")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(wholeNumberIn(1, limits::kSamplesPerPixel));
     command->add_option("--resolution", o->resolution,
                         "WIDTHxHEIGHT in pixels. Default: the given references', else 1280x720");
     command->add_option("--limit", o->limit, "Seconds after which a run without a budget in seconds is ended")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
-    command->add_option("--nthreads", o->threads, "Number of threads; 0: one for each core")
-        ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
+        ->check(secondsOfWork());
+    addThreadsOption(*command, o->threads);
     command->add_option("--oidn-library", o->oidnLibrary,
                         "Path of libOpenImageDenoise.so, if the system does not find it by itself");
     command->add_flag("--quiet", o->quiet, "Print only the table, warnings and errors");
     command->add_flag("-v,--verbose", o->verbose, "Print more messages, among them the command lines");
     command->footer(
         "Example: drc bench scene.pbrt --methods drc,path+oidn --seconds 10,30,60\n"
-        "After an interruption, the same command continues where it stopped.");
+        "After an interruption, which ends it with 130 (Ctrl-C), 143 (SIGTERM) or 129 (SIGHUP), the same command\n"
+        "continues where it stopped.");
     command->callback([o] { bench(*o); });
 }
 

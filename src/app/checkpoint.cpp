@@ -18,17 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-// What names of files begin with in an identity.
-constexpr std::string_view kFile = "file ";
+constexpr std::string_view kFile = Checkpoint::kFile;
 constexpr const char* kKind = "drc render";
 
 std::string inQuotes(const std::string& value) { return value.empty() ? "nothing" : "'" + value + "'"; }
 
 }  // namespace
 
-Checkpoint::Identity identityOf(const Scene& scene, const RenderParams& params, const Checkpoint::Identity& others) {
-    const FilmGeometry& film = scene.settings.film;
-    const PixelRegion region = scene.settings.region();
+Checkpoint::Identity identityOf(const RenderSettings& settings, const RenderParams& params,
+                                const Checkpoint::Identity& others) {
+    const FilmGeometry& film = settings.film;
+    const PixelRegion region = settings.region();
     Checkpoint::Identity identity{
         {"version", DRC_VERSION},
         {"integrator", params.integrator},
@@ -46,6 +46,10 @@ Checkpoint::Identity identityOf(const Scene& scene, const RenderParams& params, 
         identity.insert(identity.end(), {{"--cells", params.cells ? "on" : "off"},
                                          {"--cell-size", fmt::format("{}", params.cellSize)}});
     identity.insert(identity.end(), others.begin(), others.end());
+    return identity;
+}
+
+Checkpoint::Identity identityOfFiles(const Scene& scene) {
     std::vector<uint64_t> hashes(scene.files.size());
     const fs::path folder = scene.files.empty() ? fs::path() : fs::path(scene.files[0]).parent_path();
     std::error_code ignored;
@@ -54,6 +58,7 @@ Checkpoint::Identity identityOf(const Scene& scene, const RenderParams& params, 
     parallelFor(0, int(hashes.size()), 1, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) hashes[size_t(i)] = checksum(MappedFile(scene.files[size_t(i)]).bytes());
     });
+    Checkpoint::Identity identity;
     // A scene that has been moved to another folder, or another machine, is the same.
     for (size_t i = 0; i < hashes.size(); ++i) {
         const fs::path path(scene.files[i]);
@@ -73,19 +78,25 @@ std::string Checkpoint::line() const {
 
 void Checkpoint::save(const Session& session, const std::string& path) const { session.save(path, line()); }
 
-void Checkpoint::resume(Session& session, const std::string& path) const {
+Checkpoint::Identity Checkpoint::identityIn(const std::string& path) {
     const std::string header = stateHeader(path, kKind);
     const size_t start = header.find('[');
     const Json list = start == std::string::npos
                           ? Json()
                           : Json::parse(header.begin() + std::ptrdiff_t(start), header.end(), nullptr, false);
-    std::map<std::string, std::string> theirs;
+    Identity identity;
     if (!list.is_array()) throw Error(path + ": the file is damaged: its first line does not say what it is of");
     for (const Json& item : list) {
         if (!item.is_array() || item.size() != 2 || !item[0].is_string() || !item[1].is_string())
             throw Error(path + ": the file is damaged: its first line does not say what it is of");
-        theirs[item[0].get<std::string>()] = item[1].get<std::string>();
+        identity.emplace_back(item[0].get<std::string>(), item[1].get<std::string>());
     }
+    return identity;
+}
+
+void Checkpoint::resume(Session& session, const std::string& path) const {
+    std::map<std::string, std::string> theirs;
+    for (const auto& [name, value] : identityIn(path)) theirs[name] = value;
     const Json mine = Json::parse(line());
     for (const Json& item : mine) {
         const std::string name = item[0].get<std::string>(), value = item[1].get<std::string>();

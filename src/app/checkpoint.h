@@ -3,6 +3,7 @@
 #pragma once
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,8 @@ class Checkpoint {
   public:
     // What must be the same for a render to go on: a name for messages, and a value.
     using Identity = std::vector<std::pair<std::string, std::string>>;
+    // What the names of files begin with in an identity.
+    static constexpr std::string_view kFile = "file ";
 
     explicit Checkpoint(Identity identity) : identity_(std::move(identity)) {}
 
@@ -21,6 +24,8 @@ class Checkpoint {
     void save(const Session& session, const std::string& path) const;
     // Continues from it. Throws Error, in one line, if it cannot: what differs, or what is wrong with the file.
     void resume(Session& session, const std::string& path) const;
+    // The identity that a file was saved with. Throws Error if it cannot be read, or is no checkpoint.
+    static Identity identityIn(const std::string& path);
 
   private:
     std::string line() const;
@@ -28,10 +33,12 @@ class Checkpoint {
     Identity identity_;
 };
 
-// The identity of a render: the version of the program, the contents of all files of the scene, and all settings that
-// the bits of its samples depend on. others: settings that params do not have. Throws Error if a file cannot be read,
-// or if the scene came through a pipe.
-Checkpoint::Identity identityOf(const Scene& scene, const RenderParams& params, const Checkpoint::Identity& others);
+// The identity of a render: the version of the program, and all settings that the bits of its samples depend on.
+// others: settings that params do not have.
+Checkpoint::Identity identityOf(const RenderSettings& settings, const RenderParams& params,
+                                const Checkpoint::Identity& others);
+// The contents of all files of the scene. Throws Error if a file cannot be read, or if the scene came through a pipe.
+Checkpoint::Identity identityOfFiles(const Scene& scene);
 
 // "60", "60s", "5m" or "1h" as a time. Throws Error, naming the option, on anything else, and on less than a second.
 std::chrono::duration<double> durationOf(const std::string& option, const std::string& text);

@@ -2,14 +2,15 @@
 
 #include <unistd.h>
 
-#include <cstdio>
+#include <charconv>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
-#include "base/error.h"
+#include "app/usage_error.h"
+#include "base/limits.h"
 
 namespace drc {
 namespace {
@@ -45,10 +46,13 @@ ProcessInfo& processInfo() {
 
 FilmGeometry parseResolution(const std::string& text) {
     FilmGeometry film;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &film.width, &film.height, &rest) != 2 || film.width < 1 ||
-        film.height < 1 || film.width > 65536 || film.height > 65536)
-        throw Error("--resolution " + text + ": give width and height in pixels, as 1280x720");
+    const char* const end = text.data() + text.size();
+    const auto [afterWidth, noWidth] = std::from_chars(text.data(), end, film.width);
+    const bool hasTwo = noWidth == std::errc() && afterWidth != end && *afterWidth == 'x';
+    const auto [afterHeight, noHeight] = std::from_chars(hasTwo ? afterWidth + 1 : end, end, film.height);
+    const auto isSide = [](int pixels) { return pixels >= 1 && pixels <= limits::kFilmSide; };
+    if (!hasTwo || noHeight != std::errc() || afterHeight != end || !isSide(film.width) || !isSide(film.height))
+        throw UsageError("--resolution " + text + ": give width and height in pixels, at most 65536 each, as 1280x720");
     return film;
 }
 

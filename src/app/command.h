@@ -1,5 +1,6 @@
 // What the subcommands share. Each subcommand is a source file that registers itself with CLI11; its callback does the
-// work and throws drc::Error for whatever the user can mend.
+// work and throws drc::UsageError for a command line that cannot be meant, and drc::Error for whatever else the user
+// can mend.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -17,7 +18,7 @@ struct ProcessInfo {
 };
 ProcessInfo& processInfo();
 
-// Parses a resolution such as "1280x720". Throws Error, naming --resolution, on anything else.
+// Parses a resolution such as "1280x720". Throws UsageError, naming --resolution, on anything else.
 FilmGeometry parseResolution(const std::string& text);
 
 // The name of a scene for people: files are often called "scene.pbrt", so the folder is part of it.

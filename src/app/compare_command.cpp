@@ -11,12 +11,18 @@
 #include <string>
 #include <vector>
 
+#include "app/distinct_files.h"
+#include "app/image_output.h"
+#include "app/option_checks.h"
+#include "app/picture_writer.h"
+#include "app/usage_error.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "image/difference_image.h"
 #include "image/image_io.h"
 #include "image/metrics.h"
 #include "image/pair_metrics.h"
+#include "image/picture_window.h"
 
 namespace drc {
 namespace {
@@ -25,6 +31,7 @@ struct CompareOptions {
     std::vector<std::string> pictures;  // one reference or two, then the test image
     std::string diff;
     std::string signedDiff;
+    std::string layer;
     bool json = false;
     float exposure = 0;
 };
@@ -119,7 +126,8 @@ std::string extensionOf(const std::string& path) {
 
 // Called before the work, not after it.
 void checkDifferencePath(const std::string& path) {
-    if (extensionOf(path) != ".png") throw Error(fmt::format("--diff {}: the differences are written as .png", path));
+    if (extensionOf(path) != ".png")
+        throw UsageError(fmt::format("--diff {}: the differences are written as .png", path));
 }
 
 // The test image less the reference, linear: negative where the test image is too dark.
@@ -129,52 +137,84 @@ Image signedDifference(const Image& reference, const Image& test) {
     return difference;
 }
 
-void writeDifferences(const CompareOptions& options, const Image& reference, const Image& test) {
+void writeDifferences(const CompareOptions& options, const Image& reference, const Image& test,
+                      const ExrWindow& window) {
     if (!options.diff.empty()) writePng(options.diff, differenceImage(reference, test, options.exposure));
-    if (!options.signedDiff.empty()) writeExr(options.signedDiff, signedDifference(reference, test));
+    if (!options.signedDiff.empty()) {
+        const Image difference = signedDifference(reference, test);
+        writeExr(options.signedDiff, {{"", &difference}}, {}, window);
+    }
+}
+
+struct Compared {
+    std::string path;
+    Image image;
+    ExrWindow window;
+
+    operator PlacedPicture() const { return {path, image, window}; }
+};
+
+Compared read(const CompareOptions& options, const std::string& path) {
+    if (!options.layer.empty()) {
+        const PictureFile file = readPictureFile(path);
+        return {path, coloursOf(file, options.layer), file.window};
+    }
+    const ImageFile file = readImageFile(path);
+    return {path, linearRgbOf(file), file.window};
 }
 
 void compareWithOne(const CompareOptions& options) {
-    const std::string &referencePath = options.pictures[0], &testPath = options.pictures[1];
-    const Image reference = readLinearRgb(referencePath), test = readLinearRgb(testPath);
-    if (reference.width() != test.width() || reference.height() != test.height())
-        throw Error(fmt::format("the images differ in size: {} is {}, {} is {}", referencePath, sizeString(reference),
-                                testPath, sizeString(test)));
-    const Metrics m = compare(reference, test, options.exposure);
-    warnOfNonFinite(m.nonFiniteReference, referencePath);
-    warnOfNonFinite(m.nonFiniteTest, testPath);
-    writeDifferences(options, reference, test);
+    const Compared reference = read(options, options.pictures[0]), test = read(options, options.pictures[1]);
+    requireSamePlace(reference, test, "compared");
+    const Metrics m = compare(reference.image, test.image, options.exposure);
+    warnOfNonFinite(m.nonFiniteReference, reference.path);
+    warnOfNonFinite(m.nonFiniteTest, test.path);
     fmt::print("{}{}", options.json ? toJson(m) : toTable(m), options.json ? "\n" : "");
+    writeDifferences(options, reference.image, test.image, reference.window);
 }
 
 void compareWithTwo(const CompareOptions& options) {
     const auto& paths = options.pictures;
-    const ReferencePair pair(readLinearRgb(paths[0]), readLinearRgb(paths[1]), options.exposure, paths[0], paths[1]);
-    const Image test = readLinearRgb(paths[2]);
-    const PairMetrics m = pair.compare(test, paths[2]);
+    Compared first = read(options, paths[0]), second = read(options, paths[1]);
+    const Compared test = read(options, paths[2]);
+    requireSamePlace(first, second, "compared");
+    requireSamePlace(first, test, "compared");
+    const ReferencePair pair(std::move(first.image), std::move(second.image), options.exposure, paths[0], paths[1]);
+    const PairMetrics m = pair.compare(test.image, paths[2]);
     for (size_t i = 0; i < paths.size(); ++i) warnOfNonFinite(m.errors.nonFinite[i], paths[i]);
-    writeDifferences(options, pair.mean(), test);
     fmt::print("{}{}", options.json ? toJson(pair, m) : toTable(pair, m), options.json ? "\n" : "");
+    writeDifferences(options, pair.mean(), test.image, test.window);
 }
 
 void run(const CompareOptions& options) {
     if (!options.diff.empty()) checkDifferencePath(options.diff);
     if (!options.signedDiff.empty() && extensionOf(options.signedDiff) != ".exr")
-        throw Error(fmt::format("--signed-diff {}: signed differences are written as .exr", options.signedDiff));
+        throw UsageError(fmt::format("--signed-diff {}: signed differences are written as .exr", options.signedDiff));
+    DistinctFiles files;
+    for (const std::string& path : options.pictures) files.reads("the picture", path);
+    for (const auto& [option, path] :
+         {std::pair("--diff", options.diff), std::pair("--signed-diff", options.signedDiff)})
+        if (!path.empty()) {
+            files.writes(option, path);
+            checkOutput(option, path);
+        }
     options.pictures.size() == 2 ? compareWithOne(options) : compareWithTwo(options);
 }
 
-void addComparison(CLI::App& app, const std::string& name) {
+// own: what the user types for it.
+void addComparison(CLI::App& app, const std::string& name, const std::string& own) {
     const auto options = std::make_shared<CompareOptions>();
     CLI::App* command =
         app.add_subcommand(name, "Measure how far an image is from a reference, or from two of different seeds");
     command
         ->add_option(
             "PICTURE", options->pictures,
-            "REF TEST, or REF1 REF2 TEST: references (EXR, PFM, PNG, JPEG, HDR, TGA), then the image to judge; "
-            "all of one size")
+            "REF TEST, or REF1 REF2 TEST: references (EXR, PFM, PNG, JPEG, TIFF, HDR, TGA), then the image to judge; "
+            "all of one size and, of EXR files, of the same part of the whole")
         ->required()
         ->expected(2, 3);
+    command->add_option("--layer", options->layer,
+                        "The layer or the channel of EXR files to compare in place of the beauty: direct, or depth.Z");
     command->add_flag(
         "--json", options->json,
         "Print one JSON object. With one reference: ssim, flip, relmse, block_relmse, mse, l1, mean_ratio "
@@ -187,22 +227,25 @@ void addComparison(CLI::App& app, const std::string& name) {
                         "Write an EXR: the test image less the reference, or less the mean of both, linear");
     command->add_option("--exposure", options->exposure, "Stops by which both are brightened for SSIM, FLIP and PNGs")
         ->capture_default_str()
-        ->check(CLI::Range(-100.f, 100.f));
+        ->check(numberIn(-100, 100));
     command->footer(
         "SSIM and FLIP compare displayed colours; relMSE (without the worst 0.1 % of pixels), MSE and L1 compare\n"
         "linear radiance. The relMSE of the means of 8x8 pixels shows errors that noise hides.\n"
         "With two references, rendered with different seeds, the errors are without the references' own noise:\n"
         "the mean of (T - R1)(T - R2) / (D^2 + 0.01), D the references' radiance about the pixel.\n\n"
         "Examples:\n"
-        "  drc compare reference.exr drc.exr --diff difference.png\n"
-        "  drc compare seed1.exr seed2.exr drc.exr");
+        "  " +
+        own +
+        " reference.exr drc.exr --diff difference.png\n"
+        "  " +
+        own + " seed1.exr seed2.exr drc.exr");
     command->callback([options] { run(*options); });
 }
 
 }  // namespace
 
-void addCompareCommand(CLI::App& app) { addComparison(app, "compare"); }
+void addCompareCommand(CLI::App& app) { addComparison(app, "compare", "drc compare"); }
 
-void addImageDiff(CLI::App& image) { addComparison(image, "diff"); }
+void addImageDiff(CLI::App& image) { addComparison(image, "diff", "drc image diff"); }
 
 }  // namespace drc

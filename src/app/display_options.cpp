@@ -4,7 +4,7 @@
 
 #include "app/option_checks.h"
 #include "app/picture_writer.h"
-#include "base/error.h"
+#include "app/usage_error.h"
 
 namespace drc {
 namespace {
@@ -38,14 +38,18 @@ void addDisplayOptions(CLI::App& command, DisplaySettings& display, const std::s
     command.option_defaults()->group(before);
 }
 
-void refuseDisplayOptionsWithoutPng(const CLI::App& command, const std::vector<std::string>& outputs) {
-    for (const std::string& path : outputs)
-        if (outputKind(path) == OutputKind::Png) return;
+std::string givenDisplayOptions(const CLI::App& command) {
     std::vector<std::string> given;
     for (const char* name : kOptions)
         if (command.count(name) > 0) given.push_back(name);
-    if (given.empty()) return;
-    throw Error(fmt::format("{}: EXR files stay linear and unexposed; give a .png as output", fmt::join(given, ", ")));
+    return fmt::format("{}", fmt::join(given, ", "));
+}
+
+void refuseDisplayOptionsWithoutPng(const CLI::App& command, const std::vector<std::string>& outputs) {
+    for (const std::string& path : outputs)
+        if (outputKind(path) == OutputKind::Png) return;
+    if (const std::string given = givenDisplayOptions(command); !given.empty())
+        throw UsageError(given + ": EXR files stay linear and unexposed; give a .png as output");
 }
 
 }  // namespace drc

@@ -11,8 +11,10 @@ namespace drc {
 // --exposure, --auto-exposure and --view. group: their heading in --help; empty: that of all others.
 void addDisplayOptions(CLI::App& command, DisplaySettings& display, const std::string& group = "");
 
-// Throws Error that names those of the options that were given to the parsed `command`, if none of the outputs is a
-// PNG: an EXR stays as it is, so that they would do nothing.
+// Those of the options that were given to the parsed `command`: "--exposure, --view".
+std::string givenDisplayOptions(const CLI::App& command);
+// Throws UsageError that names those of the options that were given to the parsed `command`, if none of the outputs is
+// a PNG: an EXR stays as it is, so that they would do nothing.
 void refuseDisplayOptionsWithoutPng(const CLI::App& command, const std::vector<std::string>& outputs);
 
 }  // namespace drc

@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/evaluation_page.h"
 #include "app/evaluation_text.h"
+#include "app/option_checks.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/log.h"
@@ -28,11 +29,11 @@ void run(EvaluateOptions& options) {
     if (!options.html.empty()) page = std::make_unique<AtomicFile>(options.html);
     const Evaluation evaluation = evaluate(options.settings);
     const EvaluationReport report = makeReport(evaluation);
+    fmt::print("{}", options.json ? evaluationJson(evaluation, report) : evaluationTable(evaluation, report));
     if (page) {
         page->write(evaluationPage(evaluation, report, {size_t(options.samples), options.seed}));
         page->commit();
     }
-    fmt::print("{}", options.json ? evaluationJson(evaluation, report) : evaluationTable(evaluation, report));
 }
 
 }  // namespace
@@ -55,8 +56,8 @@ void addEvaluateCommand(CLI::App& app) {
     command->add_option("--samples", o->samples, "Examples that the page shows, of each projection")
         ->capture_default_str()
         ->check(CLI::Range(0, 1000));
-    command->add_option("--seed", o->seed, "Of the choice of these examples")->capture_default_str();
-    command->add_option("--nthreads", o->threads, "Threads; 0: one a core")->capture_default_str();
+    addSeedOption(*command, o->seed, "Of the choice of these examples");
+    addThreadsOption(*command, o->threads);
     command->add_flag("--quiet", o->quiet, "Say nothing but errors, warnings and the result");
     command->footer(
         "Methods: none, gaussian (sigma 1), and each network whose projection the maps have, named as its file; each "

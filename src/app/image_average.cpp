@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "image/picture_window.h"
 
 namespace drc {
 namespace {
@@ -19,13 +20,12 @@ struct AverageOptions {
 };
 
 void requireFit(const PictureFile& picture, const PictureFile& first) {
-    if (picture.image.width() != first.image.width() || picture.image.height() != first.image.height())
-        throw Error(fmt::format("{} is {}, but {} is {}: only pictures of one size can be averaged", picture.path,
-                                sizeString(picture.image), first.path, sizeString(first.image)));
     for (const PictureFile* a : {&first, &picture})
         for (const std::string& name : a->image.channelNames())
             if (const PictureFile& b = a == &first ? picture : first; b.image.channelIndex(name) < 0)
                 throw Error(fmt::format("{} has no channel {}, which {} has", b.path, name, a->path));
+    requireSamePlace({first.path, first.image, first.window}, {picture.path, picture.image, picture.window},
+                     "averaged");
 }
 
 void average(const AverageOptions& options, const CLI::App& command) {
@@ -58,8 +58,9 @@ void average(const AverageOptions& options, const CLI::App& command) {
         add(picture);
     }
     for (size_t i = 0; i < sums.size(); ++i) mean.image.data()[i] = float(sums[i] / std::max(1, counts[i]));
-    // What the first file says of itself does not hold for the mean.
+    // What the first file says of itself does not hold for the mean, which has more digits than halves.
     mean.metadata.clear();
+    mean.storage.halfChannels.clear();
     writeImageOutput(options.output, std::move(mean));
 }
 

@@ -16,7 +16,7 @@ void addImageCommand(CLI::App& app) {
     addImageMerge(*command);
     addImageSplit(*command);
     command->footer(
-        "Pictures are EXR, PNG, JPEG, TGA, Radiance HDR or PFM files; EXR and PNG files are written.\n"
+        "Pictures are EXR, PNG, JPEG, TIFF, TGA, Radiance HDR or PFM files; all but TIFF and TGA files are written.\n"
         "drc image SUBCOMMAND --help lists its options.\n\n"
         "Examples:\n"
         "  drc image convert render.exr -o render.png --auto-exposure --view agx\n"

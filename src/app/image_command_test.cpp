@@ -4,6 +4,7 @@
 #include "base/atomic_file.h"
 #include "image/auto_exposure.h"
 #include "image/color.h"
+#include "image/picture_window.h"
 #include "image/test_images.h"
 #include "image/view_transform.h"
 
@@ -62,12 +63,15 @@ TEST_F(ImageCommandTest, ConvertKeepsAllOfAnExr) {
 
 TEST_F(ImageCommandTest, ConvertShowsAPng) {
     run({"convert", path("a.exr"), "-o", path("out.png"), "--auto-exposure", "--exposure", "-1", "--view", "agx"});
+    // The part lies at (10, 20) of 640x480.
     const Image radiance = testing_images::reference(), shown = readImage(path("out.png"));
     const float stops = autoExposure(radiance) - 1;
+    ASSERT_EQ(sizeString(shown), "640x480");
     for (int x = 0; x < 48; ++x) {
         const Rgb expected = srgbEncode(viewed(radiance.rgb(x, 11) * std::exp2(stops), View::Agx));
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(shown.at(x, 11, c), expected[c], 0.51 / 255);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(shown.at(x + 10, 11 + 20, c), expected[c], 0.51 / 255);
     }
+    EXPECT_LT(shown.at(9, 31, 0), 0.51 / 255);
     const ExrMetadata notes = readMetadata(path("out.png"));
     EXPECT_EQ(notes.at("drc:display_view"), "agx");
     EXPECT_NEAR(std::stof(notes.at("drc:display_exposure")), stops, 1e-3);
@@ -112,14 +116,21 @@ TEST_F(ImageCommandTest, BadFilesGetOneLine) {
     folder_.write("text.exr", "no picture at all");
     EXPECT_THAT(convert("text.exr"), HasSubstr("text.exr"));
     EXPECT_EQ(complaint({"convert", path("depth.exr"), "-o", path("out.png")}, "out.png"),
-              path("depth.exr") + ": it has no channels R, G and B; its layers are: depth");
+              path("depth.exr") + ": it has no channels R, G and B; its layers are: depth (Z)");
     EXPECT_EQ(complaint({"convert", path("a.exr"), "-o", path("out.png"), "--layer", "Direct"}, "out.png"),
               path("a.exr") +
-                  ": it has no layer \"Direct\"; its layers are: the beauty, Debug Sample Count, Denoising "
-                  "Variance, depth");
+                  ": it has no layer or channel \"Direct\"; its layers are: the beauty (R, G, B), Debug Sample Count "
+                  "(X), Denoising Variance (R, G, B), depth (Z)");
     EXPECT_EQ(complaint({"convert", path("a.exr"), "-o", path("out.exr"), "--view", "agx"}, "out.exr"),
               "--view: EXR files stay linear and unexposed; give a .png as output");
-    EXPECT_THAT(complaint({"convert", path("a.exr"), "-o", path("out.jpg")}, "out.jpg"), HasSubstr(".exr or .png"));
+    EXPECT_THAT(complaint({"convert", path("a.exr"), "-o", path("out.gif")}, "out.gif"),
+                HasSubstr("out.gif: pictures are written as .jpg, .jpeg, .hdr, .pic, .pfm, .exr or .png"));
+    EXPECT_EQ(complaint({"convert", path("a.exr"), "-o", path("out.hdr"), "--exposure", "1"}, "out.hdr"),
+              "--exposure: Radiance HDR files stay linear and unexposed; give a .png or .jpg as output");
+    EXPECT_THAT(complaint({"convert", path("a.exr"), "-o", path("out.png"), "--jpeg-quality", "50"}, "out.png"),
+                HasSubstr("--jpeg-quality: "));
+    EXPECT_THAT(complaint({"convert", path("a.exr"), "-o", path("out.exr"), "--png-bits", "16"}, "out.exr"),
+                HasSubstr("--png-bits: "));
     EXPECT_THAT(complaint({"convert", path("a.exr"), "-o", path("no/out.png")}), HasSubstr("there is no folder"));
     EXPECT_THROW(run({"convert", path("a.exr")}), CLI::ParseError);
     EXPECT_THROW(run({}), CLI::ParseError);
@@ -133,6 +144,107 @@ TEST_F(ImageCommandTest, PixelsThatAreNoNumbersAreBlackWhereTheyAreFiltered) {
     for (const float v : resized.data()) EXPECT_TRUE(std::isfinite(v));
     run({"convert", path("bad.exr"), "-o", path("out.exr")});
     EXPECT_TRUE(std::isnan(readImage(path("out.exr")).at(3, 2, 0)));
+}
+
+TEST_F(ImageCommandTest, ConvertWritesEveryFormat) {
+    const Image radiance = testing_images::reference();
+    writeExr(path("whole.exr"), radiance);
+    const auto convert = [&](const char* name, std::vector<std::string> more = {}) {
+        std::vector<std::string> arguments{"convert", path("whole.exr"), "-o", path(name)};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        run(arguments);
+        return readImageFile(path(name));
+    };
+    EXPECT_EQ(convert("out.pfm").image.data(), radiance.data());
+    const Image hdr = convert("out.HDR").image;
+    for (int x = 0; x < 48; ++x)
+        for (int c = 0; c < 3; ++c) {
+            const Rgb rgb = radiance.rgb(x, 9);
+            EXPECT_NEAR(hdr.at(x, 9, c), rgb[c], std::max({rgb.x, rgb.y, rgb.z}) / 250) << x;
+        }
+    const ImageFile wide = convert("out.png", {"--png-bits", "16"});
+    EXPECT_EQ(wide.encoding, Encoding::UInt16);
+    EXPECT_NEAR(wide.image.at(7, 9, 1), srgbEncode(clamp01(radiance.at(7, 9, 1))), 1e-5);
+    const ImageFile jpeg = convert("out.jpg", {"--jpeg-quality", "100", "--exposure", "-1"});
+    EXPECT_EQ(jpeg.encoding, Encoding::UInt8);
+    EXPECT_NEAR(jpeg.image.at(7, 9, 1), srgbEncode(clamp01(radiance.at(7, 9, 1) / 2)), .03);
+    convert("small.jpeg", {"--jpeg-quality", "20"});
+    EXPECT_LT(readFile(path("small.jpeg")).size(), readFile(path("out.jpg")).size());
+}
+
+TEST_F(ImageCommandTest, HalvesStayHalves) {
+    const Image a = testing_images::reference();
+    Image depth(48, 40, {"Z"});
+    writeExr(path("half.exr"), {{"", &a, true}, {"depth", &depth}, {"light", &a, true}});
+    const auto halvesOf = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"convert", path("half.exr"), "-o", path("out.exr")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        run(arguments);
+        return readImageFile(path("out.exr")).storage.halfChannels;
+    };
+    EXPECT_THAT(halvesOf({}), ElementsAre("B", "G", "R", "light.B", "light.G", "light.R"));
+    EXPECT_EQ(readImage(path("out.exr")).data(), readImage(path("half.exr")).data());
+    EXPECT_THAT(halvesOf({"--layer", "light"}), ElementsAre("B", "G", "R"));
+    EXPECT_THAT(halvesOf({"--layer", "depth"}), testing::IsEmpty());
+    EXPECT_THAT(run({"info", path("half.exr")}), HasSubstr("values    floats, halves"));
+}
+
+TEST_F(ImageCommandTest, SingleChannelsAreLayers) {
+    for (const char* name : {"depth.Z", "depth"}) {
+        run({"convert", path("a.exr"), "-o", path("out.pfm"), "--layer", name, "--crop", "0", "4", "0", "4"});
+        EXPECT_EQ(readImage(path("out.pfm")).rgb(3, 3), Rgb(3.f)) << name;
+    }
+    run({"convert", path("a.exr"), "-o", path("out.exr"), "--layer", "G"});
+    EXPECT_EQ(readImage(path("out.exr")).at(5, 5, 0), testing_images::reference().at(5, 5, 1));
+    const std::string info = run({"info", path("a.exr"), "--layer", "depth.Z"});
+    EXPECT_THAT(info, AllOf(HasSubstr("depth.Z"), testing::Not(HasSubstr("Variance"))));
+    const auto json =
+        nlohmann::json::parse(run({"diff", path("a.exr"), path("b.exr"), "--json", "--layer", "depth.Z"}));
+    EXPECT_EQ(json["mse"], 0);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"convert", path("a.exr"), "-o", path("out.png"), "--layer", "dept.Z"},
+          {"info", path("a.exr"), "--layer", "dept.Z"},
+          {"diff", path("a.exr"), path("b.exr"), "--layer", "dept.Z"}})
+        EXPECT_THAT(
+            complaint(arguments, "out.png"),
+            AllOf(HasSubstr("a.exr: it has no layer or channel \"dept.Z\"; its layers are: the beauty (R, G, B)"),
+                  HasSubstr("did you mean 'depth.Z'?")));
+}
+
+TEST_F(ImageCommandTest, PartsArePlacedInTheWhole) {
+    // 48x40 pixels at (10, 20) of 640x480.
+    run({"convert", path("a.exr"), "-o", path("out.pfm")});
+    const Image whole = readImage(path("out.pfm"));
+    ASSERT_EQ(sizeString(whole), "640x480");
+    EXPECT_EQ(whole.rgb(10 + 6, 20 + 9), testing_images::reference().rgb(6, 9));
+    EXPECT_EQ(whole.rgb(9, 25), Rgb(0.f));
+    run({"convert", path("a.exr"), "-o", path("out.exr"), "--resize", "320x"});
+    const PictureFile half = readPictureFile(path("out.exr"));
+    EXPECT_EQ(sizeString(half.image), "320x240");
+    EXPECT_TRUE(isWhole(half.image, half.window));
+    run({"convert", path("a.exr"), "-o", path("out.pfm"), "--crop", "4", "20", "6", "14"});
+    EXPECT_EQ(sizeString(readImage(path("out.pfm"))), "16x8");
+    // Overscan is cut off.
+    const Image a = testing_images::reference();
+    writeExr(path("over.exr"), {{"", &a}}, {}, {-4, -3, 40, 34});
+    run({"convert", path("over.exr"), "-o", path("out.pfm")});
+    EXPECT_EQ(readImage(path("out.pfm")).data(), a.crop(4, 3, 44, 37).data());
+    EXPECT_THAT(run({"info", path("over.exr")}), HasSubstr("48 x 40 pixels, at (-4, -3) of 40 x 34"));
+}
+
+TEST_F(ImageCommandTest, OtherPlacesAreNotCompared) {
+    const Image a = testing_images::reference();
+    writeExr(path("moved.exr"), {{"", &a}}, {}, {11, 20, 640, 480});
+    writeExr(path("whole.exr"), a);
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"diff", path("a.exr"), path("moved.exr")},
+          {"diff", path("a.exr"), path("a.exr"), path("moved.exr")}})
+        EXPECT_EQ(complaint(arguments), path("moved.exr") + " is 48x40 at (11, 20) of 640x480, but " + path("a.exr") +
+                                            " is 48x40 at (10, 20) of 640x480: only pictures of the same part of one "
+                                            "whole can be compared");
+    EXPECT_THAT(complaint({"diff", path("whole.exr"), path("moved.exr")}), HasSubstr("of one whole can be compared"));
+    EXPECT_THAT(complaint({"average", path("whole.exr"), path("moved.exr"), "-o", path("out.exr")}, "out.exr"),
+                HasSubstr("of one whole can be averaged"));
 }
 
 // A full disk leaves the old file.

@@ -1,17 +1,18 @@
 // `drc image convert`.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
+#include <set>
 
 #include "app/image_output.h"
 #include "app/image_subcommands.h"
-#include "app/picture_writer.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/log.h"
 #include "image/image_layers.h"
+#include "image/picture_window.h"
 #include "image/resize.h"
 
 namespace drc {
@@ -74,12 +75,40 @@ void resize(PictureFile& picture, const std::string& text) {
     picture.window = {};
 }
 
+// A layer's or a channel's colours in place of all, stored as it was.
+void selectLayer(PictureFile& picture, const std::string& layer) {
+    const std::vector<std::string> names = partOf(picture, layer).channelNames();
+    const auto mapped = [&](const std::set<std::string>& stored) {
+        const bool all =
+            std::all_of(names.begin(), names.end(), [&](const auto& name) { return stored.contains(name); });
+        return all ? std::set<std::string>{"R", "G", "B"} : std::set<std::string>{};
+    };
+    Image colours = coloursOf(picture, layer);
+    picture.storage.halfChannels = mapped(picture.storage.halfChannels);
+    picture.storage.integerChannels = mapped(picture.storage.integerChannels);
+    picture.image = std::move(colours);
+    picture.beautyPart.clear();
+}
+
 void convert(const ConvertOptions& options, const CLI::App& command) {
     checkImageOutput(command, options.output);
     PictureFile picture = readPictureFile(options.input);
-    if (!options.layer.empty()) picture.image = coloursOf(picture, options.layer);
-    if (!options.crop.empty()) crop(picture, options.crop);
-    if (!options.size.empty()) resize(picture, options.size);
+    if (!options.layer.empty()) selectLayer(picture, options.layer);
+    if (!options.crop.empty()) {
+        crop(picture, options.crop);
+        // Whoever asks for a part wants no more than that where it cannot be told where it lies.
+        if (imageOutputKind(options.output.path) != ImageOutputKind::Exr) picture.window = {};
+    }
+    if (!options.size.empty()) {
+        if (options.crop.empty()) {
+            picture.image = placedInWindow(picture.image, picture.window, picture.path);
+        } else {
+            // They say where the whole picture lies in the world.
+            for (const char* name : {"screenWindowCenter", "screenWindowWidth", "worldToNDC", "envmap"})
+                picture.storage.attributes.erase(name);
+        }
+        resize(picture, options.size);
+    }
     writeImageOutput(options.output, std::move(picture));
 }
 
@@ -87,12 +116,13 @@ void convert(const ConvertOptions& options, const CLI::App& command) {
 
 void addImageConvert(CLI::App& image) {
     const auto options = std::make_shared<ConvertOptions>();
-    CLI::App* command =
-        image.add_subcommand("convert", "Write a picture as an EXR or a PNG, exposed, cropped, resized");
+    CLI::App* command = image.add_subcommand(
+        "convert", "Write a picture as an EXR, PNG, JPEG, Radiance HDR or PFM, exposed, cropped, resized");
     command->add_option("PICTURE", options->input, "Picture to read")->required();
     addImageOutput(*command, options->output);
-    command->add_option("--layer", options->layer,
-                        "The layer of an EXR to write in place of all: direct, or Denoising Normal");
+    command->add_option(
+        "--layer", options->layer,
+        "The layer or the channel of an EXR to write in place of all: direct, Denoising Normal, Z or depth.Z");
     command
         ->add_option("--crop", options->crop,
                      "X0 X1 Y0 Y1: the part of the picture to keep, in its pixels from the "
@@ -102,9 +132,14 @@ void addImageConvert(CLI::App& image) {
                         "WIDTHxHEIGHT, WIDTHx or xHEIGHT in pixels, after --crop; by a tent filter, in "
                         "linear light");
     command->footer(
-        "An EXR keeps all channels and metadata of the picture and stays linear and unexposed. A resized one has no\n"
-        "variance and sample counts.\n\n"
-        "Example: drc image convert render.exr -o small.png --resize 640x --exposure -1 --view filmic");
+        "An EXR keeps all channels of the picture, halves as halves, its attributes, compression and windows, and "
+        "stays\n"
+        "linear and unexposed. A resized one has no variance and sample counts. In formats without windows, a part of "
+        "a\n"
+        "picture is placed where it lies in the whole, unless --crop is given.\n\n"
+        "Examples:\n"
+        "  drc image convert render.exr -o small.png --resize 640x --exposure -1 --view filmic\n"
+        "  drc image convert render.exr -o depth.pfm --layer \"Denoising Depth\"");
     command->callback([options, command] { convert(*options, *command); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/image_output.h"
 #include "app/image_subcommands.h"
+#include "app/option_checks.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/parallel.h"
@@ -30,17 +31,29 @@ struct DenoiseOptions {
 const std::vector<std::string> kAlbedoNames{"Denoising Albedo", "albedo", "Albedo"},
     kNormalNames{"Denoising Normal", "normal", "Normal", "Ns", "N"};
 
-// The name of the layer that is asked for or, if none is, of the first of the known ones, also below another name as
-// "ViewLayer.Denoising Albedo". Throws Error if there is none.
-std::string findLayer(const PictureFile& picture, const std::string& option, const std::string& wanted,
-                      const std::vector<std::string>& known) {
-    if (!wanted.empty()) return wanted;
+// The layer that is asked for or, if none is, the first of the known ones, also below another name as
+// "ViewLayer.Denoising Albedo"; empty if there is none. Throws Error if there is none of the name that is asked for.
+Image findLayer(const PictureFile& picture, const std::string& wanted, const std::vector<std::string>& known) {
+    if (!wanted.empty()) return coloursOf(picture, wanted);
     for (const std::string& name : known)
         for (const std::string& layer : layerNames(picture.image))
-            if (layer == name || layer.ends_with("." + name)) return layer;
-    throw Error(
-        fmt::format("{}: it has no layer {}, which drc render --aovs writes; its layers are: {}; {} names another",
-                    picture.path, fmt::join(known, " or "), layerList(picture.image), option));
+            if (layer == name || layer.ends_with("." + name)) return coloursOf(picture, layer);
+    return {};
+}
+
+// What the denoiser goes without, for the metadata and a warning; empty if it has all.
+std::string missingGuides(const Image& albedo, const Image& normal) {
+    if (!albedo.empty()) return normal.empty() ? "normal" : "";
+    return normal.empty() ? "albedo and normal" : "albedo";
+}
+
+void warnOfMissingGuides(const PictureFile& picture, const std::string& missing) {
+    if (missing.empty()) return;
+    const char* more = missing == "albedo" ? " Without albedo, Open Image Denoise takes no normals either." : "";
+    logWarning(
+        fmt::format("{}: it has no layer of {}, as drc render --aovs writes them: more detail is lost.{} "
+                    "--albedo and --normal name layers of other names, of {}",
+                    picture.path, missing, more, layerList(picture.image)));
 }
 
 OidnSettings settingsOf(const DenoiseOptions& options) {
@@ -56,11 +69,11 @@ void denoise(const DenoiseOptions& options, const CLI::App& command) {
     checkImageOutput(command, options.output);
     setThreadCount(options.threads);
     PictureFile picture = readPictureFile(options.input);
-    const auto layer = [&](const char* option, const std::string& wanted, const std::vector<std::string>& known) {
-        return coloursOf(picture, findLayer(picture, option, wanted, known));
-    };
-    Image albedo = layer("--albedo", options.albedo, kAlbedoNames),
-          normal = layer("--normal", options.normal, kNormalNames);
+    Image albedo = findLayer(picture, options.albedo, kAlbedoNames),
+          normal = findLayer(picture, options.normal, kNormalNames);
+    const std::string missing = missingGuides(albedo, normal);
+    warnOfMissingGuides(picture, missing);
+    if (albedo.empty()) normal = {};
     Image colours = coloursOf(picture, options.layer);
     const auto clear = [&](Image& image, const char* name) {
         if (const int64_t bad = clearNonFinite(image); bad > 0)
@@ -72,15 +85,17 @@ void denoise(const DenoiseOptions& options, const CLI::App& command) {
     const OpenImageDenoise library(findOidn(OidnSearch::ofProcess(options.library)));
     library.denoise(colours, albedo, normal, settingsOf(options));
     try {
-        setRgbOfLayer(picture.image, options.layer, colours);
+        setRgbOfLayer(picture.image, layerNamed(picture, options.layer), colours);
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}", picture.path, error.what()));
     }
     // It was of the picture as it came.
     picture.metadata.erase("drc:error");
     picture.image = withoutLayers(picture.image, {kErrorLayer});
-    picture.metadata["drc:denoiser"] =
-        "oidn " + options.quality + (options.prefilter == "off" ? " without prefilter" : "");
+    picture.metadata["drc:denoiser"] = "oidn " + options.quality +
+                                       (!missing.empty()             ? " without " + missing
+                                        : options.prefilter == "off" ? " without prefilter"
+                                                                     : "");
     writeImageOutput(options.output, std::move(picture), options.layer);
 }
 
@@ -89,7 +104,7 @@ void denoise(const DenoiseOptions& options, const CLI::App& command) {
 void addImageDenoise(CLI::App& image) {
     const auto options = std::make_shared<DenoiseOptions>();
     CLI::App* command = image.add_subcommand("denoise", "Remove the noise of a render by Open Image Denoise");
-    command->add_option("RENDER", options->input, "An EXR with albedo and normal, as drc render --aovs writes it")
+    command->add_option("RENDER", options->input, "An EXR, best with albedo and normal, as drc render --aovs writes it")
         ->required();
     addImageOutput(*command, options->output);
     command->add_option("--layer", options->layer, "The layer to denoise. Default: the beauty");
@@ -107,11 +122,9 @@ void addImageDenoise(CLI::App& image) {
         ->capture_default_str()
         ->check(CLI::IsMember({"on", "off", "clean"}));
     command->add_option("--oidn-library", options->library, "As of drc render");
-    command->add_option("--nthreads", options->threads, "Number of threads; 0: one for each core")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 4096));
+    addThreadsOption(*command, options->threads);
     command->footer(
-        "An EXR keeps its other layers as they are.\n\n"
+        "An EXR keeps its other layers as they are. Without albedo and normal, more detail is lost.\n\n"
         "Example: drc image denoise render.exr -o clean.exr");
     command->callback([options, command] { denoise(*options, *command); });
 }

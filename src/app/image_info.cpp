@@ -1,25 +1,49 @@
 // `drc image info`.
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "app/image_output.h"
 #include "app/image_subcommands.h"
 #include "image/auto_exposure.h"
 #include "image/channel_statistics.h"
 #include "image/image_layers.h"
 #include "image/picture_file.h"
+#include "image/picture_window.h"
 
 namespace drc {
 namespace {
 
 struct InfoOptions {
     std::vector<std::string> inputs;
+    std::string layer;
     bool json = false;
 };
 
-const char* encodingName(Encoding encoding) {
-    return encoding == Encoding::Float ? "floats" : encoding == Encoding::UInt16 ? "16 bits, sRGB" : "8 bits, sRGB";
+// How an EXR stores a channel.
+const char* typeName(const PictureFile& file, const std::string& channel) {
+    return file.storage.halfChannels.contains(channel)      ? "halves"
+           : file.storage.integerChannels.contains(channel) ? "integers"
+                                                            : "floats";
+}
+
+std::string encodingName(const PictureFile& file) {
+    if (file.encoding != Encoding::Float) return file.encoding == Encoding::UInt16 ? "16 bits, sRGB" : "8 bits, sRGB";
+    std::set<std::string> names;
+    for (const std::string& channel : file.image.channelNames()) names.insert(typeName(file, channel));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// "the beauty (part rgba), depth".
+std::string layersOf(const PictureFile& file) {
+    std::string list = layerList(file.image);
+    constexpr std::string_view kBeauty = "the beauty";
+    if (!file.beautyPart.empty() && list.starts_with(kBeauty))
+        list.insert(kBeauty.size(), fmt::format(" (part {})", file.beautyPart));
+    return list;
 }
 
 bool hasColours(const Image& image) {
@@ -38,9 +62,8 @@ void printText(const PictureFile& file) {
     const Image& image = file.image;
     fmt::print("{}\n  size      {} x {} pixels", file.path, image.width(), image.height());
     const ExrWindow& w = file.window;
-    if (w.fullWidth > 0 && (w.x || w.y || w.fullWidth != image.width() || w.fullHeight != image.height()))
-        fmt::print(", at ({}, {}) of {} x {}", w.x, w.y, w.fullWidth, w.fullHeight);
-    fmt::print("\n  values    {}\n  layers    {}\n", encodingName(file.encoding), printable(layerList(image)));
+    if (!isWhole(image, w)) fmt::print(", at ({}, {}) of {} x {}", w.x, w.y, w.fullWidth, w.fullHeight);
+    fmt::print("\n  values    {}\n  layers    {}\n", encodingName(file), printable(layersOf(file)));
     if (hasColours(image))
         fmt::print("  exposure  {:+.2f} stops by --auto-exposure\n", autoExposure(rgbOfLayer(image, "")));
     for (const auto& [key, text] : file.metadata)
@@ -62,7 +85,7 @@ nlohmann::ordered_json jsonOf(const PictureFile& file) {
     json["path"] = file.path;
     json["width"] = file.image.width();
     json["height"] = file.image.height();
-    json["values"] = encodingName(file.encoding);
+    json["values"] = encodingName(file);
     if (file.window.fullWidth > 0)
         json["window"] = {file.window.x, file.window.y, file.window.fullWidth, file.window.fullHeight};
     json["layers"] = layerNames(file.image);
@@ -73,6 +96,8 @@ nlohmann::ordered_json jsonOf(const PictureFile& file) {
         const ChannelStatistics& s = statistics[c];
         json["channels"][file.image.channelNames()[c]] = {
             {"min", s.min}, {"mean", s.mean}, {"max", s.max}, {"nan", s.nan}, {"infinite", s.infinite}};
+        if (file.encoding == Encoding::Float)
+            json["channels"][file.image.channelNames()[c]]["type"] = typeName(file, file.image.channelNames()[c]);
     }
     return json;
 }
@@ -80,7 +105,8 @@ nlohmann::ordered_json jsonOf(const PictureFile& file) {
 void info(const InfoOptions& options) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const std::string& path : options.inputs) {
-        const PictureFile file = readPictureFile(path);
+        PictureFile file = readPictureFile(path);
+        if (!options.layer.empty()) file.image = partOf(file, options.layer);
         if (options.json)
             all.push_back(jsonOf(file));
         else
@@ -97,6 +123,8 @@ void addImageInfo(CLI::App& image) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* command = image.add_subcommand("info", "Print size, layers, metadata and statistics of pictures");
     command->add_option("PICTURE", options->inputs, "Pictures to read")->required();
+    command->add_option("--layer", options->layer,
+                        "The layer or the channel to print the statistics of, in place of all");
     command->add_flag("--json", options->json, "Print a JSON array with an object for each picture");
     command->footer(
         "Values are linear: integers are decoded from sRGB. Minimum, mean and maximum are of the finite ones.\n\n"

@@ -6,7 +6,6 @@
 #include "app/image_output.h"
 #include "app/image_subcommands.h"
 #include "app/option_checks.h"
-#include "app/picture_writer.h"
 #include "base/error.h"
 #include "image/side_by_side.h"
 
@@ -30,7 +29,7 @@ void split(const SplitOptions& options, const CLI::App& command) {
     if (!options.crops.empty() && options.rows)
         throw Error("--rows: it is for strips; with --crop, each part has a row and each picture a column");
     if (options.crops.size() % 4 != 0) throw Error("--crop: each takes four numbers, X0 X1 Y0 Y1");
-    const bool isPng = outputKind(options.output.path) == OutputKind::Png;
+    const bool isShown = isDisplayed(imageOutputKind(options.output.path));
     std::vector<Image> images;
     float stops = 0;
     for (const std::string& path : options.inputs) {
@@ -40,7 +39,7 @@ void split(const SplitOptions& options, const CLI::App& command) {
                                     sizeString(colours), options.inputs[0], sizeString(images[0])));
         // The first one's exposure is that of all, or they could not be compared.
         if (images.empty()) stops = exposureOf(options.output.display, colours);
-        images.push_back(isPng ? viewed(colours, options.output.display.view, stops) : std::move(colours));
+        images.push_back(isShown ? viewed(colours, options.output.display.view, stops) : std::move(colours));
     }
     std::vector<PixelRect> parts;
     for (size_t i = 0; i < options.crops.size(); i += 4)
@@ -50,8 +49,8 @@ void split(const SplitOptions& options, const CLI::App& command) {
     // The pictures are exposed already, and the lines between them must not be.
     ImageOutput output = options.output;
     output.display = {};
-    PictureFile file{output.path, sheet, Encoding::Float, {}, {}};
-    if (isPng) file.metadata = displayMetadata(options.output.display.view, stops);
+    PictureFile file{output.path, sheet};
+    if (isShown) file.metadata = displayMetadata(options.output.display.view, stops);
     writeImageOutput(output, std::move(file));
 }
 
@@ -75,7 +74,8 @@ void addImageSplit(CLI::App& image) {
     command->add_option("--line", options->line, "Width in pixels of the white lines between strips and parts")
         ->capture_default_str()
         ->check(CLI::Range(0, 100));
-    command->add_option("--layer", options->layer, "The layer of EXR files to show in place of the beauty");
+    command->add_option("--layer", options->layer,
+                        "The layer or the channel of EXR files to show in place of the beauty");
     command->footer(
         "Of n pictures, the n-th strip shows what the n-th picture has there. All are shown with the exposure of the\n"
         "first, also with --auto-exposure.\n\n"

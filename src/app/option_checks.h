@@ -1,44 +1,31 @@
-// Checks of numbers on the command line, with messages that say what would be right.
+// Checks of values on the command line, with messages that say what would be right.
 #pragma once
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <string>
 
 namespace drc {
 
+// A whole number in [low, high].
+CLI::Validator wholeNumberIn(long low, long high);
 // A whole number that is at least `least`.
-inline CLI::Validator wholeNumberFrom(long least) {
-    return {[least](std::string& text) -> std::string {
-                long value = 0;
-                if (CLI::detail::lexical_cast(text, value) && value >= least && value <= 2147483647) return "";
-                return fmt::format("{} is not a whole number of at least {}", text, least);
-            },
-            fmt::format("INT >= {}", least)};
-}
-
+CLI::Validator wholeNumberFrom(long least);
+// A number of random seeds: a whole number of 64 bits without a sign.
+CLI::Validator seedNumber();
+// A finite number. Has no description of its own, so that the option can name its values.
+CLI::Validator finiteNumber();
 // A finite number above `bound`, or with `inclusive` at least `bound`.
-inline CLI::Validator numberAbove(double bound, bool inclusive = false) {
-    return {[=](std::string& text) -> std::string {
-                double value = 0;
-                if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) &&
-                    (value > bound || (inclusive && value == bound)))
-                    return "";
-                return fmt::format("{} is not a number {} {:g}", text, inclusive ? "of at least" : "above", bound);
-            },
-            fmt::format("NUMBER {} {:g}", inclusive ? ">=" : ">", bound)};
-}
+CLI::Validator numberAbove(double bound, bool inclusive = false);
 inline CLI::Validator numberFrom(double least) { return numberAbove(least, true); }
-
 // A number in [low, high].
-inline CLI::Validator numberIn(double low, double high) {
-    return {[=](std::string& text) -> std::string {
-                double value = 0;
-                if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return "";
-                return fmt::format("{} is not a number from {:g} to {:g}", text, low, high);
-            },
-            fmt::format("NUMBER in [{:g}, {:g}]", low, high)};
-}
+CLI::Validator numberIn(double low, double high);
+// A number in (low, high).
+CLI::Validator numberBetween(double low, double high);
+// A budget in seconds: above 0, and below what clocks can add to the present time.
+CLI::Validator secondsOfWork();
+
+// Adds --nthreads. More threads than a machine has only wait for each other, and each takes memory, so their number is
+// bounded.
+CLI::Option* addThreadsOption(CLI::App& command, int& threads);
+// Adds --seed.
+CLI::Option* addSeedOption(CLI::App& command, uint64_t& seed, const std::string& description);
 
 }  // namespace drc

@@ -113,7 +113,7 @@ void PictureFinisher::useCheaper() {
     last_ = {};
 }
 
-void PictureFinisher::measure(Session& session) {
+void PictureFinisher::measure(Session& session, double besides) {
     Schedule& schedule = session.schedule();
     const bool first = last_.seconds == 0;
     // Even a part of the picture takes long to filter in a mode that is too expensive for the whole.
@@ -122,7 +122,7 @@ void PictureFinisher::measure(Session& session) {
            filters().secondsPerPixel * pixels > kFasterMachine * filters().mostOfBudget * schedule.budget())
         useCheaper();
     for (;;) {
-        schedule.reserve(kMargin * estimate(session, schedule.budget()));
+        schedule.reserve(kMargin * (estimate(session, schedule.budget()) + besides));
         schedule.reserveMeasured();
         const double most =
             std::min(filters().mostOfBudget * schedule.budget(), kLateIsBetter * schedule.secondsLeft());

@@ -19,8 +19,8 @@ class PictureFinisher {
 
     // Measures on parts of the unfinished picture how long finishing all of it will take, and reserves that time in the
     // session's schedule. Changes to cheaper filters if these would take too much of the budget, with a warning if they
-    // were asked for.
-    void measure(Session& session);
+    // were asked for. besides: the seconds that something else takes at the end, such as a checkpoint.
+    void measure(Session& session, double besides = 0);
     // The error that the unfinished picture would have if it were finished now.
     DenoisedError errorOf(const LayeredPicture& picture) const;
     // Filters, encodes and writes the picture; adds to the metadata what filtered it, and its error. Returns what was

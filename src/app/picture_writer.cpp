@@ -1,15 +1,30 @@
 #include "app/picture_writer.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/distinct_files.h"
+#include "app/numbered_path.h"
+#include "app/rescued_file.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/log.h"
+#include "base/write_probe.h"
 #include "image/image_layers.h"
 #include "image/premultiply.h"
 
 namespace drc {
 namespace {
+
+namespace fs = std::filesystem;
+
+bool isRegularFile(const std::string& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored);
+}
 
 // Samples a pixel of a picture that this program wrote; -1: unknown.
 int samplesOf(const std::string& path) {
@@ -20,6 +35,20 @@ int samplesOf(const std::string& path) {
     } catch (const Error&) {
         return -1;
     }
+}
+
+// Whether one of the files, which were written together, may be a better picture than one of so many samples a pixel.
+// The metadata of an EXR holds for all of them.
+bool mayBeBetter(const std::vector<std::string>& paths, int samples) {
+    bool exists = false;
+    for (const std::string& path : paths) {
+        if (!isRegularFile(path)) continue;
+        exists = true;
+        if (outputKind(path) != OutputKind::Exr) continue;
+        const int old = samplesOf(path);
+        if (old >= 0 && old < samples) return false;
+    }
+    return exists;
 }
 
 }  // namespace
@@ -37,6 +66,11 @@ void checkOutput(const std::string& option, const std::string& path) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored))
         throw Error(option + " " + path + ": there is no folder " + folder.string());
+    try {
+        probeWriting(path);
+    } catch (const Error& error) {
+        throw Error(option + (option.ends_with(':') ? " " : ": ") + error.what());
+    }
 }
 
 PngTexts pngTexts(const ExrMetadata& metadata) {
@@ -83,22 +117,40 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
     return files;
 }
 
-void PictureWriter::write(const std::vector<std::string>& files) const {
-    for (size_t i = 0; i < files.size(); ++i) writeFileAtomically(outputs_[i], files[i]);
+void PictureWriter::write(const std::vector<std::string>& files) {
+    for (size_t i = 0; i < files.size(); ++i) {
+        std::string& path = outputs_[i];
+        try {
+            writeFileAtomically(path, files[i]);
+        } catch (const Error& error) {
+            allInPlace_ = false;
+            const std::string rescued = writeRescued(path, files[i], rescueFolders(path, scene_));
+            logError(fmt::format("{}; {}", error.what(),
+                                 rescued.empty() ? "nor can it be written under another name, beside the scene, or in "
+                                                   "the folder for temporary files"
+                                                 : "the picture is in " + rescued));
+            path = rescued;
+        }
+    }
+    std::erase(outputs_, "");
 }
 
 void PictureWriter::divertFromBetterPictures(int samples) {
-    // The metadata of an EXR holds for the files that were written with it.
-    bool worse = false;
-    for (const std::string& path : outputs_)
-        if (std::filesystem::is_regular_file(path) && outputKind(path) == OutputKind::Exr) {
-            const int old = samplesOf(path);
-            worse |= old >= 0 && old < samples;
-        }
-    for (std::string& path : outputs_) {
-        if (!std::filesystem::is_regular_file(path) || worse) continue;
-        const std::filesystem::path p(path);
-        path = (p.parent_path() / (p.stem().string() + ".interrupted" + p.extension().string())).string();
+    std::vector<std::string*> diverted;
+    if (mayBeBetter(outputs_, samples))
+        for (std::string& path : outputs_)
+            if (isRegularFile(path)) diverted.push_back(&path);
+    if (diverted.empty()) return;
+    for (int number = 1;; ++number) {
+        std::vector<std::string> names;
+        for (const std::string* path : diverted)
+            names.push_back(numberedPath(fs::path(*path).parent_path().string(), *path, "interrupted", number));
+        const bool taken = std::ranges::any_of(names, [&](const std::string& name) {
+            return std::ranges::any_of(outputs_, [&](const std::string& other) { return isSameFile(name, other); });
+        });
+        if (taken || mayBeBetter(names, samples)) continue;
+        for (size_t i = 0; i < names.size(); ++i) *diverted[i] = names[i];
+        return;
     }
 }
 

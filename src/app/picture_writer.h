@@ -12,26 +12,33 @@ namespace drc {
 enum class OutputKind { Exr, Png };
 // The kind of file by its extension. Throws Error on any other extension.
 OutputKind outputKind(const std::string& path);
-// Throws Error if the folder is missing: called before the work, not after it. option: the one that named the path.
+// Throws Error if the file cannot be written (write_probe.h): called before the work, not after it. option: the one
+// that named the path, or a place in a file that did.
 void checkOutput(const std::string& option, const std::string& path);
 
 class PictureWriter {
   public:
+    // scene: the scene's file, beside which pictures are written that have no room at their place.
     PictureWriter(const RenderSettings& settings, std::vector<std::string> outputs, bool aovs,
-                  const DisplaySettings& display = {})
-        : settings_(settings), outputs_(std::move(outputs)), aovs_(aovs), display_(display) {}
+                  const DisplaySettings& display = {}, std::string scene = "")
+        : settings_(settings), outputs_(std::move(outputs)), aovs_(aovs), display_(display), scene_(std::move(scene)) {}
 
     // Encodes the picture for every output and returns the bytes of each file: EXR files with the radiance as it is,
     // PNG files as the display settings say. All files have the metadata, and what displayMetadata() tells of the
     // picture.
     std::vector<std::string> encode(const LayeredPicture& picture, const ExrMetadata& metadata) const;
-    // Writes the files that encode() returned, each whole or not at all.
-    void write(const std::vector<std::string>& files) const;
+    // Writes the files that encode() returned, each whole or not at all. One that cannot be written at its place goes
+    // to another, which outputs() has from then on, or is left out (rescued_file.h); an error message says so. The
+    // others are written all the same.
+    void write(const std::vector<std::string>& files);
+    // Whether all that was written is where the user wanted it.
+    bool allInPlace() const { return allInPlace_; }
     const std::vector<std::string>& outputs() const { return outputs_; }
     const RenderSettings& settings() const { return settings_; }
 
     // For a render that was interrupted after this many samples a pixel: keeps files that may be better pictures, and
-    // writes NAME.interrupted.EXT beside them instead. A file may be better unless its metadata has fewer samples.
+    // writes NAME.interrupted.EXT beside them instead, or NAME.interrupted-2.EXT if that may be better too. A file may
+    // be better unless its metadata has fewer samples.
     void divertFromBetterPictures(int samples);
 
   private:
@@ -39,6 +46,8 @@ class PictureWriter {
     std::vector<std::string> outputs_;
     bool aovs_;
     DisplaySettings display_;
+    std::string scene_;
+    bool allInPlace_ = true;
 };
 
 // What PNG files keep of a picture's metadata: all but command lines, because PNG files are shown around, and what is

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/atomic_file.h"
 #include "base/folder_testing.h"
 
 namespace drc {
@@ -42,6 +43,38 @@ TEST_F(PictureWriterTest, InterruptedRendersReplaceOnlyWhatIsWorse) {
     EXPECT_EQ(diverted({path("c.exr")}, 3), Paths{path("c.interrupted.exr")});
 }
 
+// Those of earlier renders that were interrupted, and other outputs of this one.
+TEST_F(PictureWriterTest, InterruptedPicturesReplaceOnlyWhatIsWorseToo) {
+    using Paths = std::vector<std::string>;
+    writeOld("a.exr", {{"drc:spp", "100"}});
+    writeOld("a.interrupted.exr", {{"drc:spp", "50"}});
+    EXPECT_EQ(diverted({path("a.exr")}, 60), Paths{path("a.interrupted.exr")});
+    EXPECT_EQ(diverted({path("a.exr")}, 40), Paths{path("a.interrupted-2.exr")});
+    EXPECT_EQ(diverted({path("a.exr"), path("a.interrupted-2.exr")}, 40),
+              (Paths{path("a.interrupted-3.exr"), path("a.interrupted-2.exr")}));
+    folder_.write("b.png", "");
+    EXPECT_EQ(diverted({path("b.exr"), path("b.png")}, 3), (Paths{path("b.exr"), path("b.interrupted.png")}));
+}
+
+TEST_F(PictureWriterTest, WhatCannotBeWrittenIsWrittenElsewhereAndTheOthersInTheirPlace) {
+    std::filesystem::create_symlink("/dev/full", path("a.exr"));
+    folder_.write("scene/room.pbrt", "");
+    PictureWriter writer(settings_, {path("a.exr"), path("folder/b.exr"), path("c.png")}, false, {},
+                         path("scene/room.pbrt"));
+    testing::internal::CaptureStderr();
+    writer.write({"1", "2", "3"});
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_FALSE(writer.allInPlace());
+    EXPECT_EQ(writer.outputs(), (std::vector{path("a.rescued.exr"), path("scene/b.rescued.exr"), path("c.png")}));
+    EXPECT_EQ(readFile(path("a.rescued.exr")), "1");
+    EXPECT_EQ(readFile(path("scene/b.rescued.exr")), "2");
+    EXPECT_EQ(readFile(path("c.png")), "3");
+    EXPECT_THAT(said, testing::HasSubstr("cannot write " + path("a.exr") +
+                                         ": No space left on device; the picture is in " + path("a.rescued.exr")));
+    EXPECT_THAT(said,
+                testing::HasSubstr("No such file or directory; the picture is in " + path("scene/b.rescued.exr")));
+}
+
 TEST_F(PictureWriterTest, PathsAreCheckedBeforeTheWork) {
     EXPECT_EQ(outputKind("x/y.EXR"), OutputKind::Exr);
     EXPECT_EQ(outputKind("y.png"), OutputKind::Png);
@@ -49,6 +82,11 @@ TEST_F(PictureWriterTest, PathsAreCheckedBeforeTheWork) {
                 testing::HasSubstr("-o y.jpg: pictures are written as .exr or .png"));
     EXPECT_THAT(errorOf([&] { checkOutput("-o", path("none/y.png")); }), testing::HasSubstr("there is no folder"));
     EXPECT_EQ(errorOf([&] { checkOutput("-o", path("y.png")); }), "");
+    std::filesystem::create_directory(path("z.png"));
+    EXPECT_EQ(errorOf([&] { checkOutput("-o", path("z.png")); }),
+              "-o: cannot write " + path("z.png") + ": Is a directory");
+    EXPECT_EQ(errorOf([&] { checkOutput("list:3:", path("z.png")); }),
+              "list:3: cannot write " + path("z.png") + ": Is a directory");
 }
 
 }  // namespace

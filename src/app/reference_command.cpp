@@ -2,6 +2,9 @@
 #include <filesystem>
 
 #include "app/command.h"
+#include "app/exit_code.h"
+#include "app/option_checks.h"
+#include "app/usage_error.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/interrupt.h"
@@ -73,7 +76,12 @@ class ReferenceRun {
                 logError(error.what());
                 ++failed;
             }
-            if (interruptToken().cancelled()) throw Error("interrupted; run the same command again to go on");
+            if (interruptToken().cancelled()) {
+                progress_.finish();
+                logInfo("interrupted; run the same command again to go on");
+                exitCode() = 128 + interruptSignal();
+                return;
+            }
         }
         progress_.finish();
         logInfo(fmt::format("{}: {}", options_.directory, tally_.str()));
@@ -164,8 +172,9 @@ void addReferenceCommand(CLI::App& app) {
     auto* inputs = command->add_option("--inputs", o->examples.inputs, "One-sample realisations of each map")
                        ->capture_default_str()
                        ->check(CLI::Range(1, limits::kExampleInputs));
-    auto* projection =
-        command->add_option("--projection", o->projection, "equal-area or latlong")->capture_default_str();
+    auto* projection = command->add_option("--projection", o->projection, "equal-area or latlong")
+                           ->capture_default_str()
+                           ->check(CLI::IsMember({"equal-area", "latlong"}));
     auto* size = command->add_option("--map-size", o->size, "Texels along each side")
                      ->capture_default_str()
                      ->check(CLI::Range(4, limits::kExampleMapSize));
@@ -174,15 +183,16 @@ void addReferenceCommand(CLI::App& app) {
                      "shard, or iispt: a folder of PFM files a scene, as the authors' programs read and write them")
         ->capture_default_str()
         ->check(CLI::IsMember({"shard", "iispt"}));
-    command->add_option("--seed", o->examples.seed, "Seed of all random numbers")->capture_default_str();
-    command->add_option("--nthreads", o->threads, "Threads; 0: one a core")->capture_default_str();
+    addSeedOption(*command, o->examples.seed, "Seed of all random numbers");
+    addThreadsOption(*command, o->threads);
     command->add_flag("--quiet", o->quiet, "Say nothing but errors");
     command->footer(
-        "An interrupted run goes on where it was when the same command is given again.\n"
+        "An interrupted run ends with 130 (Ctrl-C), 143 (SIGTERM) or 129 (SIGHUP), and goes on where it was when the\n"
+        "same command is given again.\n"
         "Example: drc reference rooms/*/scene.pbrt --tiles 12 --spp 64 -o examples");
     command->callback([=] {
         if (o->layout == "iispt" && (*inputs || *projection || *size))
-            throw Error(
+            throw UsageError(
                 "--layout iispt has one input and latlong maps of 32 x 32: leave out --inputs, --projection and "
                 "--map-size");
         writeReferences(*o);

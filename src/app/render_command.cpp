@@ -1,17 +1,22 @@
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <csignal>
 #include <filesystem>
 
-#include "app/checkpoint.h"
+#include "app/checkpoint_writer.h"
 #include "app/command.h"
 #include "app/display_options.h"
 #include "app/display_server.h"
-#include "app/frame_list.h"
+#include "app/distinct_files.h"
+#include "app/exit_code.h"
+#include "app/frame_checkpoint.h"
+#include "app/frame_sequence.h"
 #include "app/memory_table.h"
 #include "app/models.h"
 #include "app/picture_finisher.h"
 #include "app/render_options.h"
 #include "app/same_world.h"
+#include "app/usage_error.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/interrupt.h"
@@ -21,7 +26,6 @@
 #include "pbrt/scene_file.h"
 #include "render/deadline.h"
 #include "render/noise_threshold.h"
-#include "scene/crop_window.h"
 #include "scene/film_output.h"
 
 namespace drc {
@@ -56,26 +60,39 @@ ChosenMapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& in
     return {makeNetworkMapDenoiser(weights, indirect.capture.layout, precision), weights->hash()};
 }
 
-pbrt::LoadOptions loadOptionsOf(const RenderOptions& o) {
-    pbrt::LoadOptions load;
-    if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
-    load.overrides = o.overrides;
-    return load;
+// Refuses outputs of the present frame that would replace each other, or what the command line says is read.
+DistinctFiles filesOf(const RenderOptions& o) {
+    DistinctFiles files;
+    const auto reads = [&](const std::string& what, const std::string& path) {
+        if (!path.empty() && path != "-") files.reads(what, path);
+    };
+    const auto writes = [&](const std::string& what, const std::string& path) {
+        if (!path.empty()) files.writes(what, path);
+    };
+    reads("the scene", o.scene);
+    reads("--frames", o.frames);
+    reads("--weights", o.weights);
+    reads("--oidn-library", o.oidnLibrary);
+    // A checkpoint that is gone on from may be saved anew.
+    if (!isSameFile(o.resume, o.checkpoint)) reads("--resume", o.resume);
+    for (const std::string& path : o.outputs) writes("-o", path);
+    writes("--timing", o.timing);
+    writes("--checkpoint", o.checkpoint);
+    return files;
 }
 
-std::optional<CropWindow> cropOf(const RenderOptions& o) {
-    try {
-        if (!o.crop.empty()) return cropWindowOf(o.crop);
-    } catch (const Error& error) {
-        throw Error(std::string("--crop: ") + error.what());
-    }
-    return {};
+// The same for the files that a scene has named.
+void keepFrom(const std::vector<std::string>& filesOfScene, DistinctFiles files) {
+    for (const std::string& path : filesOfScene) files.reads("the scene's file", path);
 }
 
 std::unique_ptr<Scene> loadScene(RenderOptions& o) {
-    cropOf(o);  // whatever is wrong with it is said first
-    auto scene = pbrt::loadPbrtFile(o.scene, loadOptionsOf(o));
-    if (o.outputs.empty()) o.outputs = filmOutputs(scene->settings);
+    auto scene = o.overrides.load(o.scene);
+    if (o.outputs.empty()) {
+        o.outputs = filmOutputs(scene->settings);
+        for (const std::string& path : o.outputs) checkOutput("-o", path);
+    }
+    keepFrom(scene->files, filesOf(o));
     return scene;
 }
 
@@ -87,29 +104,11 @@ void writeTiming(const std::string& path, Stats& stats) {
                           seconds("load") + seconds("build"), seconds("render"), seconds("denoise"), seconds("write")));
 }
 
-// Saves the state of a render in a file, so often. What cannot be saved is no reason to stop: there is the last one.
-class CheckpointWriter {
-  public:
-    CheckpointWriter(const Checkpoint& checkpoint, std::string path, Clock::duration every)
-        : checkpoint_(checkpoint), path_(std::move(path)), every_(every) {}
-    Clock::time_point due() const { return last_ + every_; }
-    void save(const Session& session) {
-        const auto start = Clock::now();
-        try {
-            checkpoint_.save(session, path_);
-            logDebug(fmt::format("--checkpoint: saved {} in {:.2f} s", path_,
-                                 std::chrono::duration<double>(Clock::now() - start).count()));
-        } catch (const Error& error) {
-            logWarning(std::string("--checkpoint: ") + error.what() + "; the render goes on");
-        }
-        last_ = Clock::now();
-    }
-
-  private:
-    const Checkpoint& checkpoint_;
-    std::string path_;
-    Clock::duration every_;
-    Clock::time_point last_ = Clock::now();
+// How a render has ended.
+enum class RenderEnd {
+    Whole,        // also if it was interrupted after its last sample
+    Interrupted,  // its pictures have fewer samples than they should
+    NotInPlace,   // a picture is not where the user wanted it
 };
 
 // Runs a pass, or as much of it as can be done until a checkpoint is due, which is then saved. False: the render is
@@ -124,7 +123,7 @@ bool step(Session& session, CheckpointWriter* checkpoint) {
         const DeadlineToken due(checkpoint->due(), &interruptToken());
         goesOn = session.step(&due.token()) || (due.token().cancelled() && !interruptToken().cancelled());
     }
-    if (Clock::now() >= checkpoint->due() || interruptToken().cancelled()) checkpoint->save(session);
+    if (Clock::now() >= checkpoint->due()) checkpoint->save(session);
     return goesOn;
 }
 
@@ -135,11 +134,18 @@ bool hasTimeToEstimate(const Schedule& schedule) {
     return schedule.reserved() <= kMostOfBudget * schedule.budget();
 }
 
-// Runs passes until the render is done or interrupted, or the picture is good enough.
-void run(Session& session, PictureFinisher& finisher, const RenderOptions& o, CheckpointWriter* checkpoint) {
+// Whether the render has neither all that was asked for nor used up its time.
+bool hasWork(Session& session) {
+    return session.schedule().next(session.film().passes(), session.mapPassesDone()).has_value();
+}
+
+// Runs passes until the render is done or interrupted, or the picture is good enough. Whether it is whole: an interrupt
+// that comes after the last sample takes nothing from it.
+bool run(Session& session, PictureFinisher& finisher, const RenderOptions& o, CheckpointWriter* checkpoint) {
     NoiseThreshold threshold(o.noiseThreshold.value_or(0));
     Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
                       o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
+    if (session.hasPicture()) setSomethingToSave(true);  // that of a checkpoint
     while (step(session, checkpoint)) {
         if (session.hasPicture()) setSomethingToSave(true);
         progress.set(int64_t(session.progress() * 1000));
@@ -152,17 +158,24 @@ void run(Session& session, PictureFinisher& finisher, const RenderOptions& o, Ch
         }
         progress.setNote(session.status() +
                          (threshold.error() ? fmt::format(", error {:.3f}", *threshold.error()) : ""));
-        if (session.schedule().wantsReserve(session.film().passes(), session.mapPassesDone()))
-            finisher.measure(session);
+        if (session.schedule().wantsReserve(session.film().passes(), session.mapPassesDone())) {
+            if (checkpoint) checkpoint->save(session);
+            finisher.measure(session, checkpoint ? checkpoint->seconds() : 0);
+        }
     }
-    if (!interruptToken().cancelled()) progress.set(1000);
+    const bool whole = threshold.reached() || !interruptToken().cancelled() || !hasWork(session);
+    if (whole) progress.set(1000);
+    return whole;
 }
 
 // What else than the parameters of a render its bits depend on.
 Checkpoint::Identity othersOf(const RenderOptions& o, const std::string& weightsHash) {
     Checkpoint::Identity others;
-    for (const std::string& replaced : o.overrides)
+    for (const std::string& replaced : o.overrides.parameters)
         others.emplace_back("-D " + replaced.substr(0, replaced.find('=')), replaced);
+    if (!o.overrides.lookAt.empty())
+        others.emplace_back("--lookat", fmt::format("{}", fmt::join(o.overrides.lookAt, " ")));
+    if (o.overrides.fov) others.emplace_back("--fov", fmt::format("{}", *o.overrides.fov));
     if (!usesMaps(o.params.integrator)) return others;
     const RenderParams& p = o.params;
     others.insert(others.end(), {{"--map-denoiser", o.mapDenoiser},
@@ -198,25 +211,26 @@ class SceneRender {
           chosen_(usesMaps(params_.integrator) ? chooseMapDenoiser(o, params_.indirect) : ChosenMapDenoiser()) {
         stats_.timer("load").add(Clock::now() - start);
         params_.denoise = denoiser_.denoise;
-        if (const auto crop = cropOf(o)) std::copy(crop->begin(), crop->end(), scene_->settings.cropWindow);
+        o.overrides.cropFilm(scene_->settings);
         const auto build = Clock::now();
         session_.emplace(*scene_, params_, chosen_.mapDenoiser, &stats_, start);
         stats_.timer("build").add(Clock::now() - build);
         memory_.afterBuilding(*scene_);
     }
 
-    // Renders o.outputs.
-    void render() {
-        PictureWriter writer(scene_->settings, o_.outputs, o_.aovs, o_.display);
+    // Renders o.outputs. frame: of an animation.
+    RenderEnd render(const std::optional<FramePosition>& frame) {
+        PictureWriter writer(scene_->settings, o_.outputs, o_.aovs, o_.display, o_.scene);
         PictureFinisher finisher(filtersFor(params_, denoiser_), writer, stats_, o_.noiseThreshold.has_value());
         const auto rendering = Clock::now();
         setSomethingToSave(false);
         std::optional<Checkpoint> checkpoint;
-        if (!o_.checkpoint.empty() || !o_.resume.empty())
-            checkpoint.emplace(identityOf(*scene_, params_, othersOf(o_, chosen_.weightsHash)));
+        if (!o_.checkpoint.empty() || !o_.resume.empty()) checkpoint.emplace(identity(frame));
         if (!o_.resume.empty()) {
             checkpoint->resume(*session_, o_.resume);
-            logInfo(fmt::format("goes on from {}: {}", o_.resume, session_->status()));
+            logInfo(
+                fmt::format("goes on from {}: {}{}", o_.resume, session_->status(),
+                            hasWork(*session_) ? "" : "; that is all that is asked for, --spp or --time adds more"));
         }
         std::optional<CheckpointWriter> saving;
         if (!o_.checkpoint.empty())
@@ -224,11 +238,11 @@ class SceneRender {
                            std::chrono::duration_cast<Clock::duration>(durationOf("--every", o_.every)));
         std::unique_ptr<TevDisplay> viewer;
         if (!o_.displayServer.empty()) viewer = showInTev(o_, *session_, scene_->settings);
-        run(*session_, finisher, o_, saving ? &*saving : nullptr);
+        const bool interrupted = !run(*session_, finisher, o_, saving ? &*saving : nullptr);
+        if (saving) saving->saveLast(*session_);
         if (viewer) viewer->stopTaking();
         stats_.timer("render").add(Clock::now() - rendering);
 
-        const bool interrupted = interruptToken().cancelled();
         ExrMetadata metadata{{"drc:version", DRC_VERSION},
                              {"drc:command", processInfo().commandLine},
                              {"drc:seed", std::to_string(params_.seed)},
@@ -246,17 +260,24 @@ class SceneRender {
         memory_.beforeFinishing();
         LayeredPicture finished = finisher.finish(session_->picture(), metadata);
         memory_.afterFinishing();
-        std::string names;
-        for (const std::string& path : writer.outputs()) names += (names.empty() ? "" : ", ") + path;
-        logInfo(fmt::format("{}{}: {} in {:.1f} s", interrupted ? "interrupted; " : "", names, session_->status(),
-                            std::chrono::duration<double>(Clock::now() - start_).count()));
+        if (!writer.outputs().empty())
+            logInfo(fmt::format("{}{}: {} in {:.1f} s", interrupted ? "interrupted; " : "",
+                                fmt::join(writer.outputs(), ", "), session_->status(),
+                                std::chrono::duration<double>(Clock::now() - start_).count()));
         if (viewer) viewer->finish(tev::pictureOf(std::move(finished), scene_->settings.film));
+        if (!writer.allInPlace()) {
+            if (saving && saving->saved())
+                logInfo(fmt::format("the same command with --resume {} writes the picture anew", saving->path()));
+            return RenderEnd::NotInPlace;
+        }
+        return interrupted ? RenderEnd::Interrupted : RenderEnd::Whole;
     }
 
     // Goes on with the camera of o.scene, if its world is that of this scene. Otherwise false, and nothing has changed.
     bool moveCamera(Clock::time_point start) {
-        const std::unique_ptr<Scene> camera = world_.cameraIn(o_.scene, *scene_, loadOptionsOf(o_));
+        const std::unique_ptr<Scene> camera = world_.cameraIn(o_.scene, *scene_, o_.overrides.loadOptions());
         if (!camera) return false;
+        keepFrom(scene_->files, filesOf(o_));
         start_ = start;
         scene_->settings.outputFile = camera->settings.outputFile;
         session_->moveCamera(camera->camera, camera->settings.film);
@@ -273,22 +294,32 @@ class SceneRender {
 
   private:
     RenderParams paramsFor(const CLI::App& command) {
-        for (const std::string& path : o_.outputs) checkOutput("-o", path);
         if (o_.spacing) o_.params.firstSpacing = *o_.spacing / float(scene_->settings.film.height);
         if (o_.aovs) o_.params.gBuffer = o_.params.parts = o_.params.variance = true;
         if (o_.noiseThreshold) estimateErrors(o_.params, *o_.noiseThreshold);
-        RenderParams params = resolved(o_.params, *scene_);
+        RenderParams params = asUsage([&] { return resolved(o_.params, *scene_); });
         if (o_.noiseThreshold && !hasHalves(params.integrator))
-            throw Error("--noise-threshold: with --integrator " + params.integrator +
-                        " the error cannot be estimated; it can with drc, path and direct");
+            throw UsageError("--noise-threshold: with --integrator " + params.integrator +
+                             " the error cannot be estimated; it can with drc, path and direct");
         refuseIdleOptions(command, params.integrator);
         return params;
+    }
+    Checkpoint::Identity identity(const std::optional<FramePosition>& frame) {
+        // For all frames of the scene: to read large files again and again takes long.
+        if (filesIdentity_.empty()) filesIdentity_ = identityOfFiles(*scene_);
+        Checkpoint::Identity others = othersOf(o_, chosen_.weightsHash);
+        others.insert(others.end(), filesIdentity_.begin(), filesIdentity_.end());
+        if (frame) {
+            const Checkpoint::Identity place = frameIdentity(*frame, o_.scene);
+            others.insert(others.end(), place.begin(), place.end());
+        }
+        return identityOf(scene_->settings, params_, others);
     }
     ChosenDenoiser denoiserFor() const {
         ChosenDenoiser denoiser =
             chooseDenoiser(o_.params.denoise, params_, [&] { return findOidn(OidnSearch::ofProcess(o_.oidnLibrary)); });
         if (!o_.oidnLibrary.empty() && !denoiser.oidn)
-            throw Error("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
+            throw UsageError("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
         return denoiser;
     }
 
@@ -302,41 +333,70 @@ class SceneRender {
     ChosenDenoiser denoiser_;
     ChosenMapDenoiser chosen_;
     std::optional<Session> session_;
+    Checkpoint::Identity filesIdentity_;
 };
+
+// Renders one frame after the other, and returns how that has ended.
+RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& command) {
+    std::optional<FramePosition> resumed;
+    if (!o.resume.empty()) {
+        resumed = framePositionIn(o.resume);
+        if (resumed.has_value() != frames.isAnimation())
+            throw Error(fmt::format("--resume {}: it is of {}", o.resume,
+                                    resumed ? fmt::format("frame {} of an animation; give its --frames", resumed->frame)
+                                            : "one picture, not of an animation; leave out --frames"));
+    }
+    if (resumed) frames.skipTo(resumed->loaded);
+    FramePosition position{frames.number(), frames.number()};
+    auto scene = std::make_unique<SceneRender>(o, command, processInfo().start);
+    if (resumed && resumed->frame > resumed->loaded) {
+        // What has been learnt of the scene is that of a camera that was moved from that frame to this one.
+        frames.skipTo(resumed->frame);
+        if (!scene->moveCamera(processInfo().start))
+            throw Error(fmt::format("--resume {}: frames {} and {} no longer differ in the camera alone", o.resume,
+                                    resumed->loaded, resumed->frame));
+        position.frame = frames.number();
+    }
+    for (bool first = true;; first = false) {
+        const RenderEnd end = scene->render(frames.isAnimation() ? std::optional(position) : std::nullopt);
+        if (first) scene->report();
+        if (end == RenderEnd::Whole) frames.finished();
+        if (end != RenderEnd::Whole || !frames.isAnimation()) return end;
+        if (interruptToken().cancelled()) return RenderEnd::Interrupted;
+        setSomethingToSave(false);
+        o.resume.clear();
+        if (!frames.next()) return end;
+        position.frame = frames.number();
+        filesOf(o);  // for what it refuses
+        const auto start = Clock::now();
+        if (scene->moveCamera(start)) continue;
+        scene.reset();  // two scenes may not fit into memory
+        scene = std::make_unique<SceneRender>(o, command, start);
+        position.loaded = position.frame;
+    }
+}
 
 void render(RenderOptions o, const CLI::App& command) {
     setLogLevel(o.quiet ? LogLevel::Quiet : o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
     installInterruptHandler();
+    // A reader that leaves its pipe is an error of writing to it, and no reason to lose the other pictures.
+    std::signal(SIGPIPE, SIG_IGN);
     setSomethingToSave(false);
+    o.overrides.check();
     for (const std::string& path : o.outputs) {
-        outputKind(path);
+        asUsage([&] { outputKind(path); });
         checkOutput("-o", path);
     }
     if (!o.outputs.empty()) refuseDisplayOptionsWithoutPng(command, o.outputs);
     if (!o.timing.empty()) checkOutput("--timing", o.timing);
     if (!o.checkpoint.empty()) checkOutput("--checkpoint", o.checkpoint);
-    durationOf("--every", o.every);
-    std::optional<FrameList> frames;
-    if (!o.frames.empty()) frames.emplace(o.frames);
-
-    auto scene = std::make_unique<SceneRender>(o, command, processInfo().start);
-    scene->render();
-    scene->report();
-    while (frames && !interruptToken().cancelled()) {
-        FrameList::finished(o.outputs);
-        setSomethingToSave(false);
-        const std::optional<FrameList::Frame> next = frames->next();
-        if (!next) break;
-        const auto start = Clock::now();
-        o.scene = next->scene;
-        o.outputs = next->outputs;
-        if (!scene->moveCamera(start)) {
-            scene.reset();  // two scenes may not fit into memory
-            scene = std::make_unique<SceneRender>(o, command, start);
-        }
-        scene->render();
-    }
+    asUsage([&] { durationOf("--every", o.every); });
+    filesOf(o);  // for what it refuses
+    FrameSequence frames(o);
+    const RenderEnd end = renderFrames(o, frames, command);
+    if (end == RenderEnd::NotInPlace) exitCode() = 1;
+    if (end == RenderEnd::Interrupted) exitCode() = 128 + interruptSignal();
 }
 
 }  // namespace

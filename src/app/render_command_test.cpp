@@ -109,13 +109,45 @@ TEST_F(RenderCommandTest, AShortTimeGivesAPicture) {
 }
 
 TEST_F(RenderCommandTest, CropWindowsAreTheFilms) {
-    run({"--crop", "1", "0", "0", "1"});  // in either order, as in the file
-    EXPECT_EQ(readImage(path("out.exr")).width(), 24);
-    for (const char* bad : {".5", "nan"})
+    run({"--crop", "0", ".5", "0", "1"});
+    EXPECT_EQ(readImage(path("out.exr")).width(), 12);
+    for (const char* bad : {".5", "1"})  // empty, and reversed
         EXPECT_THAT(errorOf([&] {
                         run({"--crop", bad, ".5", "0", "1"});
                     }),
-                    testing::AllOf(HasSubstr("--crop: "), testing::Not(HasSubstr("\n"))));
+                    testing::AllOf(HasSubstr("--crop "), HasSubstr("x0 < x1"), testing::Not(HasSubstr("\n"))));
+}
+
+TEST_F(RenderCommandTest, ACameraByHandTakesThePlaceOfTheFiles) {
+    const std::vector<float> file = picture({});
+    // The file's own camera, written out.
+    EXPECT_EQ(picture({"--lookat", "0", "0", "0", "0", "0", "1", "0", "1", "0", "--fov", "70"}), file);
+    EXPECT_NE(picture({"--lookat", "0", "0", "0", "0", "1", "1", "0", "1", "0"}), file);
+    EXPECT_NE(picture({"--fov", "40"}), file);
+}
+
+// --spp is the most beside --time.
+TEST_F(RenderCommandTest, EndsWithTheSamplesOrTheTime) {
+    const auto start = std::chrono::steady_clock::now();
+    run({"--integrator", "path", "--spp", "4", "--time", "1000"});
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(500));
+    EXPECT_EQ(readExrMetadata(path("out.exr")).at("drc:spp"), "4");
+}
+
+// Before anything else is built, with what is needed and what there is; where the file says it, at its place.
+TEST_F(RenderCommandTest, RefusesFilmsThatDoNotFit) {
+    for (const std::string& integrator : integratorNames()) {
+        const std::string text = errorOf([&] { run({"--integrator", integrator, "--resolution", "65536x65536"}); });
+        EXPECT_THAT(text, testing::AllOf(HasSubstr("65536 x 65536 pixels needs about"), HasSubstr("are available"),
+                                         HasSubstr("--resolution")))
+            << integrator;
+    }
+    folder_.write("scene.pbrt",
+                  "Film \"image\" \"integer xresolution\" 65536 \"integer yresolution\" 65536\nWorldBegin\n"
+                  "Shape \"sphere\"\nWorldEnd\n");
+    EXPECT_THAT(errorOf([&] { run({}); }), testing::AllOf(HasSubstr("scene.pbrt:1:1: "), HasSubstr("needs about")));
+    run({"--crop", "0", ".0002", "0", ".0002"});
+    EXPECT_EQ(readImage(path("out.exr")).width(), 14);
 }
 
 TEST_F(RenderCommandTest, ParametersOfTheFileCanBeOverridden) {

@@ -4,7 +4,9 @@
 
 #include "app/display_options.h"
 #include "app/option_checks.h"
-#include "base/error.h"
+#include "app/option_choice.h"
+#include "app/usage_error.h"
+#include "base/limits.h"
 #include "render/integrator.h"
 #include "view/tcp_sender.h"
 
@@ -27,23 +29,6 @@ CLI::Validator tcpAddress() {
             "HOST:PORT"};
 }
 
-// An option that takes one of a few words, each of which stands for a value.
-template <class T>
-CLI::Option* addChoice(CLI::App& command, const std::string& name, T& value,
-                       const std::vector<std::pair<std::string, T>>& choices, const std::string& description) {
-    std::vector<std::string> names;
-    for (const auto& choice : choices) names.push_back(choice.first);
-    return command
-        .add_option_function<std::string>(
-            name,
-            [&value, choices](const std::string& text) {
-                for (const auto& [choice, meaning] : choices)
-                    if (choice == text) value = meaning;
-            },
-            description)
-        ->check(CLI::IsMember(names));
-}
-
 void addAmounts(CLI::App& command, RenderOptions& o) {
     addChoice<Quality>(
         command, "--quality", o.params.quality,
@@ -54,9 +39,11 @@ void addAmounts(CLI::App& command, RenderOptions& o) {
     command
         .add_option(
             "--time", o.params.seconds,
-            "Seconds for the whole run, including reading and writing; replaces --spp, --passes and --indirect-tasks")
-        ->check(numberAbove(0));
-    command.add_option("--spp", o.params.spp, "Camera samples a pixel; with drc on average")->check(wholeNumberFrom(1));
+            "Seconds for the whole run, including reading and writing. What is given beside it by --spp, --passes or "
+            "--indirect-tasks is the most that is done: the run ends earlier if all of that is")
+        ->check(secondsOfWork());
+    command.add_option("--spp", o.params.spp, "Camera samples a pixel; with drc on average")
+        ->check(wholeNumberIn(1, limits::kSamplesPerPixel));
     command
         .add_option(
             "--noise-threshold", o.noiseThreshold,
@@ -71,23 +58,14 @@ void addAmounts(CLI::App& command, RenderOptions& o) {
                     "Upper bound on the luminance of a sample, which makes the picture biased; 0: no bound")
         ->capture_default_str()
         ->check(numberFrom(0));
-    command.add_option("--seed", o.params.seed, "Seed of all random numbers")->capture_default_str();
+    addSeedOption(command, o.params.seed, "Seed of all random numbers");
 }
 
 void addFilm(CLI::App& command, RenderOptions& o) {
     command.add_option(
         "-o,--output,--outfile", o.outputs,
         "Picture to write, .exr or .png; may be repeated. Default: an EXR and a PNG, named by the scene's film");
-    command.add_option("--resolution", o.resolution,
-                       "WIDTHxHEIGHT of the film in pixels, in place of the scene file's");
-    command.add_option("--crop,--cropwindow", o.crop, "The part of the film to render, as x0 x1 y0 y1 in [0,1]")
-        ->expected(4);
-    command
-        .add_option("-D", o.overrides,
-                    "NAME=VALUE: replaces a parameter of the scene file's film, sampler or integrator, as "
-                    "film.xresolution=640; may be repeated")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addSceneOverrides(command, o.overrides);
     command.add_flag("--aovs", o.aovs,
                      "Also write the inputs of denoisers to EXR files: the G-buffer (albedo, normal, depth), the "
                      "variance and the number of samples of each pixel");
@@ -196,15 +174,13 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     command.add_option("--oidn-library", o.oidnLibrary,
                        "libOpenImageDenoise.so, or a folder that has it. Default: $DRC_OIDN, else the one that "
                        "scripts/quickstart fetched, the system's, or that of a Python package (pip install pyoidn)");
-    command.add_option("--nthreads", o.threads, "Number of threads; 0: one for each core")
-        ->capture_default_str()
-        ->check(wholeNumberFrom(0));
+    addThreadsOption(command, o.threads);
     command.add_option("--timing", o.timing,
                        "JSON file to write, with the seconds of reading, rendering, denoising and writing");
     CLI::Option* checkpoint = command.add_option(
         "--checkpoint", o.checkpoint,
-        "File to save the render's state in now and then, and when it is interrupted, so that it can go "
-        "on later by --resume");
+        "File to save the render's state in now and then, and at its end, also if it is interrupted, so that it can go "
+        "on later by --resume, with more samples too");
     command.add_option("--every", o.every, "How often: 60s, 5m, 1h")->capture_default_str()->needs(checkpoint);
     command.add_option("--resume", o.resume,
                        "Goes on from a checkpoint of the same scene and settings, to the same bits as if it had not "
@@ -215,8 +191,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
             "File with the further frames of an animation, or - for standard input: lines of a scene file and, "
             "after a tab, the picture to write. Where they differ in the camera alone, scene and radiance cells "
             "are kept. --time is for each frame; a line on standard output tells that its picture is there")
-        ->excludes("--checkpoint")
-        ->excludes("--resume")
+        ->excludes("--lookat")
         ->excludes("--timing");
     command
         .add_option("--display-server", o.displayServer,
@@ -228,7 +203,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
     command.add_flag("-v,--verbose", o.verbose, "Print more messages");
     addCells(command, o);
     addMaps(command, o);
-    command.footer("Example: drc render scene.pbrt --time 30 -o picture.png -o picture.exr");
+    command.footer(
+        "Exit codes: 0 the pictures are whole and in their place; 130 (Ctrl-C), 143 (SIGTERM) or 129 (SIGHUP)\n"
+        "interrupted, pictures that there are have fewer samples; 1 an error, which is said.\n\n"
+        "Example: drc render scene.pbrt --time 30 -o picture.png -o picture.exr");
 }
 
 void refuseIdleOptions(const CLI::App& command, const std::string& integrator) {
@@ -238,8 +216,8 @@ void refuseIdleOptions(const CLI::App& command, const std::string& integrator) {
         for (const CLI::Option* option : command.get_options())
             if (option->get_group() == group && option->count() > 0) given.push_back(option->get_name());
         if (given.empty()) return;
-        throw Error(fmt::format("{}: integrator {} has no {}; only --integrator {} has", fmt::join(given, ", "),
-                                integrator, things, owner));
+        throw UsageError(fmt::format("{}: integrator {} has no {}; only --integrator {} has", fmt::join(given, ", "),
+                                     integrator, things, owner));
     };
     refuse(kMapGroup, "radiance maps", "drc-maps");
     refuse(kCellGroup, "radiance cells", "drc");

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene_overrides.h"
 #include "image/display.h"
 #include "render/render_params.h"
 
@@ -18,10 +19,8 @@ struct RenderOptions {
     std::string weights;
     std::string precision = "auto";
     std::string projection = "auto";
-    std::string resolution;
-    std::vector<double> crop;
-    std::vector<std::string> overrides;  // NAME=VALUE for parameters of the scene's file
-    std::optional<float> spacing;        // of the first map pass, in pixels
+    SceneOverrides overrides;
+    std::optional<float> spacing;  // of the first map pass, in pixels
     int oracleSamples = 64;
     int threads = 0;
     std::string oidnLibrary;
@@ -35,8 +34,8 @@ struct RenderOptions {
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 
-// Throws Error that names the options given to the parsed `command` that would do nothing: those about radiance maps or
-// radiance cells where `integrator` has none.
+// Throws UsageError that names the options given to the parsed `command` that would do nothing: those about radiance
+// maps or radiance cells where `integrator` has none.
 void refuseIdleOptions(const CLI::App& command, const std::string& integrator);
 
 }  // namespace drc

@@ -80,9 +80,9 @@ TEST(RenderOptions, TakePbrtsSpellings) {
     const RenderOptions o = parsed({"--outfile", "a.exr", "--cropwindow", "0", ".5", ".25", "1", "--quick", "-D",
                                     "film.xresolution=64", "-D", "pixelsamples=8"});
     EXPECT_EQ(o.outputs, std::vector<std::string>{"a.exr"});
-    EXPECT_EQ(o.crop, (std::vector<double>{0, 0.5, 0.25, 1}));
+    EXPECT_EQ(o.overrides.crop, (std::vector<double>{0, 0.5, 0.25, 1}));
     EXPECT_EQ(o.params.quality, Quality::Draft);
-    EXPECT_EQ(o.overrides, (std::vector<std::string>{"film.xresolution=64", "pixelsamples=8"}));
+    EXPECT_EQ(o.overrides.parameters, (std::vector<std::string>{"film.xresolution=64", "pixelsamples=8"}));
 }
 
 // One short line that says what would be right, without the largest number that a machine knows.

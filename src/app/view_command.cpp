@@ -1,16 +1,23 @@
 // `drc view`: renders a scene and shows it in a browser while it refines.
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "app/command.h"
+#include "app/display_options.h"
+#include "app/option_checks.h"
+#include "app/option_choice.h"
 #include "app/picture_filters.h"
 #include "app/picture_writer.h"
-#include "base/error.h"
+#include "app/scene_overrides.h"
+#include "app/usage_error.h"
+#include "base/limits.h"
 #include "base/log.h"
-#include "pbrt/scene_file.h"
+#include "render/integrator.h"
 #include "render/oidn_picture_filter.h"
 #include "view/http_server.h"
 #include "view/live_render.h"
@@ -23,10 +30,13 @@ namespace {
 
 // A view goes on until somebody ends it.
 constexpr int kSamples = 1 << 16;
+// The ends of the page's slider.
+constexpr int kMostStops = 10;
 
 struct ViewOptions {
-    std::string scene, resolution, address = "127.0.0.1", oidnLibrary;
-    std::vector<std::string> overrides;
+    std::string scene, address = "127.0.0.1", token, oidnLibrary;
+    SceneOverrides overrides;
+    DisplaySettings display;  // that the page begins with
     RenderParams params;
     int port = 0, threads = 0;
     bool open = false, verbose = false;
@@ -57,13 +67,22 @@ class FrameFilters {
     std::unique_ptr<const PictureFilter> moving_, still_;  // null: frames stay as they are
 };
 
-std::string encodeFrame(RenderSettings settings, const LiveFrame& frame, const RenderParams& params) {
+// Whoever is given a picture is not given the view.
+std::string commandLineWithout(const std::string& token) {
+    std::string line = processInfo().commandLine;
+    if (const size_t at = line.find(token); !token.empty() && at != std::string::npos)
+        line.replace(at, token.size(), "...");
+    return line;
+}
+
+std::string encodeFrame(RenderSettings settings, const LiveFrame& frame, const RenderParams& params,
+                        const std::string& token) {
     const PixelRegion& region = frame.picture.film->region();
     settings.film.width = std::max(region.x1, settings.film.width);
     settings.film.height = std::max(region.y1, settings.film.height);
     const PictureWriter writer(settings, {"drc.exr"}, true);
     return writer.encode(frame.picture, {{"drc:version", DRC_VERSION},
-                                         {"drc:command", processInfo().commandLine},
+                                         {"drc:command", commandLineWithout(token)},
                                          {"drc:seed", std::to_string(params.seed)},
                                          {"drc:integrator", params.integrator},
                                          {"drc:spp", std::to_string(frame.samples)}})[0];
@@ -81,17 +100,19 @@ void openBrowser(const std::string& address) {
 void view(ViewOptions o) {
     setLogLevel(o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
-    pbrt::LoadOptions load;
-    if (!o.resolution.empty()) load.resolution = parseResolution(o.resolution);
-    load.overrides = o.overrides;
+    if (std::abs(o.display.exposure) > kMostStops)
+        throw UsageError(
+            fmt::format("--exposure {0:g}: the page's goes from -{1} to {1}", o.display.exposure, kMostStops));
+    pbrt::LoadOptions load = o.overrides.loadOptions();
     load.names = true;
-    const auto scene = pbrt::loadPbrtFile(o.scene, load);
+    const auto scene = o.overrides.load(o.scene, load);
+    o.overrides.cropFilm(scene->settings);
     o.params.gBuffer = o.params.parts = o.params.variance = o.params.independentHalves = true;
     if (!o.params.spp) o.params.spp = kSamples;
-    RenderParams params = resolved(o.params, *scene);
-    if (usesMaps(params.integrator)) throw Error("drc view: --integrator drc-maps cannot be watched yet");
+    RenderParams params = asUsage([&] { return resolved(o.params, *scene); });
+    if (usesMaps(params.integrator)) throw UsageError("drc view: --integrator drc-maps cannot be watched yet");
     const ChosenDenoiser denoiser =
-        chooseDenoiser(Denoise::Automatic, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
+        chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
     params.denoise = denoiser.denoise;
 
     Stats stats;
@@ -112,10 +133,12 @@ void view(ViewOptions o) {
                   .estimate = hasHalves(params.integrator) ? [&](const LayeredPicture& p) { return filters.errorOf(p); }
                                                            : std::function<DenoisedError(const LayeredPicture&)>(),
                   .outdated = &outdated});
-    ViewService service(*scene, session.accel(), render,
-                        {.title = sceneTitle(o.scene),
-                         .token = randomToken(),
-                         .encodeExr = [&](const LiveFrame& frame) { return encodeFrame(settings, frame, params); }});
+    ViewService service(
+        *scene, session.accel(), render,
+        {.title = sceneTitle(o.scene),
+         .token = o.token.empty() ? randomToken() : o.token,
+         .encodeExr = [&](const LiveFrame& frame) { return encodeFrame(settings, frame, params, o.token); },
+         .display = o.display});
     HttpSettings http;
     http.address = o.address;
     http.port = uint16_t(o.port);
@@ -140,19 +163,42 @@ void addViewCommand(CLI::App& app) {
     auto* command = app.add_subcommand("view", "Render a scene and watch it in a browser");
     auto o = std::make_shared<ViewOptions>();
     command->add_option("SCENE", o->scene, "pbrt-v3 or pbrt-v4 scene file")->required();
-    command->add_option("--resolution", o->resolution, "Size of the picture, as 1280x720");
-    command->add_option("--integrator", o->params.integrator, "drc, path, bdpt or direct")->capture_default_str();
+    addSceneOverrides(*command, o->overrides);
+    std::vector<std::string> integrators{"scene"};
+    std::ranges::remove_copy_if(integratorNames(), std::back_inserter(integrators), usesMaps);
+    command
+        ->add_option("--integrator", o->params.integrator,
+                     fmt::format("What renders the picture: {}; scene takes what the scene file asks for",
+                                 fmt::join(integrators, ", ")))
+        ->capture_default_str()
+        ->check(CLI::IsMember(integrators));
     command->add_option("--spp", o->params.spp, "Camera samples a pixel at which the render rests")
-        ->check(CLI::PositiveNumber);
-    command->add_option("-D", o->overrides,
-                        "NAME=VALUE: replaces a parameter of the scene's film, sampler or integrator");
-    command->add_option("--port", o->port, "Port; by default any that is free")->check(CLI::Range(0, 65535));
+        ->check(wholeNumberIn(1, limits::kSamplesPerPixel));
+    command->add_option("--max-depth", o->params.maxDepth, "Maximum length of paths, in non-specular bounces")
+        ->check(wholeNumberFrom(1));
+    addSeedOption(*command, o->params.seed, "Seed of all random numbers");
+    addChoice<Denoise>(*command, "--denoise", o->params.denoise,
+                       {{"auto", Denoise::Automatic}, {"off", Denoise::Off}, {"oidn", Denoise::Oidn}},
+                       "auto: Intel's Open Image Denoise if it is found; oidn: the same, and an error if it is not; "
+                       "off: nothing. Default: auto");
+    addDisplayOptions(*command, o->display);
+    command->add_option("--port", o->port, "Port; by default any that is free")->check(wholeNumberIn(0, 65535));
     command
         ->add_option("--listen", o->address,
                      "Address to listen on; others than 127.0.0.1 let other machines watch and steer")
         ->capture_default_str();
+    command
+        ->add_option("--token", o->token,
+                     "The part of the address that others do not know: 16 to 128 letters, digits, - and _. With --port "
+                     "the address stays the same. By default another one each time")
+        ->envname("DRC_VIEW_TOKEN")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return isToken(text) ? std::string() : "must be 16 to 128 letters, digits, - and _";
+            },
+            "", "token"));
     command->add_flag("--open", o->open, "Open the page in the browser");
-    command->add_option("--nthreads", o->threads, "Number of threads; by default one for each core");
+    addThreadsOption(*command, o->threads);
     command->add_option("--oidn-library", o->oidnLibrary, "Open Image Denoise's library");
     command->add_flag("-v,--verbose", o->verbose, "Say more");
     command->callback([o] { view(*o); });

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/link_end.h"
 #include "base/stream_file.h"
 
 namespace drc {
@@ -37,6 +38,8 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
     findTarget();
     struct stat old = {};
     const bool exists = ownDescriptor(target_) >= 0 || stat(target_.c_str(), &old) == 0;
+    // Such as a name that is too long, which the temporary file's would not be.
+    if (!exists && errno != ENOENT) fail(errno);
     if (exists && S_ISDIR(old.st_mode)) fail(EISDIR);
     if (exists && !S_ISREG(old.st_mode)) {
         try {
@@ -54,20 +57,10 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
 
 AtomicFile::~AtomicFile() { closeAndRemove(); }
 
-// By hand: std::filesystem::weakly_canonical stops before a link that leads to nothing yet.
 void AtomicFile::findTarget() {
-    constexpr int kMostLinks = 40;  // as the system has it
-    for (int links = 0; ownDescriptor(target_) < 0; ++links) {
-        struct stat status = {};
-        if (lstat(target_.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return;
-        // Links to pipes in /proc have no path to follow.
-        if (stat(target_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) return;
-        if (links == kMostLinks) fail(ELOOP);
-        std::error_code ec;
-        const fs::path link(target_), next = fs::read_symlink(link, ec);
-        if (ec) fail(ec.value());
-        target_ = (link.parent_path() / next).string();  // an absolute one stands alone
-    }
+    std::error_code failure;
+    target_ = endOfLinks(path_, failure);
+    if (failure) fail(failure.value());
 }
 
 void AtomicFile::openTemporary(bool replaces) {

@@ -14,6 +14,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/progress.h"
 #include "bench/bench_json.h"
 #include "bench/measured_process.h"
 #include "bench/scene_references.h"
@@ -121,11 +122,12 @@ class Bench {
             if (!names.insert(sceneName(file)).second)
                 throw Error(
                     fmt::format("two scenes are called {}; give one of them another file name", sceneName(file)));
+        announce();
         for (const std::string& file : s_.scenes) {
             if (cancelled()) break;
             prepare(file);
         }
-        const int count = countRuns();
+        const int count = countRuns(report_.scenes.size());
         for (int repeat = 0; repeat < s_.repeats; ++repeat)
             for (const BenchScene& scene : report_.scenes)
                 for (const Budget& budget : s_.budgets)
@@ -137,11 +139,25 @@ class Bench {
   private:
     bool cancelled() const { return cancel_ && cancel_->cancelled(); }
 
-    int countRuns() const {
+    // What is going to be done, and how long the part takes that has a time.
+    void announce() const {
+        double seconds = 0;
+        for (const Budget& budget : s_.budgets)
+            for (const BenchMethod& method : s_.methods)
+                if (budget.unit == BudgetUnit::Seconds && method.keeps(budget.unit)) seconds += budget.amount;
+        seconds *= double(s_.repeats) * double(s_.scenes.size());
+        std::string text = fmt::format("{} renders", countRuns(s_.scenes.size()));
+        if (seconds > 0) text += fmt::format(", {} with a budget in seconds together", formatDuration(seconds));
+        if (s_.references.empty())
+            text += fmt::format("; before them two references of each scene, of at most {} spp", s_.reference.maxSpp);
+        logInfo(text + fmt::format(", to {}", s_.output));
+    }
+
+    int countRuns(size_t scenes) const {
         int count = 0;
         for (const Budget& budget : s_.budgets)
             for (const BenchMethod& method : s_.methods) count += method.keeps(budget.unit);
-        return count * s_.repeats * int(report_.scenes.size());
+        return count * s_.repeats * int(scenes);
     }
 
     void prepare(const std::string& file) {
@@ -234,10 +250,12 @@ class Bench {
         if (const OidnMode* mode = method.oidnMode(job)) run.oidnMode = mode->name;
         fs::create_directories(fs::path(stem).parent_path());
         for (const std::string& old : {record, job.output, job.timing}) fs::remove(old);
+        const std::string name =
+            fmt::format("{}/{} {}, {}, {}", number_, count, run.scene, run.method, budgetName(budget));
+        logInfo(name + ": rendering");
         if (!measure(method, job, scene, run)) return;
         writeFileAtomically(record, toJson(run, key));
-        logInfo(fmt::format("{}/{} {}, {}, {}: {}", number_, count, run.scene, run.method, budgetName(budget),
-                            run.failure.empty() ? found(run) : "failed: " + run.failure));
+        logInfo(fmt::format("{}: {}", name, run.failure.empty() ? found(run) : "failed: " + run.failure));
         report_.runs.push_back(std::move(run));
     }
 

@@ -24,8 +24,11 @@ struct Section {
 constexpr const char* kEqualTimeNote =
     "<p class=\"note\">Every method had the same seconds for all that its process does, reading and writing included. "
     "Medians of the repeats; in small type the standard error of one run and the interval that holds the true median "
-    "with 95&#8201;%, or, of fewer than six repeats, all of them. Bold: the best of its scene. Arrows point to where "
-    "better is. ~: more than a quarter of it is the references\u2019 own noise. load to write: seconds, where the "
+    "with 95&#8201;%, or, of fewer than six repeats, all of them. Bold: the best of its scene, if it is better than "
+    "all "
+    "others by more than the standard errors of both together, and the intervals of repeats do not overlap. Arrows "
+    "point to where better is. ~: more than a quarter of it is the references\u2019 own noise. load to write: seconds, "
+    "where the "
     "program tells; seconds: of the whole process.</p>\n";
 constexpr const char* kPaperNote =
     "<p class=\"note\">The rows of the paper\u2019s table, in the units of each method. In the paper SSIM was 0.89 at "

@@ -128,6 +128,8 @@ RenderedReferences renderReferences(const std::string& scene, const std::string&
             logInfo(fmt::format("references of {}: 2 x {} spp so far{}", name, 2 * streams[0].spp,
                                 fmt::format(", noise {:.1e}, standard error about {:.1e}", state.noise, state.error)));
         const std::string raw = (parts / "part.exr").string();
+        logInfo(fmt::format("references of {}: rendering {} spp, picture {} of {}", name, stream->nextSpp(),
+                            int(stream - streams.begin()) + 1, kStreams));
         const int seed = kFirstSeed + kStreams * stream->parts + int(stream - streams.begin());
         const ProcessUse use =
             runMeasured({settings.program, "render", scene, "--integrator", settings.integrator, "--spp",

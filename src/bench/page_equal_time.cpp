@@ -21,15 +21,30 @@ std::string block(const std::string& title, const std::string& rows) {
                        kColumnCount + 1, title, rows);
 }
 
-// The best median among the methods; NaN if fewer than two have one.
+// Whether a median is better than another by more than what is known of their errors: the standard errors of both
+// together and, of several repeats, the intervals, which must not overlap.
+bool isClearlyBetter(const MeasuredSpread& a, const MeasuredSpread& b, int better) {
+    const auto squared = [](double error) { return std::isnan(error) ? 0 : error * error; };
+    if (!(better * (a.median - b.median) > std::sqrt(squared(a.standardError) + squared(b.standardError))))
+        return false;
+    const bool overlap = better > 0 ? a.low <= b.high : a.high >= b.low;
+    return a.count < 2 || b.count < 2 || !overlap;
+}
+
+// The best median among the methods, which several may have; NaN if fewer than two have one, or if it is not clearly
+// better than all others.
 double bestOf(const std::vector<MeasuredSpread>& methods, int better) {
-    double best = kNotMeasured;
+    const MeasuredSpread* best = nullptr;
     int count = 0;
     for (const MeasuredSpread& spread : methods) {
         if (std::isnan(spread.median)) continue;
-        if (count++ == 0 || better * spread.median > better * best) best = spread.median;
+        if (count++ == 0 || better * spread.median > better * best->median) best = &spread;
     }
-    return count > 1 && better != 0 ? best : kNotMeasured;
+    if (count < 2 || better == 0) return kNotMeasured;
+    for (const MeasuredSpread& spread : methods)
+        if (!std::isnan(spread.median) && spread.median != best->median && !isClearlyBetter(*best, spread, better))
+            return kNotMeasured;
+    return best->median;
 }
 
 std::string failureText(const std::vector<const BenchRun*>& failures, size_t succeeded) {
@@ -58,8 +73,9 @@ std::string sceneBlock(const BenchReport& report, const BenchScene& scene, const
     for (const BenchMeasure* measure : kColumns) {
         std::vector<MeasuredSpread> spreads;
         for (const auto& ofMethod : runs) spreads.push_back(spreadOver(ofMethod, *measure));
-        const double best = bestOf(spreads, measure->better);
         const Displayed shown = displayed(scene, measure);
+        double best = bestOf(spreads, measure->better);
+        if (shown.isNoisy(best)) best = kNotMeasured;
         for (size_t m = 0; m < runs.size(); ++m) {
             cells[m] +=
                 fmt::format("<td{}>{}{}</td>", spreads[m].median == best ? " class=\"best\"" : "",

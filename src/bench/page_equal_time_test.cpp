@@ -35,6 +35,32 @@ TEST(PageEqualTime, BestOfAScene) {
     EXPECT_EQ(occurrences(html, "\"best\""), 4);
 }
 
+// What is within the errors is not the best.
+TEST(PageEqualTime, TheBestIsBetterByMoreThanItsError) {
+    const auto bold = [](double a, double b, double standardError) {
+        ReportBuilder builder;
+        for (const auto& [method, error] : {std::pair{"a", a}, {"b", b}}) {
+            BenchRun& run = builder.add("box", method, seconds(2), error, 0.9);
+            run.errorSe = run.trimmedErrorSe = run.blockErrorSe = standardError;
+        }
+        return occurrences(equalTimeTables(builder.report), "<td class=\"best\">0.100<small>");
+    };
+    EXPECT_EQ(bold(0.10, 0.12, 0.001), 1);
+    EXPECT_EQ(bold(0.10, 0.12, 0.015), 0);  // 0.021 of both together
+    EXPECT_EQ(bold(0.10, 0.12, 0.013), 1);
+}
+
+TEST(PageEqualTime, TheBestOfRepeatsHasAnIntervalOfItsOwn) {
+    const auto bold = [](double lowest) {
+        ReportBuilder b;
+        for (const double error : {0.09, 0.10, 0.11}) b.add("box", "a", seconds(2), error, 0.5);
+        for (const double error : {lowest, 0.20, 0.25}) b.add("box", "b", seconds(2), error, 0.5);
+        return occurrences(equalTimeTables(b.report), "<td class=\"best\">0.100");
+    };
+    EXPECT_EQ(bold(0.15), 1);
+    EXPECT_EQ(bold(0.105), 0);
+}
+
 TEST(PageEqualTime, OneMethodIsNotTheBest) {
     ReportBuilder b;
     b.add("box", "a", seconds(2), 0.2);

@@ -66,13 +66,15 @@ bool hasSizeOfItsType(std::string_view type, ByteReader value) {
 
 }  // namespace
 
-void requireSoundExrHeaders(const EncodedImage& encoded) {
+std::vector<ExrAttributes> requireSoundExrHeaders(const EncodedImage& encoded) {
     constexpr uint32_t kMultiPart = 1 << 12;
     ByteReader in(encoded);
     in.take(4);  // what tells that it is an EXR
     const bool isMultiPart = (in.littleEndian32() & kMultiPart) != 0;
+    std::vector<ExrAttributes> parts;
     // A header ends with an attribute without a name; after the last one of several stands an empty header.
     do {
+        ExrAttributes& attributes = parts.emplace_back();
         for (std::string_view name = in.until('\0'); !name.empty(); name = in.until('\0')) {
             const std::string_view type = in.until('\0');
             const auto bytes = in.take(in.littleEndian32());
@@ -80,9 +82,11 @@ void requireSoundExrHeaders(const EncodedImage& encoded) {
             if (!hasSizeOfItsType(type, ByteReader(value)))
                 failDecoding(encoded, fmt::format("its attribute {} has {} bytes, which no {} has", name.substr(0, 80),
                                                   bytes.size(), type.substr(0, 80)));
+            attributes[std::string(name)] = {std::string(type), std::string(value.bytes)};
         }
         in.require(isMultiPart ? 1 : 0);
     } while (isMultiPart && in.peek(1).front() != 0);
+    return parts;
 }
 
 }  // namespace drc

@@ -1,12 +1,15 @@
 // Checks what OpenEXR trusts in an EXR's headers, before OpenEXR reads them.
 #pragma once
+#include <vector>
+
 #include "image/encoded_image.h"
+#include "image/exr_storage.h"
 
 namespace drc {
 
 // OpenEXR allocates as much memory for an attribute as the file claims, and continues where the value of a known type
 // ends, whatever size the file gives. Throws Error unless each attribute lies within the file and has the size of its
-// type. Source: "OpenEXR File Layout", in its documentation.
-void requireSoundExrHeaders(const EncodedImage& encoded);
+// type. Returns the attributes of each part. Source: "OpenEXR File Layout", in its documentation.
+std::vector<ExrAttributes> requireSoundExrHeaders(const EncodedImage& encoded);
 
 }  // namespace drc

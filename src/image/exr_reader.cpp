@@ -9,17 +9,21 @@
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
-#include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstring>
-#include <tuple>
+#include <optional>
 #include <vector>
 
+#include "base/error.h"
+#include "base/log.h"
 #include "base/parallel.h"
+#include "image/exr_channels.h"
 #include "image/exr_header.h"
+#include "image/exr_primaries.h"
+#include "image/image_layers.h"
 
 namespace drc {
 namespace {
@@ -46,71 +50,188 @@ class MemoryStream final : public Imf::IStream {
     size_t at_ = 0;
 };
 
-// Where a channel stands among those of its layer, "" or "name.".
-struct ChannelPlace {
-    std::string name, layer;
-    int rank = 0;
-
-    auto key() const { return std::tie(layer, rank, name); }
+// A part that is read.
+struct FlatPart {
+    int index = 0;
+    const Imf::Header* header = nullptr;
+    const ExrAttributes* attributes = nullptr;
 };
 
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) c = char(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return lower;
+std::string nameOf(const Imf::Header& header) { return header.hasName() ? header.name() : ""; }
+
+// "its part depth", or "it" of a file that has one.
+std::string subject(const Imf::MultiPartInputFile& file, int part) {
+    return file.parts() == 1 ? "it" : fmt::format("its part {}", nameOf(file.header(part)));
 }
 
-// In the order that a picture's channels are thought of, where the file has them sorted by name. Y is a brightness, but
-// where there is an X with it or with a Z, a coordinate.
-int rankOf(std::string_view suffix, bool isPosition) {
-    static constexpr std::string_view kColours[] = {"r",    "red",  "g",  "green", "b",     "blue", "y",
-                                                    "real", "imag", "a",  "alpha", "ar",    "ra",   "ag",
-                                                    "ga",   "ab",   "ba", "z",     "depth", "zback"};
-    static constexpr std::string_view kPositions[] = {"r",  "red", "g",    "green", "b",  "blue",  "x",
-                                                      "y",  "z",   "real", "imag",  "a",  "alpha", "ar",
-                                                      "ra", "ag",  "ga",   "ab",    "ba", "depth", "zback"};
-    const std::span<const std::string_view> order =
-        isPosition ? std::span<const std::string_view>(kPositions) : std::span<const std::string_view>(kColours);
-    return int(std::find(order.begin(), order.end(), lowerCase(suffix)) - order.begin());
-}
-
-std::vector<std::string> orderedChannels(const Imf::ChannelList& channels) {
-    std::vector<ChannelPlace> places;
-    std::map<std::string, std::string> coordinates;  // of each layer, those of "xyz" that it has
-    for (auto it = channels.begin(); it != channels.end(); ++it) {
-        const std::string name = it.name();
-        const size_t suffix = name.rfind('.') + 1;  // 0 if there is no dot
-        places.push_back({name, name.substr(0, suffix)});
-        if (const std::string axis = lowerCase(name.substr(suffix)); axis == "x" || axis == "y" || axis == "z")
-            coordinates[places.back().layer] += axis;
-    }
-    for (ChannelPlace& place : places) {
-        const std::string& axes = coordinates[place.layer];
-        const bool isPosition = axes.starts_with('x') && axes.find_first_of("yz") != std::string::npos;
-        place.rank = rankOf(std::string_view(place.name).substr(place.layer.size()), isPosition);
-    }
-    std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.key() < b.key(); });
-    std::vector<std::string> names;
-    for (ChannelPlace& place : places) names.push_back(std::move(place.name));
-    return names;
-}
-
-void requireFlat(const EncodedImage& encoded, const Imf::Header& header) {
-    if (header.hasType() && !Imf::isImage(header.type()))
-        failDecoding(encoded, fmt::format("it is a deep picture ({})", header.type()));
+void requireFullChannels(const EncodedImage& encoded, const Imf::Header& header) {
     for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
         if (const Imf::Channel& channel = it.channel(); channel.xSampling != 1 || channel.ySampling != 1)
             failDecoding(encoded, fmt::format("its channel {} has one value for {}x{} pixels; one for each is read",
                                               it.name(), channel.xSampling, channel.ySampling));
 }
 
+std::vector<FlatPart> flatParts(const EncodedImage& encoded, const Imf::MultiPartInputFile& file,
+                                const std::vector<ExrAttributes>& attributes) {
+    std::vector<FlatPart> flat;
+    std::string deep;
+    for (int i = 0; i < file.parts(); ++i) {
+        const Imf::Header& header = file.header(i);
+        if (header.hasType() && !Imf::isImage(header.type())) {
+            const std::string fault = fmt::format("{} is a deep picture ({})", subject(file, i), header.type());
+            deep += (deep.empty() ? "" : ", ") + fault;
+        } else {
+            requireFullChannels(encoded, header);
+            flat.push_back({i, &header, &attributes.at(size_t(i))});
+        }
+    }
+    if (flat.empty()) failDecoding(encoded, deep);
+    if (!deep.empty()) logWarning(fmt::format("{}: {}, which is left out", encoded.path, deep));
+    return flat;
+}
+
+ExrChannels channelsOf(const std::vector<FlatPart>& parts) {
+    std::vector<ExrPartChannels> names;
+    for (const FlatPart& part : parts) {
+        ExrPartChannels& of = names.emplace_back(ExrPartChannels{nameOf(*part.header), {}});
+        const Imf::ChannelList& channels = part.header->channels();
+        for (auto it = channels.begin(); it != channels.end(); ++it) of.channels.push_back(it.name());
+    }
+    return exrChannels(names);
+}
+
+struct Window {
+    int64_t x0, y0, x1, y1;  // the first pixel, and the last
+
+    int64_t width() const { return x1 - x0 + 1; }
+    int64_t height() const { return y1 - y0 + 1; }
+};
+
+Window windowOf(const std::vector<FlatPart>& parts) {
+    Window all{INT64_MAX, INT64_MAX, INT64_MIN, INT64_MIN};
+    for (const FlatPart& part : parts) {
+        const Imath::Box2i& data = part.header->dataWindow();
+        all = {std::min<int64_t>(all.x0, data.min.x), std::min<int64_t>(all.y0, data.min.y),
+               std::max<int64_t>(all.x1, data.max.x), std::max<int64_t>(all.y1, data.max.y)};
+    }
+    return all;
+}
+
+// Parts of one file share their display window.
+ExrWindow placeOf(const Window& data, const Imath::Box2i& display) {
+    // As of windows that are close to the ends of what an int holds, which no renderer writes.
+    const auto bounded = [](int64_t value, int limit) { return int(std::clamp<int64_t>(value, -limit, limit)); };
+    constexpr int kMost = limits::kFilmSide;
+    return {bounded(data.x0 - display.min.x, kMost),
+            bounded(data.y0 - display.min.y, kMost),
+            bounded(int64_t(display.max.x) - display.min.x + 1, kMost),
+            bounded(int64_t(display.max.y) - display.min.y + 1, kMost),
+            bounded(display.min.x, kMost),
+            bounded(display.min.y, kMost)};
+}
+
 // What OpenEXR keeps beside the picture: a row of tiles, and tiles being unpacked.
-double tileBytes(const EncodedImage& encoded, const Imf::Header& header, int64_t width, int64_t channels) {
+double tileBytes(const EncodedImage& encoded, const Imf::Header& header) {
     if (!header.hasTileDescription()) return 0;
+    int channels = 0;
+    for (auto it = header.channels().begin(); it != header.channels().end(); ++it) ++channels;
+    const double width = double(header.dataWindow().max.x) - header.dataWindow().min.x + 1;
     const int64_t x = header.tileDescription().xSize, y = header.tileDescription().ySize;
     if (x * y > encoded.mostPixels)
         failDecoding(encoded, fmt::format("its tiles are {}x{}; at most {} pixels are read", x, y, encoded.mostPixels));
-    return double(channels) * sizeof(float) * double(y) * (double(width) + 2.0 * double(x) * threadCount());
+    return double(channels) * sizeof(float) * double(y) * (width + 2.0 * double(x) * threadCount());
+}
+
+// Reads a part's channels into theirs of the image, whose window is `all`.
+class PartReader {
+  public:
+    PartReader(const EncodedImage& encoded, Image& image, const Window& all)
+        : encoded_(encoded), image_(image), all_(all) {}
+
+    void read(Imf::MultiPartInputFile& file, const FlatPart& part, const std::vector<ExrChannel>& channels,
+              size_t number) {
+        const Imath::Box2i& data = part.header->dataWindow();
+        const size_t pixel = size_t(image_.channels()) * sizeof(float), row = pixel * size_t(image_.width());
+        const size_t width = size_t(data.max.x - data.min.x + 1), count = width * size_t(data.max.y - data.min.y + 1);
+        float* const first = image_.pixel(int(data.min.x - all_.x0), int(data.min.y - all_.y0));
+        Imf::FrameBuffer frame;
+        std::map<size_t, std::vector<uint32_t>> integers;  // by the channel in the image
+        for (size_t c = 0; c < channels.size(); ++c) {
+            if (channels[c].part != number) continue;
+            const std::string& name = channels[c].nameInPart;
+            if (part.header->channels()[name].type == Imf::UINT) {
+                std::vector<uint32_t>& values = integers[c];
+                values.resize(count);
+                frame.insert(name, Imf::Slice::Make(Imf::UINT, values.data(), data, 4, 4 * width));
+            } else {
+                frame.insert(name, Imf::Slice::Make(Imf::FLOAT, first + c, data, pixel, row));
+            }
+        }
+        Imf::InputPart input(file, part.index);
+        input.setFrameBuffer(frame);
+        input.readPixels(data.min.y, data.max.y);
+        for (const auto& [c, values] : integers) setIntegers(values, width, first + c, channels[c].name);
+    }
+
+  private:
+    void setIntegers(const std::vector<uint32_t>& values, size_t width, float* first, const std::string& name) const {
+        const auto channels = size_t(image_.channels());
+        bool isExact = true;
+        for (size_t i = 0; i < values.size(); ++i) {
+            const auto value = float(values[i]);
+            isExact &= double(value) == double(values[i]);
+            first[(i / width * size_t(image_.width()) + i % width) * channels] = value;
+        }
+        if (!isExact)
+            logWarning(fmt::format("{}: the integers of its channel {} beyond 16777216 are rounded to floats",
+                                   encoded_.path, name));
+    }
+
+    const EncodedImage& encoded_;
+    Image& image_;
+    Window all_;
+};
+
+// Colours of the part in linear Rec. 709.
+void convertPrimaries(const EncodedImage& encoded, const FlatPart& part, const std::vector<ExrChannel>& channels,
+                      size_t number, Image& image) {
+    const auto found = part.attributes->find("chromaticities");
+    if (found == part.attributes->end() || found->second.type != "chromaticities") return;
+    std::set<std::string> layers;
+    for (const ExrChannel& channel : channels)
+        if (const std::string layer = layerOfChannel(channel.name); channel.part == number && !isDataLayer(layer))
+            layers.insert(layer);
+    try {
+        if (const std::optional<RgbMatrix> map = rec709From(found->second))
+            for (const std::string& layer : layers) mapColours(image, layer, *map);
+    } catch (const Error& error) {
+        logWarning(fmt::format("{}: {}; Rec. 709's are assumed", encoded.path, error.what()));
+    }
+}
+
+// Strings are metadata, and what describes the layout follows from what is written.
+ExrAttributes keptAttributes(const ExrAttributes& attributes) {
+    static const std::set<std::string_view> kLeft{
+        "adoptedNeutral", "channels",       "chromaticities", "chunkCount", "compression",
+        "dataWindow",     "deepImageState", "displayWindow",  "lineOrder",  "maxSamplesPerPixel",
+        "preview",        "tiles",          "version"};
+    ExrAttributes kept;
+    for (const auto& [name, attribute] : attributes)
+        if (attribute.type != "string" && !kLeft.contains(name)) kept[name] = attribute;
+    return kept;
+}
+
+ExrStorage storageOf(const std::vector<FlatPart>& parts, const ExrChannels& channels) {
+    ExrStorage storage;
+    for (const ExrChannel& channel : channels.channels) {
+        const Imf::PixelType type = parts[channel.part].header->channels()[channel.nameInPart].type;
+        if (type == Imf::HALF) storage.halfChannels.insert(channel.name);
+        if (type == Imf::UINT) storage.integerChannels.insert(channel.name);
+    }
+    const FlatPart& first = parts[channels.beautyPart < parts.size() ? channels.beautyPart : 0];
+    storage.compression = first.header->compression();
+    storage.attributes = keptAttributes(*first.attributes);
+    return storage;
 }
 
 // With as many threads as all else.
@@ -121,55 +242,58 @@ void setThreads() {
 }  // namespace
 
 ImageFile decodeExr(const EncodedImage& encoded) {
-    requireSoundExrHeaders(encoded);
+    const std::vector<ExrAttributes> attributes = requireSoundExrHeaders(encoded);
     setThreads();
     MemoryStream stream(encoded);
-    Imf::MultiPartInputFile parts(stream);
-    const Imf::Header& header = parts.header(0);
-    requireFlat(encoded, header);
-    const std::vector<std::string> names = orderedChannels(header.channels());
-    const Imath::Box2i window = header.dataWindow();
-    const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
-    const auto channels = int64_t(names.size());
-    const MemoryClaim memory =
-        claimMemory(encoded, width, height, channels, tileBytes(encoded, header, width, channels));
+    Imf::MultiPartInputFile input(stream);
+    const std::vector<FlatPart> parts = flatParts(encoded, input, attributes);
+    const ExrChannels channels = channelsOf(parts);
+    const Window window = windowOf(parts);
+    std::vector<std::string> names;
+    for (const ExrChannel& channel : channels.channels) names.push_back(channel.name);
+    ImageFile file;
+    file.storage = storageOf(parts, channels);
+    // One part is read after another.
+    double extraBytes = 0;
+    for (const FlatPart& part : parts) extraBytes = std::max(extraBytes, tileBytes(encoded, *part.header));
+    extraBytes += double(file.storage.integerChannels.size()) * sizeof(uint32_t) * double(window.width()) *
+                  double(window.height());
+    const MemoryClaim memory = claimMemory(encoded, window.width(), window.height(), int64_t(names.size()), extraBytes);
 
-    ImageFile file{Image(int(width), int(height), names), Encoding::Float};
-    const size_t pixel = names.size() * sizeof(float);
-    Imf::FrameBuffer frame;
-    for (size_t c = 0; c < names.size(); ++c)
-        frame.insert(names[c],
-                     Imf::Slice::Make(Imf::FLOAT, file.image.data().data() + c, window, pixel, pixel * size_t(width)));
-    Imf::InputPart part(parts, 0);
-    part.setFrameBuffer(frame);
-    part.readPixels(window.min.y, window.max.y);
+    file.image = Image(int(window.width()), int(window.height()), names);
+    file.window = placeOf(window, parts[0].header->displayWindow());
+    if (parts.size() > 1 && channels.beautyPart < parts.size())
+        file.beautyPart = nameOf(*parts[channels.beautyPart].header);
+    PartReader reader(encoded, file.image, window);
+    for (size_t i = 0; i < parts.size(); ++i) {
+        reader.read(input, parts[i], channels.channels, i);
+        convertPrimaries(encoded, parts[i], channels.channels, i, file.image);
+    }
     return file;
 }
 
-ExrWindow decodeExrWindow(const EncodedImage& encoded) {
-    requireSoundExrHeaders(encoded);
-    MemoryStream stream(encoded);
-    const Imf::MultiPartInputFile parts(stream);
-    const Imath::Box2i data = parts.header(0).dataWindow(), display = parts.header(0).displayWindow();
-    // As of windows that are close to the ends of what an int holds, which no renderer writes.
-    const auto offset = [&](int a, int b, int limit) {
-        return int(std::clamp<int64_t>(int64_t(a) - b, -limit, limit));
-    };
-    constexpr int kMost = limits::kFilmSide;
-    return {offset(data.min.x, display.min.x, kMost), offset(data.min.y, display.min.y, kMost),
-            offset(display.max.x, display.min.x, kMost - 1) + 1, offset(display.max.y, display.min.y, kMost - 1) + 1};
-}
-
 ExrMetadata decodeExrMetadata(const EncodedImage& encoded) {
-    requireSoundExrHeaders(encoded);
+    const std::vector<ExrAttributes> attributes = requireSoundExrHeaders(encoded);
     MemoryStream stream(encoded);
-    const Imf::MultiPartInputFile parts(stream);
-    const Imf::Header& header = parts.header(0);
+    const Imf::MultiPartInputFile input(stream);
+    std::vector<FlatPart> parts;
+    for (int i = 0; i < input.parts(); ++i) parts.push_back({i, &input.header(i), &attributes.at(size_t(i))});
+    const size_t beauty = channelsOf(parts).beautyPart, first = beauty < parts.size() ? beauty : 0;
     ExrMetadata metadata;
-    for (auto it = header.begin(); it != header.end(); ++it)
-        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
-            metadata[it.name()] = text->value();
-    metadata.erase("type");  // scan lines or tiles: OpenEXR adds it on reading
+    const auto add = [&](const FlatPart& part, const std::string& prefix) {
+        for (const auto& [name, attribute] : *part.attributes) {
+            // The kind of a part, and its name where there are several: they describe the file.
+            if (attribute.type != "string" || name == "type" || (parts.size() > 1 && name == "name")) continue;
+            const auto known = metadata.find(name);
+            if (prefix.empty() || known == metadata.end())
+                metadata[name] = attribute.value;
+            else if (known->second != attribute.value)
+                metadata[prefix + name] = attribute.value;
+        }
+    };
+    add(parts[first], "");
+    for (size_t i = 0; i < parts.size(); ++i)
+        if (i != first) add(parts[i], nameOf(*parts[i].header) + ".");
     return metadata;
 }
 

@@ -1,9 +1,11 @@
 #include "image/exr_writer.h"
 
+#include <OpenEXR/ImfAttribute.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOpaqueAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
@@ -12,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <deque>
+#include <memory>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -39,47 +43,109 @@ class MemoryStream final : public Imf::OStream {
     size_t at_ = 0;
 };
 
-half toHalf(float x) {
-    constexpr float kMax = 65504;
-    return std::isnan(x) ? half(x) : half(std::clamp(x, -kMax, kMax));
+// The bytes of one attribute.
+class AttributeStream final : public Imf::IStream {
+  public:
+    explicit AttributeStream(const std::string& bytes) : IStream("attribute"), bytes_(bytes) {}
+    bool read(char c[], int n) override {
+        if (n < 0 || size_t(n) > bytes_.size() - at_) throw Error("an attribute is cut short");
+        std::memcpy(c, bytes_.data() + at_, size_t(n));
+        at_ += size_t(n);
+        return at_ < bytes_.size();
+    }
+    uint64_t tellg() override { return at_; }
+    void seekg(uint64_t at) override { at_ = std::min(size_t(at), bytes_.size()); }
+
+  private:
+    const std::string& bytes_;
+    size_t at_ = 0;
+};
+
+void insertAttribute(Imf::Header& header, const std::string& name, const ExrAttribute& attribute) {
+    constexpr int kVersion = 2;  // of the file format
+    const char* type = attribute.type.c_str();
+    const std::unique_ptr<Imf::Attribute> made(Imf::Attribute::knownType(type) ? Imf::Attribute::newAttribute(type)
+                                                                               : new Imf::OpaqueAttribute(type));
+    AttributeStream stream(attribute.value);
+    made->readValueFrom(stream, int(attribute.value.size()), kVersion);
+    header.insert(name, *made);
 }
 
-Imf::Header makeHeader(const Image& first, const ExrMetadata& metadata, const ExrWindow& window) {
-    const Imath::Box2i data(Imath::V2i(window.x, window.y),
-                            Imath::V2i(window.x + first.width() - 1, window.y + first.height() - 1));
+half toHalf(float x, bool keepsInfinity) {
+    constexpr float kMax = 65504;
+    return std::isnan(x) || (keepsInfinity && std::isinf(x)) ? half(x) : half(std::clamp(x, -kMax, kMax));
+}
+
+Imf::Header makeHeader(const Image& first, const ExrMetadata& metadata, const ExrWindow& window,
+                       const ExrStorage& storage) {
+    const Imath::V2i corner(window.displayX, window.displayY), start = corner + Imath::V2i(window.x, window.y);
+    const Imath::Box2i data(start, start + Imath::V2i(first.width() - 1, first.height() - 1));
     Imath::Box2i display = data;
     if (window.fullWidth > 0 && window.fullHeight > 0)
-        display = Imath::Box2i(Imath::V2i(0, 0), Imath::V2i(window.fullWidth - 1, window.fullHeight - 1));
-    Imf::Header header(display, data, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+        display = Imath::Box2i(corner, corner + Imath::V2i(window.fullWidth - 1, window.fullHeight - 1));
+    Imf::Header header(display, data, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, Imf::Compression(storage.compression));
+    for (const auto& [name, attribute] : storage.attributes) insertAttribute(header, name, attribute);
     for (const auto& [key, value] : metadata) header.insert(key, Imf::StringAttribute(value));
     return header;
 }
 
-std::string encodeLayers(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata, const ExrWindow& window) {
+// The values of a channel as they are stored: its type, and its values one after another unless they are floats, which
+// the image has already.
+struct StoredChannel {
+    Imf::PixelType type = Imf::FLOAT;
+    std::vector<half> halves;
+    std::vector<uint32_t> integers;
+};
+
+// The infinity of a picture that had halves when it was read stays what it is.
+StoredChannel storedChannel(const Image& image, size_t channel, bool isHalf, bool wasHalf, bool isInteger) {
+    StoredChannel stored;
+    const size_t channels = size_t(image.channels());
+    const auto value = [&](size_t pixel) { return image.data()[pixel * channels + channel]; };
+    if (isInteger) {
+        constexpr float kEnd = 4294967296.f;
+        stored.type = Imf::UINT;
+        stored.integers.resize(image.pixelCount());
+        for (size_t i = 0; i < image.pixelCount(); ++i) {
+            const float v = value(i);
+            // Filtered ones are no integers any more.
+            if (!(v >= 0 && v < kEnd && v == std::floor(v))) return {};
+            stored.integers[i] = uint32_t(v);
+        }
+    } else if (isHalf || wasHalf) {
+        stored.type = Imf::HALF;
+        stored.halves.resize(image.pixelCount());
+        for (size_t i = 0; i < image.pixelCount(); ++i) stored.halves[i] = toHalf(value(i), wasHalf);
+    }
+    return stored;
+}
+
+std::string encodeLayers(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata, const ExrWindow& window,
+                         const ExrStorage& storage) {
     const Image& first = *layers.front().image;
-    Imf::Header header = makeHeader(first, metadata, window);
+    Imf::Header header = makeHeader(first, metadata, window, storage);
     Imf::FrameBuffer frame;
-    std::vector<std::vector<half>> halves;  // kept until the file is written
-    halves.reserve(layers.size());
-    const auto rows = static_cast<size_t>(first.width());
+    std::deque<StoredChannel> kept;  // until the file is written
+    const auto width = static_cast<size_t>(first.width());
     for (const auto& layer : layers) {
         const Image& image = *layer.image;
         const size_t channels = static_cast<size_t>(image.channels());
-        if (layer.half) {
-            halves.emplace_back(image.data().size());
-            std::transform(image.data().begin(), image.data().end(), halves.back().begin(), toHalf);
-        }
         for (size_t c = 0; c < channels; ++c) {
             const std::string& channel = image.channelNames()[c];
             const std::string name = layer.name.empty() ? channel : fmt::format("{}.{}", layer.name, channel);
             if (header.channels().findChannel(name)) throw Error(fmt::format("two channels are called {}", name));
-            const Imf::PixelType type = layer.half ? Imf::HALF : Imf::FLOAT;
-            const size_t size = layer.half ? sizeof(half) : sizeof(float);
-            const void* data = layer.half ? static_cast<const void*>(halves.back().data() + c)
-                                          : static_cast<const void*>(image.data().data() + c);
-            header.channels().insert(name, Imf::Channel(type));
-            frame.insert(name,
-                         Imf::Slice::Make(type, data, header.dataWindow(), size * channels, size * channels * rows));
+            const StoredChannel& stored = kept.emplace_back(storedChannel(
+                image, c, layer.half, storage.halfChannels.contains(name), storage.integerChannels.contains(name)));
+            header.channels().insert(name, Imf::Channel(stored.type));
+            const auto insert = [&](const void* values, size_t pixel) {
+                frame.insert(name, Imf::Slice::Make(stored.type, values, header.dataWindow(), pixel, pixel * width));
+            };
+            if (stored.type == Imf::HALF)
+                insert(stored.halves.data(), sizeof(half));
+            else if (stored.type == Imf::UINT)
+                insert(stored.integers.data(), sizeof(uint32_t));
+            else
+                insert(image.data().data() + c, channels * sizeof(float));
         }
     }
     MemoryStream stream;
@@ -94,7 +160,7 @@ std::string encodeLayers(const std::vector<ExrLayer>& layers, const ExrMetadata&
 
 // path: for messages.
 std::string encodeFor(const std::string& path, const std::vector<ExrLayer>& layers, const ExrMetadata& metadata,
-                      const ExrWindow& window) {
+                      const ExrWindow& window, const ExrStorage& storage) {
     if (layers.empty()) throw Error(fmt::format("cannot write {}: it has no layers", path));
     for (const auto& layer : layers) {
         if (!layer.image || layer.image->empty())
@@ -104,7 +170,7 @@ std::string encodeFor(const std::string& path, const std::vector<ExrLayer>& laye
                                     sizeString(*layer.image), sizeString(*layers[0].image)));
     }
     try {
-        return encodeLayers(layers, metadata, window);
+        return encodeLayers(layers, metadata, window, storage);
     } catch (const std::exception& e) {
         throw Error(fmt::format("cannot write {}: {}", path, e.what()));
     }
@@ -112,13 +178,14 @@ std::string encodeFor(const std::string& path, const std::vector<ExrLayer>& laye
 
 }  // namespace
 
-std::string encodeExr(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata, const ExrWindow& window) {
-    return encodeFor("an EXR", layers, metadata, window);
+std::string encodeExr(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata, const ExrWindow& window,
+                      const ExrStorage& storage) {
+    return encodeFor("an EXR", layers, metadata, window, storage);
 }
 
 void writeExr(const std::string& path, const std::vector<ExrLayer>& layers, const ExrMetadata& metadata,
-              const ExrWindow& window) {
-    writeFileAtomically(path, encodeFor(path, layers, metadata, window));
+              const ExrWindow& window, const ExrStorage& storage) {
+    writeFileAtomically(path, encodeFor(path, layers, metadata, window, storage));
 }
 
 void writeExr(const std::string& path, const Image& image, const ExrMetadata& metadata) {

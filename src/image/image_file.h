@@ -1,5 +1,6 @@
 // The result of reading a picture's file.
 #pragma once
+#include "image/exr_storage.h"
 #include "image/image.h"
 
 namespace drc {
@@ -10,6 +11,14 @@ enum class Encoding { UInt8, UInt16, Float };
 struct ImageFile {
     Image image;  // values as stored: integers are neither decoded nor multiplied by alpha
     Encoding encoding = Encoding::Float;
+    // What a PNG without a word on sRGB says of its integers: a displayed intensity to this power is the value in the
+    // file. 0: they are sRGB-encoded.
+    float gamma = 0;
+    // Of EXR files.
+    ExrWindow window{};
+    ExrStorage storage{};
+    std::string beautyPart{};  // of several parts, the one whose channels have no part's name before theirs
+
     bool isSrgbEncoded() const { return encoding != Encoding::Float; }
 };
 

@@ -6,6 +6,7 @@
 
 #include "image/pfm.h"
 #include "image/tga.h"
+#include "image/tiff.h"
 
 namespace drc {
 namespace {
@@ -20,10 +21,6 @@ struct Mark {
 };
 
 constexpr Mark kForeign[] = {
-    {"TIFF", 0, "II*\0"sv},
-    {"TIFF", 0, "MM\0*"sv},
-    {"TIFF", 0, "II+\0"sv},  // beyond 4 GiB
-    {"TIFF", 0, "MM\0+"sv},
     {"GIF", 0, "GIF8"},
     {"BMP", 0, "BM"},
     {"WebP", 8, "WEBP"},
@@ -71,6 +68,7 @@ ImageFormat imageFormatOf(std::string_view bytes, std::string_view path) {
     if (bytes.starts_with("\x76\x2f\x31\x01")) return ImageFormat::Exr;
     if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return ImageFormat::Png;
     if (bytes.starts_with("\xff\xd8\xff")) return ImageFormat::Jpeg;
+    if (isTiff(bytes)) return ImageFormat::Tiff;
     if (bytes.starts_with("#?")) return ImageFormat::RadianceHdr;
     if (isPfm(bytes)) return ImageFormat::Pfm;
     if (hasTgaFooter(bytes)) return ImageFormat::Tga;

@@ -16,6 +16,8 @@ TEST(ImageFormat, IsToldByTheFirstBytes) {
     EXPECT_EQ(imageFormatOf("\xff\xd8\xff\xe0", "a"), ImageFormat::Jpeg);
     EXPECT_EQ(imageFormatOf("#?RGBE\n", "a.exr"), ImageFormat::RadianceHdr);
     EXPECT_EQ(imageFormatOf("PF\n1 1\n", "a.ppm"), ImageFormat::Pfm);
+    for (const std::string_view tiff : {"II*\0...."sv, "MM\0*...."sv, "II+\0...."sv, "MM\0+...."sv})
+        EXPECT_EQ(imageFormatOf(tiff, "a.tga"), ImageFormat::Tiff);
     EXPECT_EQ(imageFormatOf("P6\n1 1\n", "a.pfm"), ImageFormat::Unknown);
     EXPECT_EQ(imageFormatOf("", "a.exr"), ImageFormat::Unknown);
 }
@@ -30,8 +32,6 @@ TEST(ImageFormat, TgaIsToldByItsNameOrItsEnd) {
 }
 
 TEST(ImageFormat, KnowsOthersByName) {
-    EXPECT_EQ(foreignFormatOf("II*\0...."sv), "TIFF");
-    EXPECT_EQ(foreignFormatOf("MM\0*...."sv), "TIFF");
     EXPECT_EQ(foreignFormatOf("RIFF\1\2\3\4WEBPVP8 "sv), "WebP");
     EXPECT_EQ(foreignFormatOf("BM...."), "BMP");
     EXPECT_EQ(foreignFormatOf("XPDS...."), "DPX");

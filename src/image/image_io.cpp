@@ -4,20 +4,25 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <new>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/log.h"
 #include "base/mapped_file.h"
 #include "image/color.h"
 #include "image/exr_reader.h"
 #include "image/image_format.h"
+#include "image/image_layers.h"
 #include "image/jpeg.h"
 #include "image/pfm.h"
+#include "image/picture_window.h"
 #include "image/radiance_hdr.h"
 #include "image/tga.h"
+#include "image/tiff.h"
 
 namespace drc {
 namespace {
@@ -78,6 +83,8 @@ ImageFile decodeByFormat(const EncodedImage& encoded) {
             return decodePng(encoded);
         case ImageFormat::Jpeg:
             return decodeJpeg(encoded);
+        case ImageFormat::Tiff:
+            return decodeTiff(encoded);
         case ImageFormat::RadianceHdr:
             return decodeRadianceHdr(encoded);
         case ImageFormat::Tga:
@@ -114,16 +121,32 @@ Image readLinearRgb(const std::string& path) { return linearRgbOf(readImageFile(
 
 Image linearRgbOf(const ImageFile& file) {
     // A render's file may list its layers in any order; the beauty is what has no layer name.
-    const int r = file.image.channelIndex("R"), g = file.image.channelIndex("G"), b = file.image.channelIndex("B");
-    Image rgb = file.image.toRgb();
-    if (r >= 0 && g >= 0 && b >= 0) {
-        for (int y = 0; y < rgb.height(); ++y)
-            for (int x = 0; x < rgb.width(); ++x)
-                rgb.setRgb(x, y, Rgb(file.image.at(x, y, r), file.image.at(x, y, g), file.image.at(x, y, b)));
-    }
+    Image rgb = beautyOf(file.image).toRgb();
     if (file.isSrgbEncoded())
-        for (float& v : rgb.data()) v = srgbDecode(v);
+        for (float& v : rgb.data()) v = decodedValue(file, v);
     return rgb;
+}
+
+float decodedValue(const ImageFile& file, float value) {
+    return file.gamma > 0 ? std::pow(value, 1 / file.gamma) : srgbDecode(value);
+}
+
+ImageFile readTextureFile(const std::string& path) {
+    ImageFile file = readImageFile(path);
+    file.image = beautyOf(file.image);
+    if (file.gamma > 0)
+        logWarning(fmt::format("{}: its gamma chunk ({:g}) is not used: its integers are taken as pbrt takes them",
+                               path, file.gamma));
+    file.gamma = 0;
+    if (isWhole(file.image, file.window)) return file;
+    if (!overlaps(file.image, file.window)) {
+        logWarning(fmt::format("{} has {}, nothing of which is visible; its pixels are taken as the whole", path,
+                               placeString(file.image, file.window)));
+        return file;
+    }
+    file.image = placedInWindow(file.image, file.window, path);
+    file.window = {};
+    return file;
 }
 
 ExrMetadata readExrMetadata(const std::string& path) {
@@ -146,14 +169,6 @@ ExrMetadata readMetadata(const std::string& path) {
         default:
             return {};
     }
-}
-
-ExrWindow readExrWindow(const std::string& path) {
-    requireFile(path);
-    const MappedFile file(path);
-    const EncodedImage encoded{file.bytes(), path};
-    if (imageFormatOf(encoded.bytes, path) != ImageFormat::Exr) return {};
-    return decoded(path, [&] { return decodeExrWindow(encoded); });
 }
 
 void writePng(const std::string& path, const Image& linear) { writeFileAtomically(path, encodePng(linear, path)); }

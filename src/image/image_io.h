@@ -1,5 +1,5 @@
-// Reads and writes image files: EXR, PNG, JPEG, TGA, Radiance HDR and PFM are read, recognised by their first bytes;
-// EXR and PNG are written.
+// Reads and writes image files: EXR, PNG, JPEG, TIFF, TGA, Radiance HDR and PFM are read, recognised by their first
+// bytes.
 #pragma once
 #include <string>
 
@@ -11,23 +11,28 @@
 
 namespace drc {
 
-// Throws Error, naming the path, if a file is missing, damaged, or of another format. Of several parts or mip levels,
-// the first is read; if a picture is larger or smaller than its display window, the pixels that are stored.
+// Throws Error, naming the path, if a file is missing, damaged, or of another format. Of several mip levels, the first
+// is read; of an EXR all parts (exr_reader.h), and if it is larger or smaller than its display window, the pixels that
+// are stored.
 ImageFile readImageFile(const std::string& path);
 // The same for a file in memory.
 ImageFile decodeImage(const EncodedImage& encoded);
 // The values as stored. `encoding`, if not null, receives how.
 Image readImage(const std::string& path, Encoding* encoding = nullptr);
-// Three channels, linear: integers are decoded from sRGB. For an EXR with layers, the beauty.
+// Three channels, linear: integers are decoded from sRGB, or by the gamma that a PNG gives. For an EXR with layers, the
+// beauty.
 Image readLinearRgb(const std::string& path);
 Image linearRgbOf(const ImageFile& file);
-// The string attributes of the first part. Throws Error if the file is not an EXR.
+float decodedValue(const ImageFile& file, float value);
+// What a texture or a light shows of a file: the beauty, and its alpha if it has one, within the display window. What
+// lies outside of it is cut off; where there are no pixels it is black, with alpha 0. The gamma of a PNG is left out
+// with a warning, as pbrt does not read it.
+ImageFile readTextureFile(const std::string& path);
+// The string attributes (exr_reader.h). Throws Error if the file is not an EXR.
 ExrMetadata readExrMetadata(const std::string& path);
 
 // The string attributes of an EXR, the notes of a PNG, nothing of other formats. Throws Error if the file is damaged.
 ExrMetadata readMetadata(const std::string& path);
-// The window of an EXR; an empty one of other formats.
-ExrWindow readExrWindow(const std::string& path);
 
 // Writes linear RGB (the first three channels, or grey) as an 8-bit sRGB PNG, clipped at 1; whole or not at all.
 void writePng(const std::string& path, const Image& linear);

@@ -138,6 +138,30 @@ TEST_F(ImageIoTest, HugeClaimsAreErrors) {
     }
 }
 
+// A crop is a part of the texture, and overscan lies outside of it. Other layers are not its colours.
+TEST_F(ImageIoTest, TexturesAreWhatTheDisplayWindowShows) {
+    Image image(2, 2, {"R", "G", "B", "A", "N.X"});
+    for (size_t i = 0; i < image.data().size(); ++i) image.data()[i] = float(i + 1);
+    writeExr(path("a.exr"), {{"", &image}}, {}, {1, 0, 4, 2});
+    const ImageFile crop = readTextureFile(path("a.exr"));
+    EXPECT_EQ(sizeString(crop.image), "4x2");
+    EXPECT_THAT(crop.image.channelNames(), testing::ElementsAre("R", "G", "B", "A"));
+    EXPECT_EQ(crop.image.rgb(0, 0), Rgb(0.f));
+    EXPECT_EQ(crop.image.rgb(1, 0), image.rgb(0, 0));
+    writeExr(path("a.exr"), {{"", &image}}, {}, {-1, -1, 1, 1});
+    EXPECT_THAT(readTextureFile(path("a.exr")).image.data(), testing::ElementsAre(16, 17, 18, 19));
+    EXPECT_EQ(sizeString(readImage(path("a.exr"))), "2x2");
+    // Nothing to see: better than black.
+    writeExr(path("a.exr"), {{"", &image}}, {}, {7, 7, 4, 4});
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(readTextureFile(path("a.exr")).image.rgb(0, 0), image.rgb(0, 0));
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("a.exr has 2x2 at (7, 7) of 4x4, nothing of which"));
+    // Brightness beside other layers.
+    const Image grey(1, 1, {"Y"}), normal(1, 1, {"X", "Y", "Z"});
+    writeExr(path("a.exr"), {{"", &grey}, {"N", &normal}});
+    EXPECT_THAT(readTextureFile(path("a.exr")).image.channelNames(), testing::ElementsAre("Y"));
+}
+
 TEST_F(ImageIoTest, TellsFormatsByTheirBytesNotTheirNames) {
     const Image image = makeImage(3, 2, 0);
     writeExr(path("exr.png"), image);
@@ -149,7 +173,7 @@ TEST_F(ImageIoTest, TellsFormatsByTheirBytesNotTheirNames) {
 }
 
 TEST_F(ImageIoTest, NamesTheFormatThatIsNotRead) {
-    const std::string read = "EXR, PNG, JPEG, TGA, Radiance HDR and PFM files are read";
+    const std::string read = "EXR, PNG, JPEG, TIFF, TGA, Radiance HDR and PFM files are read";
     writeFileAtomically(path("a.png"), "GIF89a and so on");
     writeFileAtomically(path("b.png"), "a letter");
     writeFileAtomically(path("c.png"), "");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/suggest.h"
 
 namespace drc {
 namespace {
@@ -20,19 +21,32 @@ Image select(const Image& image, const std::vector<int>& channels, std::vector<s
     return selected;
 }
 
+std::vector<int> channelsOfLayer(const Image& image, const std::string& layer) {
+    std::vector<int> channels;
+    for (int c = 0; c < image.channels(); ++c)
+        if (layerOfChannel(image.channelNames()[size_t(c)]) == layer) channels.push_back(c);
+    return channels;
+}
+
+[[noreturn]] void failToFind(const Image& image, const std::string& name) {
+    const std::string list = layerAndChannelList(image);
+    if (name.empty()) throw Error(fmt::format("it has no channels R, G and B; its layers are: {}", list));
+    const std::vector<std::string> layers = layerNames(image);
+    std::vector<std::string_view> names(layers.begin(), layers.end());
+    names.insert(names.end(), image.channelNames().begin(), image.channelNames().end());
+    throw Error(
+        fmt::format("it has no layer or channel \"{}\"; its layers are: {}{}", name, list, suggestion(name, names)));
+}
+
 // Three channels, or one.
 std::vector<int> colourChannels(const Image& image, const std::string& layer) {
-    std::vector<int> all, rgb;
-    for (int c = 0; c < image.channels(); ++c)
-        if (layerOfChannel(image.channelNames()[size_t(c)]) == layer) all.push_back(c);
+    std::vector<int> all = channelsOfLayer(image, layer), rgb;
     for (const char* colour : {"R", "G", "B"})
         if (const int c = image.channelIndex(layer.empty() ? colour : layer + "." + colour); c >= 0) rgb.push_back(c);
     if (rgb.size() == 3) return rgb;
     if (const int y = image.channelIndex("Y"); layer.empty() && y >= 0) return {y};
-    if (layer.empty() || all.empty())
-        throw Error(fmt::format("it has {}; its layers are: {}",
-                                layer.empty() ? "no channels R, G and B" : fmt::format("no layer \"{}\"", layer),
-                                layerList(image)));
+    if (const int c = image.channelIndex(layer); all.empty() && c >= 0) return {c};
+    if (layer.empty() || all.empty()) failToFind(image, layer);
     all.resize(all.size() < 3 ? 1 : 3);
     return all;
 }
@@ -61,6 +75,17 @@ std::string layerList(const Image& image) {
     return list;
 }
 
+std::string layerAndChannelList(const Image& image) {
+    std::string list;
+    for (const std::string& layer : layerNames(image)) {
+        std::string channels;
+        for (const int c : channelsOfLayer(image, layer))
+            channels += (channels.empty() ? "" : ", ") + suffixOfChannel(image.channelNames()[size_t(c)]);
+        list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", title(layer), channels);
+    }
+    return list;
+}
+
 std::optional<Image> layerOf(const Image& image, const std::string& layer) {
     std::vector<int> channels;
     std::vector<std::string> names;
@@ -71,6 +96,22 @@ std::optional<Image> layerOf(const Image& image, const std::string& layer) {
         names.push_back(suffixOfChannel(channel));
     }
     if (channels.empty()) return std::nullopt;
+    return select(image, channels, std::move(names));
+}
+
+Image beautyOf(const Image& image) {
+    const int r = image.channelIndex("R"), g = image.channelIndex("G"), b = image.channelIndex("B"),
+              y = image.channelIndex("Y"), a = image.channelIndex("A");
+    std::vector<int> channels;
+    if (r >= 0 && g >= 0 && b >= 0)
+        channels = {r, g, b};
+    else if (y >= 0)
+        channels = {y};
+    else
+        return image;
+    if (a >= 0) channels.push_back(a);
+    std::vector<std::string> names;
+    for (const int c : channels) names.push_back(image.channelNames()[size_t(c)]);
     return select(image, channels, std::move(names));
 }
 
@@ -87,6 +128,14 @@ void setRgbOfLayer(Image& image, const std::string& layer, const Image& rgb) {
             const Rgb c = rgb.rgb(x, y);
             for (int i = 0; i < 3; ++i) image.at(x, y, channels[size_t(i)]) = c[i];
         }
+}
+
+Image partOfLayer(const Image& image, const std::string& layer) {
+    std::vector<int> channels = channelsOfLayer(image, layer);
+    if (channels.empty()) channels = colourChannels(image, layer);
+    std::vector<std::string> names;
+    for (const int c : channels) names.push_back(image.channelNames()[size_t(c)]);
+    return select(image, channels, std::move(names));
 }
 
 Image withoutLayers(const Image& image, const std::vector<std::string>& layers) {

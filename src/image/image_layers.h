@@ -23,14 +23,22 @@ std::string suffixOfChannel(const std::string& channel);
 std::vector<std::string> layerNames(const Image& image);
 // For messages: "the beauty, direct, indirect".
 std::string layerList(const Image& image);
+// The same with the channels of each, "the beauty (R, G, B), depth (Z)".
+std::string layerAndChannelList(const Image& image);
 
 // The channels of a layer, without its name; nothing if there are none.
 std::optional<Image> layerOf(const Image& image, const std::string& layer);
-// Three channels, linear as the picture is: the channels R, G and B of a layer or, of another layer, its first three
-// or its only one. Throws Error if there is no such layer or, for the beauty, if it has neither R, G and B nor a Y.
+// The channels R, G and B, or else Y, that have no layer's name, and A; the whole image if it has neither.
+Image beautyOf(const Image& image);
+// What a layer or a channel of that name is in three channels, linear as the picture is: the channels R, G and B of a
+// layer or, of another layer, its first three or its first one thrice; a channel, "Z" or "depth.Z", thrice. Throws
+// Error that lists the names there are and the nearest, if there is no such layer or channel or, for the beauty, if it
+// has neither R, G and B nor a Y.
 Image rgbOfLayer(const Image& image, const std::string& layer);
-// Sets the channels that rgbOfLayer() gives, which must be three. Throws Error if they are not.
+// Sets the channels that rgbOfLayer() gives for a layer, which must be three. Throws Error if they are not.
 void setRgbOfLayer(Image& image, const std::string& layer, const Image& rgb);
+// The channels of a layer or the channel of that name, under their whole names. Throws Error as rgbOfLayer() does.
+Image partOfLayer(const Image& image, const std::string& layer);
 // The picture without some of its layers, all of which it need not have. Throws Error if nothing is left.
 Image withoutLayers(const Image& image, const std::vector<std::string>& layers);
 

@@ -7,6 +7,7 @@
 namespace drc {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -35,9 +36,33 @@ TEST(ImageLayers, GiveColours) {
     EXPECT_EQ(rgbOfLayer(picture({"B", "G", "R"}), "").rgb(0, 0), Rgb(2, 1, 0));
     EXPECT_EQ(rgbOfLayer(picture({"A", "Y"}), "").rgb(0, 0), Rgb(1.f));
     EXPECT_EQ(rgbOfLayer(picture({"n.X", "n.Y", "n.Z"}), "n").rgb(0, 0), Rgb(0, 1, 2));
-    EXPECT_EQ(errorOf([] { rgbOfLayer(kRender, "Direct"); }),
-              "it has no layer \"Direct\"; its layers are: the beauty, Denoising Depth, direct, v.1");
+    EXPECT_EQ(
+        errorOf([] { rgbOfLayer(kRender, "Direct"); }),
+        "it has no layer or channel \"Direct\"; its layers are: the beauty (R, G, B), Denoising Depth (Z), direct "
+        "(R, G, B), v.1 (x); did you mean 'direct'?");
     EXPECT_THAT(errorOf([] { rgbOfLayer(picture({"R", "G", "a.B"}), ""); }), HasSubstr("no channels R, G and B"));
+}
+
+TEST(ImageLayers, ChannelsAreFoundByName) {
+    EXPECT_EQ(rgbOfLayer(kRender, "G").rgb(0, 0), Rgb(1.f));
+    EXPECT_EQ(rgbOfLayer(kRender, "Denoising Depth.Z").rgb(0, 0), Rgb(3.f));
+    EXPECT_EQ(rgbOfLayer(kRender, "direct.B").rgb(0, 0), Rgb(6.f));
+    EXPECT_EQ(rgbOfLayer(picture({"A"}), "A").rgb(0, 0), Rgb(0.f));
+    // A layer goes before a channel of the same name.
+    EXPECT_EQ(rgbOfLayer(picture({"Z", "Z.far", "Z.near"}), "Z").rgb(0, 0), Rgb(1.f));
+    EXPECT_THAT(partOfLayer(kRender, "direct.B").channelNames(), ElementsAre("direct.B"));
+    EXPECT_THAT(partOfLayer(kRender, "direct").channelNames(), ElementsAre("direct.R", "direct.G", "direct.B"));
+    EXPECT_THAT(errorOf([] { rgbOfLayer(kRender, "direct.X"); }),
+                AllOf(HasSubstr("no layer or channel \"direct.X\""), HasSubstr("direct (R, G, B)"),
+                      HasSubstr("did you mean 'direct.R'?")));
+    EXPECT_EQ(errorOf([] { rgbOfLayer(picture({"A"}), ""); }),
+              "it has no channels R, G and B; its layers are: the beauty (A)");
+}
+
+TEST(ImageLayers, TheBeautyIsColoursAndAlpha) {
+    EXPECT_THAT(beautyOf(picture({"A", "B", "G", "R", "Z"})).data(), ElementsAre(3, 2, 1, 0));
+    EXPECT_THAT(beautyOf(picture({"A", "N.X", "N.Y", "Y"})).channelNames(), ElementsAre("Y", "A"));
+    EXPECT_THAT(beautyOf(picture({"N.X", "N.Y"})).channelNames(), ElementsAre("N.X", "N.Y"));
 }
 
 TEST(ImageLayers, AreReplacedAndRemoved) {

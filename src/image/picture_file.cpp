@@ -3,28 +3,46 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/color.h"
 #include "image/image_io.h"
+#include "image/image_layers.h"
 
 namespace drc {
 namespace {
 
-void toLinear(Image& image) {
+void toLinear(ImageFile& file) {
+    Image& image = file.image;
     const int alpha = image.channelIndex("A");
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)
             for (int c = 0; c < image.channels(); ++c)
                 if (c != alpha)
-                    image.at(x, y, c) = srgbDecode(image.at(x, y, c)) * (alpha < 0 ? 1 : image.at(x, y, alpha));
+                    image.at(x, y, c) = decodedValue(file, image.at(x, y, c)) * (alpha < 0 ? 1 : image.at(x, y, alpha));
 }
 
 }  // namespace
 
 PictureFile readPictureFile(const std::string& path) {
     ImageFile file = readImageFile(path);
-    PictureFile picture{path, std::move(file.image), file.encoding, readMetadata(path), readExrWindow(path)};
-    if (file.isSrgbEncoded()) toLinear(picture.image);
-    return picture;
+    if (file.isSrgbEncoded()) toLinear(file);
+    return {path,
+            std::move(file.image),
+            file.encoding,
+            readMetadata(path),
+            file.window,
+            std::move(file.storage),
+            std::move(file.beautyPart)};
+}
+
+std::string layerNamed(const PictureFile& picture, const std::string& name) {
+    const std::vector<std::string> layers = layerNames(picture.image);
+    const auto isLayer = [&](const std::string& of) {
+        return std::find(layers.begin(), layers.end(), of) != layers.end();
+    };
+    if (picture.beautyPart.empty() || isLayer(name)) return name;
+    if (name == picture.beautyPart) return "";
+    const std::string prefix = picture.beautyPart + ".",
+                      rest = name.starts_with(prefix) ? name.substr(prefix.size()) : "";
+    return !rest.empty() && (isLayer(rest) || picture.image.channelIndex(rest) >= 0) ? rest : name;
 }
 
 int64_t clearNonFinite(Image& image) {

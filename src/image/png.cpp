@@ -112,7 +112,7 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    void writeHeader(int width, int height, bool hasAlpha, const PngTexts& texts) {
+    void writeHeader(int width, int height, bool hasAlpha, int bits, const PngTexts& texts) {
         for (const auto& [keyword, text] : texts) {
             if (!isKeyword(keyword)) {
                 std::strncpy(message_.text, "a keyword of its notes is not one", sizeof(message_.text) - 1);
@@ -127,7 +127,7 @@ class PngWriter {
             notes_.push_back(note);
         }
         const int type = hasAlpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
-        if (!writeHeaderOrJump(png_uint_32(width), png_uint_32(height), type)) fail();
+        if (!writeHeaderOrJump(png_uint_32(width), png_uint_32(height), type, bits)) fail();
     }
     void writeRow(png_const_bytep row) {
         if (!writeRowOrJump(row)) fail();
@@ -138,11 +138,11 @@ class PngWriter {
     }
 
   private:
-    bool writeHeaderOrJump(png_uint_32 width, png_uint_32 height, int type) {
-        constexpr int kBits = 8, kCompression = 6;
+    bool writeHeaderOrJump(png_uint_32 width, png_uint_32 height, int type, int bits) {
+        constexpr int kCompression = 6;
         if (setjmp(png_jmpbuf(png_))) return false;
         png_set_write_fn(png_, this, &PngWriter::writeBytes, nullptr);
-        png_set_IHDR(png_, info_, width, height, kBits, type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+        png_set_IHDR(png_, info_, width, height, bits, type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                      PNG_FILTER_TYPE_DEFAULT);
         png_set_compression_level(png_, kCompression);
         // Of what libpng would choose, sizes differ by a few percent, and reports compare the sizes of pictures.
@@ -209,6 +209,41 @@ void toFloats(const uint8_t* row, int bits, std::span<float> values) {
     }
 }
 
+uint32_t bigEndian32(std::string_view bytes) {
+    uint32_t value = 0;
+    for (size_t i = 0; i < 4; ++i) value = value << 8 | uint8_t(bytes[i]);
+    return value;
+}
+
+// Calls f(name, data) for each chunk that is whole. The layout of a file and of its chunks: sections 5.2 and 5.3 of the
+// PNG specification, third edition.
+template <typename F>
+void forEachChunk(std::string_view bytes, const F& f) {
+    constexpr size_t kSignature = 8, kAround = 12;  // length, name and check sum
+    std::string_view rest = bytes.substr(std::min(kSignature, bytes.size()));
+    while (rest.size() >= kAround && bigEndian32(rest) <= rest.size() - kAround) {
+        const std::string_view name = rest.substr(4, 4), data = rest.substr(8, bigEndian32(rest));
+        rest.remove_prefix(kAround + data.size());
+        f(name, data);
+    }
+}
+
+// 0 where integers are sRGB-encoded: the file says so, says nothing, has a colour profile, which is not read, or has
+// the gamma that programs write for sRGB. Sections 11.3.2 and 4.2 of the specification.
+float gammaOf(std::string_view bytes) {
+    float gamma = 0;
+    bool isSrgb = false, isBeforePixels = true;
+    forEachChunk(bytes, [&](std::string_view name, std::string_view data) {
+        isBeforePixels &= name != "IDAT";
+        if (!isBeforePixels) return;
+        isSrgb |= name == "sRGB" || name == "iCCP" || name == "cICP";
+        if (name == "gAMA" && data.size() == 4) gamma = float(bigEndian32(data)) / 100000;
+    });
+    constexpr float kOfSrgb = 1 / 2.2f, kLeast = .1f, kMost = 10;
+    const bool isLikeSrgb = std::abs(gamma - kOfSrgb) < .02f;
+    return isSrgb || isLikeSrgb || gamma < kLeast || gamma > kMost ? 0.f : gamma;
+}
+
 }  // namespace
 
 ImageFile decodePng(const EncodedImage& encoded) {
@@ -220,8 +255,9 @@ ImageFile decodePng(const EncodedImage& encoded) {
     const MemoryClaim memory = claimMemory(encoded, reader.width(), reader.height(), reader.channels(), bytes);
     const int width = int(reader.width()), height = int(reader.height());
 
-    ImageFile file{Image(width, height, channelNames(reader.channels())),
-                   reader.bits() == 16 ? Encoding::UInt16 : Encoding::UInt8};
+    ImageFile file;
+    file.image = Image(width, height, channelNames(reader.channels()));
+    file.encoding = reader.bits() == 16 ? Encoding::UInt16 : Encoding::UInt8;
     std::vector<uint8_t> rows(reader.rowBytes() * size_t(isInterlaced ? height : 1));
     for (int pass = 0; pass < reader.passes(); ++pass) {
         for (int y = 0; y < height; ++y) {
@@ -232,25 +268,17 @@ ImageFile decodePng(const EncodedImage& encoded) {
         }
     }
     reader.readEnd();
+    file.gamma = gammaOf(encoded.bytes);
     return file;
 }
 
 PngTexts decodePngTexts(const EncodedImage& encoded) {
-    // The layout of a file and of its chunks: sections 5.2, 5.3 and 11.3.3 of the PNG specification, third edition.
-    constexpr size_t kSignature = 8, kAround = 12;  // length, name and check sum
     PngTexts texts;
-    std::string_view rest = encoded.bytes.substr(std::min(kSignature, encoded.bytes.size()));
-    const auto big32 = [](std::string_view bytes) {
-        uint32_t value = 0;
-        for (size_t i = 0; i < 4; ++i) value = value << 8 | uint8_t(bytes[i]);
-        return value;
-    };
-    while (rest.size() >= kAround && big32(rest) <= rest.size() - kAround) {
-        const std::string_view name = rest.substr(4, 4), data = rest.substr(8, big32(rest));
-        rest.remove_prefix(kAround + data.size());
+    forEachChunk(encoded.bytes, [&](std::string_view name, std::string_view data) {
         const size_t end = data.find('\0');
-        if (end == std::string_view::npos || end == 0) continue;
+        if (end == std::string_view::npos || end == 0) return;
         std::string text;
+        // Section 11.3.3.
         if (name == "tEXt") {
             text = data.substr(end + 1);
             for (char& c : text) c = uint8_t(c) < 128 ? c : '?';
@@ -258,28 +286,35 @@ PngTexts decodePngTexts(const EncodedImage& encoded) {
             // After two flags stand the language and the translated keyword.
             const size_t language = data.find('\0', end + 3);
             const size_t keyword = language == std::string_view::npos ? language : data.find('\0', language + 1);
-            if (keyword == std::string_view::npos) continue;
+            if (keyword == std::string_view::npos) return;
             text = data.substr(keyword + 1);
         } else {
-            continue;
+            return;
         }
         texts[std::string(data.substr(0, end))] = std::move(text);
-    }
+    });
     return texts;
 }
 
-std::string encodePng(const Image& linear, const std::string& path, const PngTexts& texts, const Image* alpha) {
+std::string encodePng(const Image& linear, const std::string& path, const PngTexts& texts, const Image* alpha,
+                      PngBits bits) {
     if (linear.empty()) throw Error(fmt::format("cannot write {}: the image is empty", path));
     PngWriter writer(path);
-    writer.writeHeader(linear.width(), linear.height(), alpha != nullptr, texts);
+    const bool isWide = bits == PngBits::Sixteen;
+    writer.writeHeader(linear.width(), linear.height(), alpha != nullptr, isWide ? 16 : 8, texts);
     std::vector<uint8_t> row;
-    row.reserve(size_t(linear.width()) * 4);
+    row.reserve(size_t(linear.width()) * 8);
+    const auto add = [&](float encoded) {
+        if (!isWide) return row.push_back(toByte(encoded));
+        const auto word = uint16_t(clamp01(encoded) * 65535 + .5f);
+        row.push_back(uint8_t(word >> 8)), row.push_back(uint8_t(word));
+    };
     for (int y = 0; y < linear.height(); ++y) {
         row.clear();
         for (int x = 0; x < linear.width(); ++x) {
             const Rgb c = linear.rgb(x, y);
-            for (int i = 0; i < 3; ++i) row.push_back(toByte(srgbEncode(c[i])));
-            if (alpha) row.push_back(toByte(alpha->at(x, y, 0)));
+            for (int i = 0; i < 3; ++i) add(srgbEncode(c[i]));
+            if (alpha) add(alpha->at(x, y, 0));
         }
         writer.writeRow(row.data());
     }

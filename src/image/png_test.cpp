@@ -100,6 +100,33 @@ TEST(Png, WhatIsWrittenIsSrgbAndSaysSo) {
     EXPECT_THAT(errorOf([] { encodePng(Image()); }), HasSubstr("the image is empty"));
 }
 
+TEST(Png, SixteenBitsAreWritten) {
+    Image image(3, 1);
+    image.data() = {0, .18f, 1, -1, 7, 1e-5f, .5f, .25f, std::numeric_limits<float>::quiet_NaN()};
+    const std::string bytes = encodePng(image, "a.png", {}, nullptr, PngBits::Sixteen);
+    const ImageFile file = decodePng({bytes, "a.png"});
+    EXPECT_EQ(file.encoding, Encoding::UInt16);
+    for (size_t i = 0; i + 1 < image.data().size(); ++i)
+        EXPECT_NEAR(file.image.data()[i], srgbEncode(clamp01(image.data()[i])), .51 / 65535) << i;
+    EXPECT_EQ(file.image.data().back(), 0);
+}
+
+// What a file says of its gamma, before its pixels and without a word on sRGB, is told.
+TEST(Png, TellsOfAnotherGamma) {
+    const auto gammaOf = [](const std::string& chunks) {
+        const std::string file = rowPng(1, 8, PNG_COLOR_TYPE_GRAY, "\x80", chunks);
+        return decodePng({file, "a.png"}).gamma;
+    };
+    const std::string linear = chunk("gAMA", bigEndian(100000));
+    EXPECT_EQ(gammaOf(""), 0);
+    EXPECT_EQ(gammaOf(linear), 1);
+    EXPECT_FLOAT_EQ(gammaOf(chunk("gAMA", bigEndian(55556))), .55556f);
+    EXPECT_EQ(gammaOf(linear + chunk("sRGB", "\1")), 0);
+    EXPECT_EQ(gammaOf(chunk("gAMA", bigEndian(45455))), 0);
+    EXPECT_EQ(gammaOf(chunk("gAMA", bigEndian(0))), 0);
+    EXPECT_EQ(gammaOf(chunk("gAMA", "\1")), 0);
+}
+
 TEST(Png, KeepsNotes) {
     const PngTexts texts{{"drc:view", "agx"}, {"Author", "J\u00f6rg"}, {"empty", ""}};
     const std::string file = encodePng(Image(2, 1), "a.png", texts);

@@ -11,6 +11,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "image/image_layers.h"
+#include "image/picture_window.h"
 
 namespace drc {
 namespace {
@@ -60,7 +61,8 @@ void RenderMerger::requireFit(const PictureFile& render) const {
     const Image& image = render.image;
     if (image.width() != first_.image.width() || image.height() != first_.image.height())
         throw Error(fmt::format("{} is {}, but {} is {}: only pictures of one size can be merged", render.path,
-                                sizeString(image), first_.path, sizeString(first_.image)));
+                                placeString(image, render.window), first_.path,
+                                placeString(first_.image, first_.window)));
     const ExrWindow &a = render.window, &b = first_.window;
     if (a.x != b.x || a.y != b.y || a.fullWidth != b.fullWidth || a.fullHeight != b.fullHeight)
         throw Error(fmt::format("{} and {} show different parts of the film", render.path, first_.path));
@@ -117,8 +119,10 @@ Image RenderMerger::sampleCounts(const PictureFile& render) const {
 void RenderMerger::add(const PictureFile& render) {
     const Image& image = render.image;
     if (paths_.empty()) {
-        first_ = {render.path, Image(image.width(), image.height(), image.channelNames()), render.encoding,
-                  render.metadata, render.window};
+        first_ = {render.path,     Image(image.width(), image.height(), image.channelNames()),
+                  render.encoding, render.metadata,
+                  render.window,   render.storage};
+        first_.storage.halfChannels.clear();  // a merged render has more digits
         count_ = image.channelIndex(std::string(kSampleCountLayer) + ".X");
         for (const char* colour : kColours) beauty_.push_back(image.channelIndex(colour));
         if (*std::min_element(beauty_.begin(), beauty_.end()) < 0)

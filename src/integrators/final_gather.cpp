@@ -23,11 +23,12 @@ Rgb shareOf(const Rgb& part, const Rgb& all) {
     return share;
 }
 
-// The lobes that a cache may answer for. Where the view is below the horizon of the shading frame, sampling reaches
-// other light than for all other views: what is scattered then depends on the view for every lobe.
+// The lobes that a cache may answer for. Where the shading normal was bent for the view, or the view is below its
+// horizon, each view has another normal, or samples reach other light: what is scattered then depends on the view for
+// every lobe.
 LobeSet lobesForCache(const Bsdf& bsdf, const Vec3& wo) {
-    const bool above = dot(wo, bsdf.frame().n) * dot(wo, bsdf.ng()) > 0;
-    return above ? bsdf.separableLobes() : LobeSet(0);
+    if (bsdf.bentForView() || dot(wo, bsdf.frame().n) * dot(wo, bsdf.ng()) <= 0) return 0;
+    return bsdf.separableLobes();
 }
 
 // A vertex that a path will make a deposit for, while it is still being walked.

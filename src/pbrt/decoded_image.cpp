@@ -15,8 +15,8 @@ DecodedImage colorsOf(const Image& image) {
 
 }  // namespace
 
-DecodedImage readAsStored(const std::string& path) { return colorsOf(readImage(path)); }
+DecodedImage readAsStored(const std::string& path) { return colorsOf(readTextureFile(path).image); }
 
-DecodedImage readLinear(const std::string& path) { return colorsOf(readLinearRgb(path)); }
+DecodedImage readLinear(const std::string& path) { return colorsOf(linearRgbOf(readTextureFile(path))); }
 
 }  // namespace drc::pbrt

@@ -5,8 +5,8 @@
 #include <unordered_map>
 
 #include "base/log.h"
+#include "base/suggest.h"
 #include "pbrt/render_settings.h"
-#include "pbrt/suggest.h"
 
 namespace drc::pbrt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pbrt/suggest.h"
+#include "base/suggest.h"
 #include "pbrt/undefined_name.h"
 
 namespace drc::pbrt {

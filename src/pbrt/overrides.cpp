@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pbrt/suggest.h"
+#include "base/suggest.h"
 
 namespace drc::pbrt {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/suggest.h"
 #include "image/color.h"
 #include "pbrt/illuminants.h"
 #include "pbrt/metal_spectra.h"
 #include "pbrt/named_spectra.h"
 #include "pbrt/normalized_name.h"
 #include "pbrt/spectrum.h"
-#include "pbrt/suggest.h"
 
 namespace drc::pbrt {
 namespace {

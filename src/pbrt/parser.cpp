@@ -44,6 +44,7 @@ std::unique_ptr<Scene> Parser::parseCamera(const LoadOptions& options) { return 
 
 std::unique_ptr<Scene> Parser::parse(const LoadOptions& options, bool untilWorld) {
     builder_.limitCurves(options.curvePieces);
+    builder_.overrideCamera(options.camera);
     if (options.names) builder_.keepNames();
     try {
         readDirectives(untilWorld);

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/suggest.h"
 #include "pbrt/source.h"
-#include "pbrt/suggest.h"
 
 namespace drc::pbrt {
 

@@ -6,7 +6,7 @@
 
 #include "base/limits.h"
 #include "base/log.h"
-#include "pbrt/suggest.h"
+#include "base/suggest.h"
 #include "scene/crop_window.h"
 
 namespace drc::pbrt {

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "base/limits.h"
+#include "base/suggest.h"
 #include "pbrt/medium_factory.h"
 #include "pbrt/overrides.h"
 #include "pbrt/scene_limits.h"
-#include "pbrt/suggest.h"
 
 namespace drc::pbrt {
 namespace {
@@ -77,12 +77,17 @@ void SceneBuilder::useCoordinateSystem(const std::string& name, const SourcePos&
     state_.ctm = found->second;
 }
 
+void SceneBuilder::overrideCamera(const CameraOverride& camera) {
+    cameraOverride_ = camera;
+    worldToCamera_ = camera.placed({});  // where the file has no camera
+}
+
 void SceneBuilder::camera(const std::string& type, ParamSet params) {
     camera_ = {type, std::move(params)};
     motionOf("camera", camera_.params.pos());
-    worldToCamera_ = state_.ctm;
+    worldToCamera_ = cameraOverride_.placed(state_.ctm);
     scene_->cameraMedium = state_.media.outside;
-    coordinateSystems_["camera"] = state_.ctm.inverse();
+    coordinateSystems_["camera"] = worldToCamera_.inverse();
 }
 void SceneBuilder::film(const std::string& type, ParamSet params) { film_ = {type, std::move(params)}; }
 void SceneBuilder::filter(const std::string& type, ParamSet params) { filter_ = {type, std::move(params)}; }
@@ -394,6 +399,7 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     }
     const Transform toFile = fromFile_.inverse();
     const TransformSet inScene = {{worldToCamera_.at[0] * toFile, worldToCamera_.at[1] * toFile}};
+    cameraOverride_.applyFov(camera_.type, camera_.params);
     scene_->camera =
         make_.camera(camera_.type, camera_.params, {inScene.animated(), transformTimes_}, settings.film, files_);
 

@@ -32,6 +32,9 @@ class SceneBuilder {
     // Maximum number of pieces into which all further curves may be split.
     void limitCurves(size_t pieces) { curvePiecesLeft_ = pieces; }
 
+    // In place of the camera that the file names, from the next one on.
+    void overrideCamera(const CameraOverride& camera);
+
     // Scene::names shall say what the file calls each surface.
     void keepNames() { keepsNames_ = true; }
 
@@ -177,6 +180,7 @@ class SceneBuilder {
 
     Setting camera_, film_, filter_, sampler_, integrator_;
     TransformSet worldToCamera_;
+    CameraOverride cameraOverride_;
     SceneMedia media_;
     std::array<float, 2> transformTimes_{0, 1};
 

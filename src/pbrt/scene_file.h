@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/limits.h"
+#include "pbrt/camera_override.h"
 #include "scene/scene.h"
 
 namespace drc::pbrt {
@@ -14,6 +15,8 @@ struct LoadOptions {
     std::optional<FilmGeometry> resolution{};  // overrides that of the file
     // Parameters of film, sampler and integrator that override the file's, each as in overrides.h.
     std::vector<std::string> overrides{};
+    // In place of the file's camera.
+    CameraOverride camera{};
     // Maximum number of triangles of all subdivision surfaces together.
     double subdividedTriangles = limits::kSubdividedTriangles;
     // Maximum number of pieces of all curves together.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pbrt/suggest.h"
+#include "base/suggest.h"
 
 namespace drc::pbrt {
 

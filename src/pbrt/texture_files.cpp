@@ -14,7 +14,7 @@ namespace {
 
 template <typename T>
 MipPyramid<T> readPyramid(const std::string& path, const TexelReading& how) {
-    ImageFile file = readImageFile(path);
+    ImageFile file = readTextureFile(path);
     const bool isInteger = file.isSrgbEncoded();
     const bool srgb = how.gamma == TexelGamma::Srgb || (how.gamma == TexelGamma::FromFile && isInteger);
     TexelEncoding encoding = srgb && how.power == 0 ? TexelEncoding::Srgb : TexelEncoding::Linear;

@@ -1,6 +1,6 @@
 #include "pbrt/texture_mappings.h"
 
-#include "pbrt/suggest.h"
+#include "base/suggest.h"
 
 namespace drc::pbrt {
 namespace {

@@ -6,6 +6,8 @@
 namespace drc {
 namespace {
 
+constexpr const char* kSplats = "splats";
+
 class BdptIntegrator final : public SampledIntegrator {
   public:
     explicit BdptIntegrator(const RenderContext& context)
@@ -13,14 +15,6 @@ class BdptIntegrator final : public SampledIntegrator {
           tracer_(context.scene, context.accel, context.lights, context.tracer.settings(),
                   double(context.scene.settings.region().count())),
           splatFilter_(*context.scene.settings.filter) {}
-
-    std::vector<FilmLayerSpec> layers() const override {
-        std::vector<FilmLayerSpec> layers = SampledIntegrator::layers();
-        // Smaller quanta than in other layers: a splat is the contribution of one path, divided by the number of pixels
-        // of the film.
-        layers.push_back({.name = kSplats, .weighted = false, .quantum = layers[0].quantum / 256});
-        return layers;
-    }
 
     LayeredPicture picture(std::shared_ptr<const Film> film) const override {
         LayeredPicture picture = SampledIntegrator::picture(std::move(film));
@@ -47,8 +41,6 @@ class BdptIntegrator final : public SampledIntegrator {
     Preview preview(const Film& film) const override { return Integrator::preview(film); }
 
   private:
-    static constexpr const char* kSplats = "splats";
-
     Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film& film, const PathSinks& sinks) override {
         thread_local std::vector<Splat> splats;
         splats.clear();
@@ -63,6 +55,14 @@ class BdptIntegrator final : public SampledIntegrator {
 };
 
 }  // namespace
+
+std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene& scene) {
+    std::vector<FilmLayerSpec> layers = sampledLayers(params, scene.settings, false);
+    // Smaller quanta than in other layers: a splat is the contribution of one path, divided by the number of pixels
+    // of the film.
+    layers.push_back({.name = kSplats, .weighted = false, .quantum = layers[0].quantum / 256});
+    return layers;
+}
 
 std::unique_ptr<Integrator> makeBdptIntegrator(const RenderContext& context) {
     return std::make_unique<BdptIntegrator>(context);

@@ -19,8 +19,13 @@ size_t bytesOf(const std::vector<FilmLayerSpec>& layers) {
     return bytes;
 }
 
-// Called before the film is allocated. Finishing a picture takes about as much memory as the film itself.
-void requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSpec>& layers) {
+// The first words of files that have a film alone, and their version.
+const std::string kKind = "drc film", kHeader = kKind + " 3 ";
+
+}  // namespace
+
+void Film::requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSpec>& layers) {
+    // Finishing a picture takes about as much memory as the film itself.
     constexpr double kForPicture = 200;  // bytes a pixel: images, G-buffer and the encoded files
     const PixelRegion region = settings.region();
     try {
@@ -31,11 +36,6 @@ void requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSp
                     std::string(error.what()) + "; choose a smaller --resolution, or a part of it by --crop");
     }
 }
-
-// The first words of files that have a film alone, and their version.
-const std::string kKind = "drc film", kHeader = kKind + " 3 ";
-
-}  // namespace
 
 Film::Film(const RenderSettings& settings, std::vector<FilmLayerSpec> layers) : region_(settings.region()) {
     requireMemory(settings, layers);

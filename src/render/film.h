@@ -13,6 +13,10 @@ namespace drc {
 
 class Film {
   public:
+    // Throws Error, naming the film's place in the scene's file, if a picture of these layers does not fit into memory:
+    // the film, and what it takes to finish it.
+    static void requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSpec>& layers);
+
     // Throws Error, naming the film's place in the scene's file, if the layers do not fit into memory.
     Film(const RenderSettings& settings, std::vector<FilmLayerSpec> layers);
 

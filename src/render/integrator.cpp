@@ -3,10 +3,13 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "render/sampled_integrator.h"
 
 namespace drc {
 
 // Each is defined in the integrator's own file.
+std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& scene);
+std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene& scene);
 std::unique_ptr<Integrator> makeFinalGatherIntegrator(const RenderContext& context);
 std::unique_ptr<Integrator> makeMapsIntegrator(const RenderContext& context);
 std::unique_ptr<Integrator> makePathIntegrator(const RenderContext& context);
@@ -15,19 +18,25 @@ std::unique_ptr<Integrator> makeDirectIntegrator(const RenderContext& context);
 
 namespace {
 
+template <bool direct>
+std::vector<FilmLayerSpec> oneLayer(const RenderParams& params, const Scene& scene) {
+    return sampledLayers(params, scene.settings, direct);
+}
+
 struct Entry {
     const char* name;
     std::unique_ptr<Integrator> (*make)(const RenderContext&);
+    std::vector<FilmLayerSpec> (*layers)(const RenderParams&, const Scene&);
     bool maps = false;    // there are map passes
     bool media = false;   // participating media are rendered
     bool halves = false;  // the half buffers have all that the picture is made of
 };
 constexpr Entry kIntegrators[] = {
-    {.name = "drc", .make = makeFinalGatherIntegrator, .media = true, .halves = true},
-    {.name = "drc-maps", .make = makeMapsIntegrator, .maps = true},
-    {.name = "path", .make = makePathIntegrator, .media = true, .halves = true},
-    {.name = "bdpt", .make = makeBdptIntegrator},
-    {.name = "direct", .make = makeDirectIntegrator, .halves = true},
+    {.name = "drc", .make = makeFinalGatherIntegrator, .layers = oneLayer<true>, .media = true, .halves = true},
+    {.name = "drc-maps", .make = makeMapsIntegrator, .layers = mapsLayers, .maps = true},
+    {.name = "path", .make = makePathIntegrator, .layers = oneLayer<true>, .media = true, .halves = true},
+    {.name = "bdpt", .make = makeBdptIntegrator, .layers = bdptLayers},
+    {.name = "direct", .make = makeDirectIntegrator, .layers = oneLayer<false>, .halves = true},
 };
 
 const Entry& entry(const std::string& name) {
@@ -45,6 +54,10 @@ Preview Integrator::preview(const Film& film) const {
 
 std::unique_ptr<Integrator> makeIntegrator(const std::string& name, const RenderContext& context) {
     return entry(name).make(context);
+}
+
+std::vector<FilmLayerSpec> filmLayers(const std::string& integrator, const RenderParams& params, const Scene& scene) {
+    return entry(integrator).layers(params, scene);
 }
 
 std::vector<std::string> integratorNames() {

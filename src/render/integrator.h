@@ -35,8 +35,6 @@ class Integrator {
   public:
     virtual ~Integrator() = default;
 
-    // The layers of the film. Every camera sample must add to the first one, which tells how many samples a pixel has.
-    virtual std::vector<FilmLayerSpec> layers() const = 0;
     // The camera samples that a pass takes of a pixel. sample: of the pass, if all pixels have the same number.
     virtual PixelSamples samplesOf(int /*x*/, int /*y*/, uint32_t sample) const { return {sample, 1}; }
     // Adds one camera sample of pixel (x, y) to the film, whose row is locked. index: of the sample within its pixel.
@@ -76,6 +74,9 @@ class Integrator {
 
 // Throws Error that lists the integrators if there is none of this name.
 std::unique_ptr<Integrator> makeIntegrator(const std::string& name, const RenderContext& context);
+// The layers of its film. Every camera sample must add to the first one, which tells how many samples a pixel has.
+// params: resolved.
+std::vector<FilmLayerSpec> filmLayers(const std::string& integrator, const RenderParams& params, const Scene& scene);
 std::vector<std::string> integratorNames();
 // Whether this integrator has map passes.
 bool usesMaps(const std::string& integrator);

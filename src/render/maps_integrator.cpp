@@ -7,26 +7,13 @@
 namespace drc {
 namespace {
 
+// Indices of the film's layers.
+enum Layer { kEmission, kLit, kGlossy, kBroad, kMaps, kLobeGBuffer };
+
 class MapsIntegrator final : public Integrator {
   public:
     explicit MapsIntegrator(const RenderContext& context) : context_(context), settings_(context.params.indirect) {
         settings_.seed = hashCombine(context.params.seed, 0xd2c);
-    }
-
-    std::vector<FilmLayerSpec> layers() const override {
-        constexpr auto kSingle = FilmLayerSpec::Storage::Single;
-        constexpr int kGroups = LayerFilter::kGroups;
-        std::vector<FilmLayerSpec> layers(kLobeGBuffer);
-        layers[kEmission] = {.name = "emission",
-                             .groups = context_.params.variance ? 2 : 1,
-                             .quantum = radianceQuantum(context_.scene.settings.filmScale)};
-        layers[kLit] = {.name = "lit", .groups = kGroups, .storage = kSingle};
-        layers[kGlossy] = {.name = "glossy", .groups = kGroups, .storage = kSingle};
-        layers[kBroad] = {.name = "broad", .groups = kGroups, .storage = kSingle};
-        layers[kMaps] = {.name = "maps", .groups = kGroups, .storage = kSingle};
-        LobeGBuffer::addSpecs(layers, context_.scene.bounds().radius());
-        if (context_.params.gBuffer) addGBufferSpec(layers);
-        return layers;
     }
 
     void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override {
@@ -90,8 +77,6 @@ class MapsIntegrator final : public Integrator {
 
   private:
     static constexpr uint64_t kTurnStream = 0x2002, kPassStream = 0x2004;
-    // Indices of the film's layers.
-    enum Layer { kEmission, kLit, kGlossy, kBroad, kMaps, kLobeGBuffer };
 
     uint32_t random(uint64_t stream, int index) const {
         return uint32_t(hashCombine(context_.params.seed, hashCombine(stream, uint64_t(index))) >> 32);
@@ -117,6 +102,21 @@ class MapsIntegrator final : public Integrator {
 };
 
 }  // namespace
+
+std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& scene) {
+    constexpr auto kSingle = FilmLayerSpec::Storage::Single;
+    constexpr int kGroups = LayerFilter::kGroups;
+    std::vector<FilmLayerSpec> layers(kLobeGBuffer);
+    layers[kEmission] = {
+        .name = "emission", .groups = params.variance ? 2 : 1, .quantum = radianceQuantum(scene.settings.filmScale)};
+    layers[kLit] = {.name = "lit", .groups = kGroups, .storage = kSingle};
+    layers[kGlossy] = {.name = "glossy", .groups = kGroups, .storage = kSingle};
+    layers[kBroad] = {.name = "broad", .groups = kGroups, .storage = kSingle};
+    layers[kMaps] = {.name = "maps", .groups = kGroups, .storage = kSingle};
+    LobeGBuffer::addSpecs(layers, scene.bounds().radius());
+    if (params.gBuffer) addGBufferSpec(layers);
+    return layers;
+}
 
 std::unique_ptr<Integrator> makeMapsIntegrator(const RenderContext& context) {
     return std::make_unique<MapsIntegrator>(context);

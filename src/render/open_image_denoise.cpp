@@ -107,7 +107,7 @@ struct OpenImageDenoise::Library {
             throw Error(fmt::format("Open Image Denoise: {}", message ? message : "no device for this processor"));
     }
 
-    // Filters an image in place, guided by others.
+    // Filters an image in place, guided by those of the others that are not empty.
     void run(const char* name, Image& image, std::initializer_list<NamedImage> guides, const QualityName& quality,
              bool hdr, bool cleanAuxiliaries, const CancelToken* cancel) const {
         if (cancel && cancel->cancelled()) return;
@@ -118,7 +118,8 @@ struct OpenImageDenoise::Library {
         };
         bind(name, image);
         bind("output", image);
-        for (const NamedImage& guide : guides) bind(guide.name, *guide.image);
+        for (const NamedImage& guide : guides)
+            if (!guide.image->empty()) bind(guide.name, *guide.image);
         if (hdr) setBool(filter.get(), "hdr", true);
         if (cleanAuxiliaries) setBool(filter.get(), "cleanAux", true);
         if (quality.quality != OidnQuality::High) setInt(filter.get(), "quality", quality.value);
@@ -176,16 +177,16 @@ const std::string& OpenImageDenoise::file() const { return library_->file; }
 void OpenImageDenoise::denoise(Image& color, const Image& albedo, const Image& normal, const OidnSettings& settings,
                                const CancelToken* cancel) const {
     const QualityName& quality = knownQuality(settings.quality, version());
-    if (settings.auxiliaries != OidnAuxiliaries::Prefiltered) {
+    if (settings.auxiliaries != OidnAuxiliaries::Prefiltered || albedo.empty()) {
         library_->run("color", color, {{"albedo", &albedo}, {"normal", &normal}}, quality, true,
-                      settings.auxiliaries == OidnAuxiliaries::Clean, cancel);
+                      settings.auxiliaries == OidnAuxiliaries::Clean && !albedo.empty(), cancel);
         return;
     }
     // High takes twice the time here too, and makes no better pictures.
     const QualityName& prefilter = knownQuality(std::max(settings.quality, OidnQuality::Balanced), version(), false);
     Image cleanAlbedo = albedo, cleanNormal = normal;
     library_->run("albedo", cleanAlbedo, {}, prefilter, false, false, cancel);
-    library_->run("normal", cleanNormal, {}, prefilter, false, false, cancel);
+    if (!normal.empty()) library_->run("normal", cleanNormal, {}, prefilter, false, false, cancel);
     library_->run("color", color, {{"albedo", &cleanAlbedo}, {"normal", &cleanNormal}}, quality, true, true, cancel);
 }
 

@@ -34,7 +34,8 @@ class OpenImageDenoise {
     OpenImageDenoise& operator=(const OpenImageDenoise&) = delete;
 
     // Denoises a picture (RGB, linear radiance) in place. albedo and normal: three channels each, of the first surface
-    // that is neither a mirror nor smooth glass; zero where there is none. All images have one size. Uses as many
+    // that is neither a mirror nor smooth glass; zero where there is none. An empty image: there are none; the library
+    // takes no normals without albedo. All others have one size. Uses as many
     // threads as parallel loops do. A library older than the wanted quality (balanced: 2.0, fast: 2.3) uses the next
     // better one that it knows, and a warning says so. After `cancel` is raised, it ends as soon as the library lets
     // it, and what is in color then is of no use. Throws Error if the library fails.

@@ -1,6 +1,7 @@
 #include "render/render_params.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -9,6 +10,8 @@
 
 namespace drc {
 namespace {
+
+constexpr int kUnbounded = std::numeric_limits<int>::max();
 
 // Camera samples a pixel with map passes, number of map passes, directions gathered from them, and camera samples a
 // pixel without map passes.
@@ -44,6 +47,11 @@ RenderParams resolved(RenderParams p, const Scene& scene) {
     if (byFile) p.integrator = integratorOfFile(scene.settings.integrator);
     const bool maps = usesMaps(p.integrator);
     const Effort effort = effortOf(p.quality);
+    // A time budget is the only bound on what else has none.
+    if (p.seconds > 0) {
+        if (!p.spp) p.spp = kUnbounded;
+        if (!p.mapPasses && !p.mapTasks) p.mapPasses = kUnbounded;
+    }
     if (!p.spp) p.spp = byFile ? scene.settings.samplesPerPixel : maps ? effort.mapSpp : effort.spp;
     if (!p.mapPasses)
         p.mapPasses = p.mapTasks ? passesForTasks(*p.mapTasks, scene.settings.film.width, scene.settings.film.height)

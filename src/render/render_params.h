@@ -24,12 +24,12 @@ enum class Denoise {
 struct RenderParams {
     std::string integrator = "drc";  // one of integratorNames(), or "scene": what the file asks for
     Quality quality = Quality::Standard;
-    std::optional<int> spp;        // camera samples a pixel
+    std::optional<int> spp;        // camera samples a pixel; beside a time budget, at most
     int firstSample = 0;           // index of the first one: films of different samples can be added up
-    std::optional<int> mapPasses;  // number of map passes
+    std::optional<int> mapPasses;  // number of map passes; beside a time budget, at most
     std::optional<int> mapTasks;   // the same in the paper's unit (passesForTasks)
     std::optional<int> maxDepth;
-    double seconds = 0;  // wall-clock budget, which replaces spp and mapPasses; 0: none
+    double seconds = 0;  // wall-clock budget; 0: none. Without spp and mapPasses it is the only bound
     uint64_t seed = 0;
     float clamp = 0;  // upper bound on the luminance of a sample; 0: the film's own, by default none
     IndirectSettings indirect;

@@ -9,14 +9,12 @@ int halfOf(uint64_t seed, uint32_t index) {
     return int((index ^ (hashCombine(seed, hashCombine(kHalfStream, index / 2)) >> 32)) & 1);
 }
 
-std::vector<FilmLayerSpec> SampledIntegrator::layers() const {
-    std::vector<FilmLayerSpec> layers{{.name = kBeauty,
-                                       .groups = context_.params.variance ? 2 : 1,
-                                       .quantum = radianceQuantum(context_.scene.settings.filmScale)}};
-    if (keepsDirect())
-        layers.push_back({.name = kDirect, .quantum = radianceQuantum(context_.scene.settings.filmScale)});
-    if (context_.params.gBuffer) addGBufferSpec(layers, context_.params.independentHalves ? 2 : 1);
-    if (context_.scene.settings.transparentFilm) layers.push_back({.name = kAlpha, .channels = 1});
+std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const RenderSettings& settings, bool direct) {
+    const double quantum = radianceQuantum(settings.filmScale);
+    std::vector<FilmLayerSpec> layers{{.name = kBeautyLayer, .groups = params.variance ? 2 : 1, .quantum = quantum}};
+    if (params.parts && direct) layers.push_back({.name = kDirectLayer, .quantum = quantum});
+    if (params.gBuffer) addGBufferSpec(layers, params.independentHalves ? 2 : 1);
+    if (settings.transparentFilm) layers.push_back({.name = kAlphaLayer, .channels = 1});
     return layers;
 }
 

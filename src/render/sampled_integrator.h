@@ -5,16 +5,20 @@
 
 namespace drc {
 
+// The names of its layers.
+inline constexpr const char *kBeautyLayer = "beauty", *kDirectLayer = "direct", *kAlphaLayer = "alpha";
+// The film's layers; direct: whether direct light can be told apart.
+std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const RenderSettings& settings, bool direct);
+
 class SampledIntegrator : public Integrator {
   public:
     explicit SampledIntegrator(const RenderContext& context) : context_(context) {}
-    std::vector<FilmLayerSpec> layers() const override;
     void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override;
     LayeredPicture picture(std::shared_ptr<const Film> film) const override;
     Preview preview(const Film& film) const override;
 
   protected:
-    static constexpr const char *kBeauty = "beauty", *kDirect = "direct", *kAlpha = "alpha";
+    static constexpr const char *kBeauty = kBeautyLayer, *kDirect = kDirectLayer, *kAlpha = kAlphaLayer;
     // The pixel of a sample, and the index of the sample within it.
     struct Place {
         int x, y;

@@ -63,7 +63,9 @@ std::optional<Schedule::Work> Schedule::next(int samplePasses, int mapPasses) co
         return std::nullopt;
     }
     if (hasPicture(samplePasses, mapPasses) && Clock::now() >= *deadline()) return std::nullopt;
-    if (!maps_ || samplePasses == 0) return samples;
+    const bool samplesLeft = SamplePass::wholeSamples(samplePasses) < wanted, mapsLeft = mapPasses < wantedMaps;
+    if (!mapsLeft) return samplesLeft ? std::optional(samples) : std::nullopt;
+    if (samplePasses == 0) return samples;
     if (mapPasses == 0) {
         const double gather = gatherSeconds();
         while (maps.stride < 4 && gather / sqr(double(maps.stride)) > kFirstMapShare * params_.seconds)
@@ -72,6 +74,7 @@ std::optional<Schedule::Work> Schedule::next(int samplePasses, int mapPasses) co
     }
     if (SamplePass::wholeSamples(samplePasses) == 0) return samples;
     maps.spacing = spacingInTime(mapPasses);
+    if (!samplesLeft) return maps.spacing > 0 ? std::optional(maps) : std::nullopt;
     const double total = sampleSeconds_ + mapSeconds_;
     return maps.spacing > 0 && sampleSeconds_ > kSampleShare * total ? maps : samples;
 }
@@ -112,13 +115,14 @@ void Schedule::finished(const Work& work, Clock::duration duration, bool whole) 
 }
 
 double Schedule::progress(int samplePasses, int mapPasses) const {
-    if (end_) return std::clamp(seconds(Clock::now() - start_) / std::max(1e-9, params_.seconds - reserved_), 0.0, 1.0);
+    const double timed =
+        end_ ? std::clamp(seconds(Clock::now() - start_) / std::max(1e-9, params_.seconds - reserved_), 0.0, 1.0) : 0;
     const double samples = std::min(1.0, double(SamplePass::wholeSamples(samplePasses)) / std::max(1, *params_.spp));
-    if (!maps_) return samples;
+    if (!maps_) return std::max(timed, samples);
     // Later passes cost more, in proportion to their number of maps.
     const auto mapsOf = [](int n) { return std::pow(double(kSpacingFactor), -2.0 * n) - 1; };
     const double passes = *params_.mapPasses > 0 ? mapsOf(mapPasses) / mapsOf(*params_.mapPasses) : 1;
-    return kSampleShare * samples + (1 - kSampleShare) * std::min(1.0, passes);
+    return std::max(timed, kSampleShare * samples + (1 - kSampleShare) * std::min(1.0, passes));
 }
 
 }  // namespace drc

@@ -1,6 +1,6 @@
 // Decides what a render does next, and until when; the only place that knows the time. Without a time budget it runs as
-// many passes as were asked for; with one, it runs passes until the rest of the time is needed to filter, encode and
-// write the picture.
+// many passes as were asked for; with one, it runs passes, and no more than were asked for, until the rest of the time
+// is needed to filter, encode and write the picture.
 #pragma once
 #include <chrono>
 #include <optional>
@@ -27,7 +27,7 @@ class Schedule {
     std::optional<Work> next(int samplePasses, int mapPasses) const;
     // Whether there has been a pass of each kind that the picture needs.
     bool hasPicture(int samplePasses, int mapPasses) const {
-        const bool wantsMaps = maps_ && (end_ || *params_.mapPasses > 0);
+        const bool wantsMaps = maps_ && *params_.mapPasses > 0;
         return samplePasses > 0 && (!wantsMaps || mapPasses > 0);
     }
     // Records the time that a pass took. whole: the pass was not cancelled.

@@ -60,7 +60,24 @@ TEST(Schedule, WithABudgetThereIsAPictureFirst) {
 TEST(Schedule, APictureWithoutMapPassesIsWholeIfNoneAreWanted) {
     EXPECT_TRUE(Schedule(params("drc-maps", 5, 0), Clock::now(), 100, 10000).hasPicture(1, 0));
     EXPECT_FALSE(Schedule(params("drc-maps", 5, 1), Clock::now(), 100, 10000).hasPicture(1, 0));
-    EXPECT_FALSE(Schedule(params("drc-maps", 5, 0, 10), Clock::now(), 100, 10000).hasPicture(1, 0));
+    EXPECT_TRUE(Schedule(params("drc-maps", 5, 0, 10), Clock::now(), 100, 10000).hasPicture(1, 0));
+    EXPECT_FALSE(Schedule(params("drc-maps", 5, 1, 10), Clock::now(), 100, 10000).hasPicture(1, 0));
+}
+
+// Whoever gives both an amount and a time wants whichever comes first.
+TEST(Schedule, WithABudgetNoMoreIsDoneThanWasAskedFor) {
+    constexpr double kAges = 1e6;
+    EXPECT_EQ(runOut(Schedule(params("path", 5, 0, kAges), Clock::now(), 100, 10000)),
+              std::pair(SamplePass::passesFor(5), 0));
+    EXPECT_EQ(runOut(Schedule(params("drc-maps", 5, 0, kAges), Clock::now(), 100, 10000)),
+              std::pair(SamplePass::passesFor(5), 0));
+    Schedule maps(params("drc-maps", 5, 3, kAges), Clock::now(), 100, 10000);
+    maps.finished({Kind::Samples, 0}, milliseconds(1), true);
+    maps.finished({Kind::Maps, 0, 10}, milliseconds(1), true);
+    EXPECT_EQ(runOut(maps), std::pair(SamplePass::passesFor(5), 3));
+    // The work is done long before the time is over.
+    const int all = SamplePass::passesFor(5);
+    EXPECT_DOUBLE_EQ(Schedule(params("path", 5, 0, kAges), Clock::now(), 100, 10000).progress(all, 0), 1);
 }
 
 TEST(Schedule, TimeIsSetAsideToFinish) {

@@ -33,10 +33,12 @@ PathSettings pathSettings(const RenderParams& params) {
     return settings;
 }
 
-// The scene, without media if the integrator does not render them.
-Scene& withMediaFor(Scene& scene, const std::string& integrator) {
-    if (!rendersMedia(integrator) && scene.removeMedia())
-        logWarning("--integrator " + integrator + " does not render participating media; they are left out");
+// The scene, without media if the integrator does not render them. What would not fit into memory is said here, before
+// anything is built that takes time, or memory for each pixel.
+Scene& prepared(Scene& scene, const RenderParams& params) {
+    Film::requireMemory(scene.settings, filmLayers(params.integrator, params, scene));
+    if (!rendersMedia(params.integrator) && scene.removeMedia())
+        logWarning("--integrator " + params.integrator + " does not render participating media; they are left out");
     return scene;
 }
 
@@ -46,7 +48,7 @@ Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const
                  Schedule::Clock::time_point start)
     : scene_(scene),
       params_(resolved(params, scene)),
-      accel_(withMediaFor(scene, params_.integrator)),
+      accel_(prepared(scene, params_)),
       lights_(scene),
       tracer_(scene, accel_, lights_, pathSettings(params_)),
       mapDenoiser_(std::move(mapDenoiser)),
@@ -59,10 +61,12 @@ Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const
 Session::~Session() = default;
 
 void Session::begin() {
+    const std::vector<FilmLayerSpec> layers = filmLayers(params_.integrator, params_, scene_);
+    Film::requireMemory(scene_.settings, layers);  // for another film than that of the constructor
     distance_ = medianDistance();
     integrator_ = makeIntegrator(params_.integrator,
                                  {scene_, accel_, lights_, tracer_, params_, distance_, mapDenoiser_.get(), stats_});
-    film_ = std::make_unique<Film>(scene_.settings, integrator_->layers());
+    film_ = std::make_unique<Film>(scene_.settings, layers);
     guide_.reset();
     tracer_.setGuide(nullptr);
     if (params_.guide && params_.integrator != "bdpt") startGuide();
@@ -83,7 +87,7 @@ void Session::moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometr
     } else if (scene_.settings.region() == film_->region()) {
         film_->clear();
     } else {
-        film_ = std::make_unique<Film>(scene_.settings, integrator_->layers());
+        film_ = std::make_unique<Film>(scene_.settings, filmLayers(params_.integrator, params_, scene_));
     }
     restart();
 }

@@ -44,6 +44,7 @@ class ShapeAreaLight final : public AreaLight {
         return ray;
     }
 
+    bool facesRays() const override { return shape_->facesRays(); }
     Bounds bounds() const override { return shape_->bounds(); }
     LightReach reach() const override {
         LightReach r = Light::reach();

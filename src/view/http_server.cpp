@@ -1,6 +1,7 @@
 #include "view/http_server.h"
 
 #include <fmt/core.h>
+#include <netinet/tcp.h>
 
 #include <atomic>
 #include <boost/asio/io_context.hpp>
@@ -30,8 +31,9 @@ constexpr size_t kMostHeader = 16 << 10;
 constexpr size_t kMostTarget = 2048;
 // Threads that answer requests. A picture takes a few milliseconds to encode.
 constexpr int kHandlers = 2;
-// How long a client may take to accept a response.
-constexpr std::chrono::seconds kMostWriting{30};
+// So much of what has not been sent lies in the system's buffers. With megabytes there, nothing would be heard of a
+// slow client for minutes, whether it reads or not.
+constexpr int kMostUnsent = 128 << 10;
 // So often a line is sent to streams of events that have nothing else, which finds out that a client has gone.
 constexpr std::chrono::seconds kHeartbeat{5};
 
@@ -167,9 +169,28 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         if (message.method() != http::verb::get && message.method() != http::verb::post &&
             message.method() != http::verb::head)
             return refuse(405, "GET and POST are answered alone");
-        stream_.expires_after(server_.settings.idle);
-        http::async_read(stream_, buffer_, *parser_,
-                         [self = shared_from_this()](beast::error_code e, size_t) { self->requestRead(e); });
+        progress_ = 0;
+        stream_.expires_after(server_.settings.stalled);
+        parser_->eager(true);
+        readBody();
+    }
+
+    void readBody() {
+        if (parser_->is_done()) return requestRead({});
+        http::async_read_some(stream_, buffer_, *parser_,
+                              [self = shared_from_this()](beast::error_code e, size_t bytes) {
+                                  if (e || self->closed_) return self->requestRead(e);
+                                  self->progressed(bytes);
+                                  self->readBody();
+                              });
+    }
+
+    // A few bytes at a time would hold a connection for ever.
+    void progressed(size_t bytes) {
+        progress_ += bytes;
+        if (progress_ < server_.settings.leastProgress) return;
+        progress_ = 0;
+        stream_.expires_after(server_.settings.stalled);
     }
 
     void requestRead(beast::error_code error) {
@@ -235,7 +256,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
             message.set(http::field::connection, "close");
             eventHeader_.emplace(message.base());
             eventSerializer_.emplace(*eventHeader_);
-            stream_.expires_after(kMostWriting);
+            stream_.expires_after(server_.settings.stalled);
             http::async_write_header(stream_, *eventSerializer_,
                                      [self = shared_from_this()](beast::error_code e, size_t) {
                                          if (e || self->closed_) return self->close();
@@ -249,9 +270,21 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         }
         message.body() = isHead_ ? std::string() : std::move(response.body);
         message.prepare_payload();
-        stream_.expires_after(kMostWriting);
-        http::async_write(stream_, message, [self = shared_from_this()](beast::error_code e, size_t) {
-            if (e || !self->response_->keep_alive()) return self->close();
+        serializer_.emplace(message);
+        progress_ = 0;
+        stream_.expires_after(server_.settings.stalled);
+        writeResponse();
+    }
+
+    void writeResponse() {
+        http::async_write_some(stream_, *serializer_, [self = shared_from_this()](beast::error_code e, size_t bytes) {
+            if (e || self->closed_) return self->close();
+            if (!self->serializer_->is_done()) {
+                self->progressed(bytes);
+                return self->writeResponse();
+            }
+            self->serializer_.reset();
+            if (!self->response_->keep_alive()) return self->close();
             self->response_.reset();
             // It is the one that has been idle for the shortest time.
             self->server_.connections.splice(self->server_.connections.end(), self->server_.connections, self->at_);
@@ -273,6 +306,10 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         heartbeat_.async_wait([self = weak_from_this()](beast::error_code e) {
             const auto still = self.lock();
             if (e || !still || still->closed_) return;
+            // What was begun so long ago and is not written yet never will be.
+            if (still->writing_ &&
+                std::chrono::steady_clock::now() - still->writingSince_ > still->server_.settings.stalled)
+                return still->close();
             if (still->next_.empty()) still->next_ = ":\n\n";
             still->writeEvent();
             still->beat();
@@ -281,6 +318,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     void writeEvent() {
         if (!listening_ || writing_ || next_.empty() || closed_) return;
         writing_ = true;
+        writingSince_ = std::chrono::steady_clock::now();
         written_ = std::move(next_);
         next_.clear();
         asio::async_write(stream_.socket(), asio::buffer(written_),
@@ -297,11 +335,14 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     beast::flat_buffer buffer_{kMostHeader};
     std::optional<http::request_parser<http::string_body>> parser_;
     std::optional<http::response<http::string_body>> response_;
+    std::optional<http::response_serializer<http::string_body>> serializer_;
     std::optional<http::response<http::empty_body>> eventHeader_;
     std::optional<http::response_serializer<http::empty_body>> eventSerializer_;
     asio::steady_timer heartbeat_{stream_.get_executor()};
     std::array<char, 512> ignored_{};
     std::string next_, written_;
+    std::chrono::steady_clock::time_point writingSince_{};
+    size_t progress_ = 0;  // bytes of a body, since the deadline was set
     bool idle_ = true, closed_ = false, keepAlive_ = false, isHead_ = false;
     bool isStream_ = false, listening_ = false, writing_ = false;
 };
@@ -328,6 +369,7 @@ void HttpServer::Impl::accept() {
             if (self->connections.size() < self->settings.mostConnections) {
                 beast::error_code ignored;
                 socket.set_option(tcp::no_delay(true), ignored);
+                ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kMostUnsent, sizeof kMostUnsent);
                 const auto connection = std::make_shared<Connection>(std::move(socket), *self);
                 self->connections.push_back(connection);
                 ++self->count;

@@ -38,7 +38,11 @@ struct HttpSettings {
     size_t mostBody = 64 << 20;              // bytes
     size_t mostConnections = 128;            // more make the server close the one that has been idle longest
     size_t mostEventStreams = 32;            // more are refused
-    std::chrono::milliseconds idle{10'000};  // until a connection without a complete request is closed
+    std::chrono::milliseconds idle{10'000};  // until a connection whose request's header is not complete is closed
+    // Until a connection is closed that has taken or given less than `leastProgress` bytes of a body, or less than the
+    // rest of it. As a whole a transfer may take as long as it needs.
+    std::chrono::milliseconds stalled{20'000};
+    size_t leastProgress = 4 << 10;
 };
 
 class HttpServer {

@@ -52,7 +52,10 @@ TEST(ParseTarget, SplitsPathAndQuery) {
 // A client that writes bytes and reads what comes.
 class Client {
   public:
-    explicit Client(uint16_t port) : socket_(context_) {
+    // receives: bytes that its system takes for it before it reads them; 0: as many as usual.
+    explicit Client(uint16_t port, int receives = 0) : socket_(context_) {
+        socket_.open(tcp::v4());
+        if (receives > 0) socket_.set_option(asio::socket_base::receive_buffer_size(receives));
         socket_.connect(tcp::endpoint(asio::ip::make_address("127.0.0.1"), port));
     }
     void send(const std::string& text) { asio::write(socket_, asio::buffer(text)); }
@@ -149,6 +152,77 @@ TEST(HttpServer, LimitsBodiesAndConnections) {
     Client slow(server.port());
     slow.send("GET / HT");
     EXPECT_EQ(slow.readAll(), "");
+}
+
+// A deadline of 400 ms, and peers that take three times as long for all of it: progress is what counts.
+struct SlowLink {
+    static constexpr size_t kPieces = 24, kPiece = 2000;
+    static HttpSettings settings() {
+        HttpSettings s;
+        s.idle = std::chrono::seconds(20);
+        s.stalled = std::chrono::milliseconds(400);
+        s.leastProgress = kPiece;
+        return s;
+    }
+    HttpServer server{settings(), [](const HttpRequest& request) {
+                          if (request.method == "GET")
+                              return HttpResponse{200, "text/plain", std::string(8 << 20, 'a'), {}};
+                          return HttpResponse{200, "text/plain", std::to_string(request.body.size()), {}};
+                      }};
+    std::string post(size_t size) const {
+        return "POST / HTTP/1.1\r\n" + hostOf(server) + "Connection: close\r\nContent-Length: " + std::to_string(size) +
+               "\r\n\r\n";
+    }
+    static void wait() { std::this_thread::sleep_for(std::chrono::milliseconds(50)); }
+};
+
+TEST(HttpServer, TakesBodiesFromSlowLinks) {
+    SlowLink link;
+    Client client(link.server.port());
+    client.send(link.post(SlowLink::kPieces * SlowLink::kPiece));
+    for (size_t i = 0; i < SlowLink::kPieces; ++i) {
+        SlowLink::wait();
+        client.send(std::string(SlowLink::kPiece, 'b'));
+    }
+    EXPECT_THAT(client.readAll(), testing::EndsWith("\r\n\r\n48000"));
+}
+
+TEST(HttpServer, SendsBodiesOverSlowLinks) {
+    SlowLink link;
+    Client client(link.server.port(), 64 << 10);
+    client.send("GET / HTTP/1.1\r\n" + hostOf(link.server) + "Connection: close\r\n\r\n");
+    client.readUntil("\r\n\r\n");
+    constexpr size_t kPart = 8 << 20 >> 5;
+    for (int i = 0; i < 32; ++i) {
+        SlowLink::wait();
+        EXPECT_EQ(client.read(kPart), std::string(kPart, 'a'));
+    }
+    EXPECT_EQ(client.readAll(), "");
+}
+
+// Whoever stops, or gives a few bytes at a time for ever, is cut.
+TEST(HttpServer, CutsPeersThatStall) {
+    SlowLink link;
+    const auto start = std::chrono::steady_clock::now();
+    Client halfway(link.server.port()), deaf(link.server.port(), 64 << 10), drip(link.server.port());
+    halfway.send(link.post(10'000) + std::string(5000, 'b'));
+    deaf.send("GET / HTTP/1.1\r\n" + hostOf(link.server) + "\r\n");
+    drip.send(link.post(10'000));
+    std::thread dripping([&] {
+        try {
+            for (int i = 0; i < 400; ++i) {
+                SlowLink::wait();
+                drip.send("b");
+            }
+        } catch (const boost::system::system_error&) {
+        }
+    });
+    EXPECT_EQ(halfway.readAll(), "");
+    while (link.server.connections() > 0 && std::chrono::steady_clock::now() - start < std::chrono::seconds(15))
+        SlowLink::wait();
+    EXPECT_EQ(link.server.connections(), 0u);
+    dripping.join();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
 }
 
 TEST(HttpServer, SendsEvents) {

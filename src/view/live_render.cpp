@@ -59,6 +59,8 @@ void LiveRender::pause(bool paused) {
         if (paused) cancel_.cancel();
     }
     changed_.notify_all();
+    // A render that rests makes no frame that would tell everybody.
+    if (callbacks_.onFrame) callbacks_.onFrame();
 }
 
 void LiveRender::setCamera(std::function<std::unique_ptr<Camera>()> make, const FilmGeometry& film, bool moving) {
@@ -122,6 +124,7 @@ void LiveRender::work() {
                     move_.reset();
                     session_.moveCamera(move.make(), move.film);
                     moving_ = move.moving;
+                    movedInPause_ = state_.paused;
                     owesFrame_ = true;
                     state_.done = false;
                     state_.focus.reset();
@@ -146,28 +149,26 @@ void LiveRender::work() {
                     changed_.notify_all();
                 }
                 // What has been sampled is shown before the render rests.
-                if ((!state_.paused && !state_.done) || (!isCurrent_ && session_.hasPicture())) break;
-                changed_.wait(lock, [&] {
-                    return stopping_ || move_ || nextFocus_ || !calls_.empty() || (!state_.paused && !state_.done);
-                });
+                if (!rests() || (!isCurrent_ && session_.hasPicture())) break;
+                changed_.wait(lock, [&] { return stopping_ || move_ || nextFocus_ || !calls_.empty() || !rests(); });
             }
         }
-        bool rests = false;
+        bool isResting = false;
         {
             const std::lock_guard lock(mutex_);
-            rests = state_.paused || state_.done;
+            isResting = rests();
         }
-        if (!rests) {
+        if (!isResting) {
             const bool whole = session_.step(&cancel_, &abandon_);
             isCurrent_ = false;
             if (!whole && !cancel_.cancelled()) {
                 const std::lock_guard lock(mutex_);
                 state_.done = true;
-                rests = true;
+                isResting = true;
             }
             if (cancel_.cancelled()) continue;
         }
-        if (session_.hasPicture() && (rests || isFrameDue())) makeFrame();
+        if (session_.hasPicture() && (isResting || isFrameDue())) makeFrame();
     }
 }
 
@@ -185,6 +186,10 @@ void LiveRender::applyFocus(const std::optional<PicturePart>& part) {
     const auto [y0, y1] = pixels(part->y0, part->y1, film.height());
     session_.setFocus(PixelRegion{film.x0 + x0, film.y0 + y0, film.x0 + x1, film.y0 + y1});
     state_.focus = PixelRegion{x0, y0, x1, y1};
+}
+
+bool LiveRender::rests() const {
+    return state_.done || (state_.paused && !(movedInPause_ && session_.samplesDone() == 0));
 }
 
 bool LiveRender::isOutdated() const {

@@ -51,8 +51,8 @@ struct LiveState {
 class LiveRender {
   public:
     // finish: applies the filters to a picture. moving: while the camera moves, when time counts most. onFrame: called
-    // after each new frame, and when the focus has changed, on the render's thread. estimate: of a picture with half
-    // buffers that is not filtered; may be empty.
+    // after each new frame, and when the focus has changed, on the render's thread; by pause(), on its caller's.
+    // estimate: of a picture with half buffers that is not filtered; may be empty.
     struct Callbacks {
         std::function<void(LayeredPicture&, bool moving)> finish;
         std::function<void()> onFrame;
@@ -75,6 +75,7 @@ class LiveRender {
     std::shared_ptr<const LiveFrame> waitForFrame(uint64_t after, std::chrono::milliseconds most) const;
     LiveState state() const;
 
+    // While it is paused, a camera that is moved is seen all the same, by a sample of each pixel.
     void pause(bool paused);
     // Renders from another camera, for a film of any size. make: called on the render's thread, and must not throw.
     // moving: another camera will soon follow. The latest of several counts.
@@ -97,6 +98,8 @@ class LiveRender {
     void work();
     void makeFrame();
     void estimateError(const LayeredPicture& unfiltered);
+    // Whether nothing is to be sampled. With mutex_ locked, on the render's thread.
+    bool rests() const;
     // Whether a frame would be too late, because the camera will be moved now, or all ends.
     bool isOutdated() const;
     // Whether a frame should be made now, after a step.
@@ -120,7 +123,7 @@ class LiveRender {
 
     // Of the render's thread.
     uint64_t view_ = 0;
-    bool moving_ = false, isCurrent_ = false;
+    bool moving_ = false, isCurrent_ = false, movedInPause_ = false;
     int framePasses_ = 0;  // of the film, at the last frame
     Clock::time_point began_ = Clock::now(), lastFrame_{};
     Clock::duration frameTook_{};

@@ -98,6 +98,26 @@ TEST(LiveRender, RestsWhilePaused) {
     w.waitFor(*render, [&](const LiveFrame& f) { return f.samples > samples; });
 }
 
+// Whoever moves the camera of a paused render sees where it goes: one sample, and it rests again.
+TEST(LiveRender, ShowsAMovedCameraWhilePaused) {
+    Watched w;
+    const auto render = w.start();
+    w.waitFor(*render, [](const LiveFrame& f) { return f.samples >= 2; });
+    render->pause(true);
+    const Scene* scene = w.scene.get();
+    for (uint64_t i = 1; i <= 3; ++i) {
+        ViewCamera camera = ViewCamera::of(*scene->camera, 3);
+        camera.eye.x += 0.05f * float(i);
+        render->setCamera([camera, scene] { return camera.place(*scene->camera, {48, 32}); }, {48, 32}, i < 3);
+        w.waitFor(*render, [&](const LiveFrame& f) { return f.view == i && f.samples == 1; });
+    }
+    EXPECT_TRUE(render->state().paused);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_EQ(render->frame()->samples, 1);
+    render->pause(false);
+    w.waitFor(*render, [](const LiveFrame& f) { return f.samples >= 3; });
+}
+
 TEST(LiveRender, FollowsTheCamera) {
     for (const char* integrator : {"path", "drc"}) {
         Watched w(integrator);

@@ -15,7 +15,7 @@ std::optional<SeenSurface> seenSurface(const Accel& accel, const Camera& camera,
         SurfaceInteraction hit;
         accel.describe(ray, found, hit);
         if (hit.primitive->material || hit.primitive->areaLight)
-            return SeenSurface{hit.primitive, found.instance, length(hit.p - first.ray.o)};
+            return SeenSurface{hit.primitive, found.instance, length(hit.p - first.ray.o), hit.p};
         ray = hit.onward(ray);
     }
     return {};

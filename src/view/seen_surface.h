@@ -10,6 +10,7 @@ struct SeenSurface {
     const Primitive* primitive = nullptr;
     const Instance* instance = nullptr;  // of the object that it is a part of; null: of none
     float distance = 0;                  // from the camera, world units
+    Vec3 point{0.f};                     // that is seen, world space
 };
 
 // The first surface, of those with a material or a light, that the camera sees there from the middle of its lens in the

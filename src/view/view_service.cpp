@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -43,6 +44,19 @@ Json asJson(const ViewCamera& c, const Scene& scene) {
                          {"radius", c.lens->radius},
                          {"focalDistance", c.lens->focalDistance}};
     return value;
+}
+
+Json asJson(const ViewPicture& picture) {
+    using Kind = ViewPicture::Kind;
+    const char* kind = picture.kind == Kind::Perspective ? "perspective"
+                       : picture.kind == Kind::Parallel  ? "parallel"
+                                                         : "panorama";
+    return {{"kind", kind},
+            {"width", picture.width},
+            {"window", picture.window},
+            {"ahead", asJson(picture.ahead)},
+            {"right", asJson(picture.right)},
+            {"top", asJson(picture.top)}};
 }
 
 Json asJson(const SeenSurface& seen, const Scene& scene) {
@@ -102,6 +116,14 @@ std::optional<int> numberOf(std::string_view digits) {
     return value;
 }
 
+// A share, from 0 to 1, of a query; none if it is anything else.
+std::optional<float> shareOf(std::string_view digits) {
+    float value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || end != digits.data() + digits.size() || !(value >= 0 && value <= 1)) return {};
+    return value;
+}
+
 // Width, height, channels and the frame's number, as 32-bit integers, then all values as halves, in the machine's order
 // of bytes, which is little-endian wherever this program runs.
 std::string encodeHalves(const Image& image, uint64_t number) {
@@ -123,6 +145,13 @@ std::string randomToken() {
     std::string token;
     for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", device());
     return token;
+}
+
+bool isToken(std::string_view text) {
+    return text.size() >= 16 && text.size() <= 128 && std::ranges::all_of(text, [](char c) {
+               return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
+                      c == '_';
+           });
 }
 
 std::vector<std::string> layersOf(const LiveFrame& frame) {
@@ -162,6 +191,14 @@ ViewService::ViewService(const Scene& scene, const Accel& accel, LiveRender& ren
           return ViewCamera::of(*scene.camera, distance);
       }()),
       film_(scene.settings.film),
+      picture_([&] {
+          ViewPicture picture;
+          render.between([&](const Session& session) {
+              picture = ViewPicture::of(*scene.camera, home_, session.film().region());
+          });
+          return picture;
+      }()),
+      run_(randomToken()),
       camera_(home_) {}
 
 HttpResponse ViewService::answer(const HttpRequest& request) {
@@ -187,6 +224,7 @@ HttpResponse ViewService::answer(const HttpRequest& request) {
     }
     if (what == "frame") return picture(request);
     if (what == "pixel" || what == "surface") return pixel(request, what == "pixel");
+    if (what == "point") return point(request);
     if (what == "exposure") {
         const auto frame = render_.frame();
         return frame ? json({{"stops", autoExposure(frame->picture.beauty)}})
@@ -222,9 +260,10 @@ HttpResponse ViewService::page() const {
 }
 
 std::string ViewService::frameEvent() const {
+    const std::lock_guard inOrder(eventMutex_);
     const auto frame = render_.frame();
     const LiveState state = render_.state();
-    Json event{{"paused", state.paused}, {"done", state.done}, {"focus", nullptr}};
+    Json event{{"serial", ++serial_}, {"paused", state.paused}, {"done", state.done}, {"focus", nullptr}};
     if (state.focus) event["focus"] = {state.focus->x0, state.focus->y0, state.focus->x1, state.focus->y1};
     if (!state.error.empty()) event["error"] = state.error;
     if (frame)
@@ -236,6 +275,11 @@ std::string ViewService::frameEvent() const {
                       {"focusSamples", frame->focusSamples},
                       {"status", frame->status}});
     const LiveError* error = frame ? frame->error.get() : nullptr;
+    {
+        const std::lock_guard lock(mutex_);
+        event["camera"] = asJson(camera_, scene_);
+        event["camera"]["number"] = cameraNumber_;
+    }
     event["error estimate"] =
         error ? Json{{"whole", error->whole}, {"samples", error->samples}, {"slope", error->slope}} : Json();
     return text(event);
@@ -246,10 +290,14 @@ HttpResponse ViewService::state() const {
     Json value = Json::parse(frameEvent());
     value["title"] = settings_.title;
     value["film"] = {film_.width, film_.height};
+    value["run"] = run_;
     value["home"] = asJson(home_, scene_);
+    value["home"]["picture"] = asJson(picture_);
+    value["display"] = {{"exposure", settings_.display.exposure},
+                        {"auto", settings_.display.autoExposure},
+                        {"view", viewName(settings_.display.view)}};
     value["layers"] = frame ? layersOf(*frame) : std::vector<std::string>{"beauty"};
     const std::lock_guard lock(mutex_);
-    value["camera"] = asJson(camera_, scene_);
     value["reference"] = reference_ != nullptr;
     return json(value);
 }
@@ -295,6 +343,17 @@ HttpResponse ViewService::pixel(const HttpRequest& request, bool withLayers) con
     return json(value);
 }
 
+HttpResponse ViewService::point(const HttpRequest& request) const {
+    const std::optional<float> x = shareOf(request.parameter("x")), y = shareOf(request.parameter("y"));
+    const auto frame = render_.frame();
+    if (!frame) return {503, "text/plain; charset=utf-8", "there is no picture yet\n", {}};
+    if (!x || !y) return wrong("x and y must be from 0 to 1 across the picture");
+    const PixelRegion& region = frame->picture.film->region();
+    const Vec2 film(float(region.x0) + *x * float(region.width()), float(region.y0) + *y * float(region.height()));
+    const auto seen = seenSurface(accel_, *frame->camera, film);
+    return json({{"point", seen ? asJson(seen->point) : Json()}});
+}
+
 HttpResponse ViewService::setCamera(const HttpRequest& request) {
     const Json object = Json::parse(request.body, nullptr, false);
     ViewCamera camera = home_;
@@ -319,12 +378,13 @@ HttpResponse ViewService::setCamera(const HttpRequest& request) {
         return wrong(fmt::format("width and height must be whole numbers from {} to {}", kLeastSide, kMostSide));
     const auto moving = object.find("moving");
     const bool isMoving = moving != object.end() && moving->is_boolean() && moving->get<bool>();
-    {
-        const std::lock_guard lock(mutex_);
-        camera_ = camera;
-    }
+    Json answer = asJson(camera, scene_);
+    // Under one lock, so that the last of several is the one that pages are told of.
+    const std::lock_guard lock(mutex_);
+    camera_ = camera;
+    answer["number"] = ++cameraNumber_;
     render_.setCamera([this, camera, film] { return camera.place(*sceneCamera_, film); }, film, isMoving);
-    return json(asJson(camera, scene_));
+    return json(answer);
 }
 
 HttpResponse ViewService::setFocus(const HttpRequest& request) {

@@ -7,9 +7,11 @@
 #include <functional>
 #include <string>
 
+#include "image/display.h"
 #include "view/http_server.h"
 #include "view/live_render.h"
 #include "view/view_camera.h"
+#include "view/view_picture.h"
 
 namespace drc {
 
@@ -17,9 +19,10 @@ class ViewService {
   public:
     struct Settings {
         std::string title;  // of the page: the scene's name
-        std::string token;  // see randomToken()
+        std::string token;  // see randomToken() and isToken()
         // Encodes a frame as an EXR with all that it has.
         std::function<std::string(const LiveFrame&)> encodeExr;
+        DisplaySettings display{};  // how the page shows pictures at first
     };
 
     // All must outlive the service.
@@ -27,7 +30,8 @@ class ViewService {
 
     // Safe from any thread.
     HttpResponse answer(const HttpRequest& request);
-    // The data of an event "frame": what has changed.
+    // The data of an event "frame": what has changed. Its serial rises, so that a page can tell which of an event and
+    // an answer is older.
     std::string frameEvent() const;
     const std::string& token() const { return settings_.token; }
 
@@ -37,6 +41,7 @@ class ViewService {
     HttpResponse picture(const HttpRequest& request) const;
     // withLayers: what all layers have there, beside the surface.
     HttpResponse pixel(const HttpRequest& request, bool withLayers) const;
+    HttpResponse point(const HttpRequest& request) const;
     HttpResponse setCamera(const HttpRequest& request);
     HttpResponse setFocus(const HttpRequest& request);
     HttpResponse compare(const HttpRequest& request);
@@ -48,14 +53,22 @@ class ViewService {
     const Settings settings_;
     const ViewCamera home_;
     const FilmGeometry film_;
+    const ViewPicture picture_;  // at home
+    // Another one for each program: a page whose program has gone may meet the next one at the same address.
+    const std::string run_;
 
     mutable std::mutex mutex_;
     ViewCamera camera_;
+    uint64_t cameraNumber_ = 0;  // how often it has been set
+    mutable std::mutex eventMutex_;
+    mutable uint64_t serial_ = 0;
     std::shared_ptr<const Image> reference_;
 };
 
 // 128 bits from the system's generator, as hexadecimal digits.
 std::string randomToken();
+// Whether it can be a part of an address as it is, and cannot be guessed by trying: 16 to 128 letters, digits, - and _.
+bool isToken(std::string_view text);
 
 // The names of what can be seen of a frame, and the image of one; an empty image if there is none of this name.
 std::vector<std::string> layersOf(const LiveFrame& frame);

@@ -57,7 +57,8 @@ struct Served {
         render = std::make_unique<LiveRender>(*session, LiveRender::Callbacks{[](LayeredPicture&, bool) {}, {}});
         service = std::make_unique<ViewService>(
             *scene, session->accel(), *render,
-            ViewService::Settings{"room", "t", [](const LiveFrame&) { return std::string(); }});
+            ViewService::Settings{
+                "room", "t", [](const LiveFrame&) { return std::string(); }, {1.5f, true, View::Agx}});
         waitForSamples(3);
     }
     void waitForSamples(int samples) {
@@ -145,6 +146,59 @@ TEST(ViewService, NamesWhatTheShownFrameShows) {
     EXPECT_EQ(moved.surface(40, 20)["surface"]["material"], "Walnut");
 }
 
+// What a drag holds on to: the point that a place of the picture shows, in the renderer's space.
+TEST(ViewService, TellsThePointAtAPlace) {
+    Served served;
+    const auto at = [&](const char* place) { return Json::parse(served.get(place).body)["point"]; };
+    const Json ball = at("point?x=0.7&y=0.5");
+    EXPECT_NEAR(std::hypot(double(ball[0]) - 4, double(ball[1]), double(ball[2]) - 5), 1, 1e-3);
+    EXPECT_LT(double(ball[2]), 5);
+    EXPECT_NEAR(double(at("point?x=0.5&y=0.5")[2]), 8, 1e-3);
+    EXPECT_TRUE(at("point?x=0.5&y=0").is_null());
+    for (const char* wrong : {"point", "point?x=0.5", "point?x=1.1&y=0", "point?x=-0.1&y=0", "point?x=nan&y=0",
+                              "point?x=0.5a&y=0", "point?x=&y=0", "point?x=1e-1&y=inf"})
+        EXPECT_EQ(served.get(wrong).status, 400) << wrong;
+    // Of a part of the film: the same places are others.
+    std::string text = kScene;
+    text.insert(text.find("\nWorldBegin"), "  \"float cropwindow\" [0.5 1 0 1]");
+    Served cropped(text);
+    EXPECT_NEAR(double(Json::parse(cropped.get("point?x=0.4&y=0.5").body)["point"][0]), double(ball[0]), 1e-3);
+}
+
+// Pages are told of the camera that one of them has set, with a number that rises.
+TEST(ViewService, TellsPagesOfTheCamera) {
+    Served served;
+    const Json home = Json::parse(served.get("state").body)["home"];
+    EXPECT_EQ(home["picture"]["kind"], "perspective");
+    EXPECT_NEAR(double(home["picture"]["width"]), 4, 1e-3);
+    EXPECT_EQ(Json::parse(served.service->frameEvent())["camera"]["number"], 0);
+    Json camera = home;
+    camera["eye"] = {1, 0, 0};
+    for (int i = 1; i < 3; ++i) {
+        const Json answer = Json::parse(served.post("camera", camera.dump()).body);
+        EXPECT_EQ(answer["number"], i);
+        const Json event = Json::parse(served.service->frameEvent());
+        EXPECT_EQ(event["camera"], answer);
+        EXPECT_EQ(event["camera"]["eye"], (Json{1, 0, 0}));
+        EXPECT_EQ(Json::parse(served.get("state").body)["camera"], answer);
+    }
+    EXPECT_EQ(served.post("camera", "{}").status, 400);
+    EXPECT_EQ(Json::parse(served.service->frameEvent())["camera"]["number"], 2);
+    // Another program is another run.
+    EXPECT_NE(Json::parse(served.get("state").body)["run"], Json::parse(Served().get("state").body)["run"]);
+}
+
+TEST(ViewService, KnowsWhatCanBeAToken) {
+    EXPECT_TRUE(isToken(randomToken()));
+    EXPECT_TRUE(isToken("abcXYZ-_01234567"));
+    EXPECT_TRUE(isToken(std::string(128, 'a')));
+    for (const std::string& wrong :
+         {std::string(), std::string("abcdefghijklmno"), std::string(129, 'a'), std::string("abcdefghijklmno/"),
+          std::string("abcdefghijklmno "), std::string("../abcdefghijklm"), std::string("abcdefghijklmn%41"),
+          std::string("abcdefghijklmn\xc3\xa4"), std::string(17, '\0')})
+        EXPECT_FALSE(isToken(wrong)) << wrong;
+}
+
 // A lens narrows the picture to what is beside its middle; the next camera without one has the scene's again.
 TEST(ViewService, TakesALens) {
     Served served;
@@ -178,6 +232,11 @@ TEST(ViewService, TakesALens) {
         EXPECT_EQ(refused.status, 400) << wrong;
         EXPECT_THAT(refused.body, testing::StartsWith("a lens must have a window")) << wrong;
     }
+}
+
+TEST(ViewService, TellsHowThePageShowsPicturesAtFirst) {
+    const Json display = Json::parse(Served().get("state").body)["display"];
+    EXPECT_EQ(display, Json({{"exposure", 1.5}, {"auto", true}, {"view", "agx"}}));
 }
 
 TEST(ViewService, TakesAPartOfThePicture) {

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-namespace drc::pbrt {
+namespace drc {
 
 // "; did you mean 'x'?" with the candidate closest to name; "" if none is close.
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates);
 
-}  // namespace drc::pbrt
+}  // namespace drc

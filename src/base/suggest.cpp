@@ -1,11 +1,11 @@
-#include "pbrt/suggest.h"
+#include "base/suggest.h"
 
 #include <algorithm>
 #include <cctype>
 #include <numeric>
 #include <utility>
 
-namespace drc::pbrt {
+namespace drc {
 namespace {
 
 bool same(char a, char b) {
@@ -44,4 +44,4 @@ std::string suggestion(std::string_view name, const std::vector<std::string_view
     return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
 }
 
-}  // namespace drc::pbrt
+}  // namespace drc

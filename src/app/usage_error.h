@@ -1,0 +1,29 @@
+// The exception for a command line that cannot be meant: an option that does not exist, a value out of bounds, options
+// that contradict each other. Faults of files and of the machine are Errors.
+#pragma once
+#include <string>
+
+#include "base/error.h"
+
+namespace drc {
+
+// The exit status after a usage error: EX_USAGE of sysexits.h.
+inline constexpr int kUsageExitStatus = 64;
+
+class UsageError : public Error {
+  public:
+    explicit UsageError(const std::string& message) : Error(message) {}
+};
+
+// What f returns. An Error that f throws becomes a UsageError with the same words, for checks that other callers than
+// the command line have, too.
+template <class F>
+auto asUsage(F&& f) {
+    try {
+        return f();
+    } catch (const Error& error) {
+        throw UsageError(error.what());
+    }
+}
+
+}  // namespace drc

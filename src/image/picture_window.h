@@ -1,0 +1,31 @@
+// Pictures that show a part of a whole, or more than it: OpenEXR's data and display windows.
+#pragma once
+#include <string>
+
+#include "image/exr_storage.h"
+#include "image/image.h"
+
+namespace drc {
+
+// "48x40 at (10, 20) of 640x480", or "48x40" of a whole picture, for messages.
+std::string placeString(const Image& image, const ExrWindow& window);
+
+bool isWhole(const Image& image, const ExrWindow& window);
+// Whether any pixel is within the whole picture.
+bool overlaps(const Image& image, const ExrWindow& window);
+
+struct PlacedPicture {
+    std::string path;
+    const Image& image;
+    const ExrWindow& window;
+};
+
+// Throws Error, naming both files and the reason, unless their pixels show the same part of the same whole. A file of a
+// format that has no windows may be of any part, and is only asked for its size. `what` can be done: "compared".
+void requireSamePlace(const PlacedPicture& first, const PlacedPicture& other, const std::string& what);
+
+// The whole picture: what lies outside is cut off, and where there are no pixels all channels are zero. `path` is for
+// messages. Throws Error if the whole is beyond the limits of pictures or does not fit in memory.
+Image placedInWindow(const Image& image, const ExrWindow& window, const std::string& path);
+
+}  // namespace drc
