@@ -83,7 +83,8 @@ std::vector<BenchMethod> makeMethods(const BenchOptions& o) {
     std::vector<BenchMethod> methods;
     std::set<std::string> names;
     const auto add = [&](const std::string& text) {
-        methods.emplace_back(text, [&](const std::string& name) { return findAdapter(name, adapters); });
+        asUsage(
+            [&] { methods.emplace_back(text, [&](const std::string& name) { return findAdapter(name, adapters); }); });
         if (!names.insert(methods.back().name()).second)
             throw UsageError(fmt::format("two methods are called {}", methods.back().name()));
     };

@@ -96,41 +96,67 @@ std::string unknownCommand(const std::vector<const CLI::App*>& path, const std::
                        hint.empty() ? fmt::format("; it has {}", fmt::join(names, ", ")) : hint);
 }
 
-// Of words that are neither known nor values of what is known; empty if there are none.
-std::string unknownWord(const std::vector<const CLI::App*>& path) {
+// The first option that no app on the path has; empty if there is none.
+std::string unknownOption(const std::vector<const CLI::App*>& path) {
     for (size_t level = 0; level < path.size(); ++level) {
         const std::vector<std::string> words = path[level]->remaining();
-        if (words.empty()) continue;
-        // What follows an unknown option may be its value.
         const auto option = std::ranges::find_if(words, looksLikeOption);
         if (option != words.end()) return unknownOption(path, level, *option);
-        if (!namesOfCommands(*path[level]).empty()) return unknownCommand(path, words.front());
-        return fmt::format("'{}' is one file too many for {}", words.front(), nameOf(path));
     }
     return "";
 }
 
-std::string missing(const std::vector<const CLI::App*>& path, const CLI::ParseError& error) {
+// The first word that is neither a command, nor a file that the command takes, nor a value; empty if there is none.
+std::string unknownWord(const std::vector<const CLI::App*>& path) {
+    const std::vector<std::string> words = path.back()->remaining();
+    if (words.empty()) return "";
+    if (!namesOfCommands(*path.back()).empty()) return unknownCommand(path, words.front());
+    return fmt::format("'{}' is one file too many for {}", words.front(), nameOf(path));
+}
+
+std::string missing(const std::vector<const CLI::App*>& path, const CLI::RequiredError& error) {
+    const std::string name = nameOf(path);
     const std::vector<std::string> commands = namesOfCommands(*path.back());
-    if (!commands.empty()) return fmt::format("{} needs a command: {}", nameOf(path), fmt::join(commands, ", "));
-    const std::string help = nameOf(path) + " --help says more";
-    return fmt::format("{}: {}; {}", nameOf(path), error.what(), help);
+    if (!commands.empty()) return fmt::format("{} needs a command: {}", name, fmt::join(commands, ", "));
+    return fmt::format("{0}: {1}; {0} --help says more", name, error.what());
+}
+
+// The error's own words begin with the name of what has too few or too many values.
+std::string wrongCount(const std::vector<const CLI::App*>& path, const CLI::ArgumentMismatch& error) {
+    const std::string text = error.what();
+    const CLI::Option* option = path.back()->get_option_no_throw(text.substr(0, text.find(':')));
+    if (option == nullptr || option->get_positional()) return nameOf(path) + ": " + text;
+    const int count = option->get_items_expected_min();
+    const std::string type = option->get_type_name();  // "INT:INT in [1, 4]" where a check has a name, too
+    return fmt::format("{}: {} needs {}: {}", nameOf(path), option->get_name(),
+                       count == 1 ? "a value" : fmt::format("{} values", count), type.substr(type.find(':') + 1));
+}
+
+// A repeated option overrides the one before, but for those that are lists.
+void letTheLastCount(CLI::Option& option) {
+    if (option.get_expected_max() == 1 && option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
+        option.multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 // The name of an option as a value is most often the sign of a forgotten value.
-void refuseOptionsAsValues(CLI::App& app) {
+void refuseOptionsAsValues(const CLI::App& app, CLI::Option& option) {
+    option.transform(CLI::Validator(
+        [&app](std::string& text) -> std::string {
+            if (!looksLikeOption(text)) return "";
+            const std::vector<std::string> names = namesOfOptions(app);
+            if (std::ranges::count(names, text.substr(0, text.find('='))) == 0) return "";
+            return fmt::format("a value is missing before {}", text);
+        },
+        ""));
+}
+
+void applyCommonRules(CLI::App& app) {
     for (CLI::Option* option : app.get_options()) {
         if (option->get_positional() || option->get_items_expected_max() == 0) continue;
-        option->transform(CLI::Validator(
-            [&app](std::string& text) -> std::string {
-                if (!looksLikeOption(text)) return "";
-                const std::vector<std::string> names = namesOfOptions(app);
-                if (std::ranges::count(names, text.substr(0, text.find('='))) == 0) return "";
-                return fmt::format("a value is missing before {}", text);
-            },
-            ""));
+        letTheLastCount(*option);
+        refuseOptionsAsValues(app, *option);
     }
-    for (CLI::App* command : app.get_subcommands({})) refuseOptionsAsValues(*command);
+    for (CLI::App* command : app.get_subcommands({})) applyCommonRules(*command);
 }
 
 }  // namespace
@@ -144,7 +170,6 @@ std::unique_ptr<CLI::App> makeCommandLine() {
         "those that are lists. Exit status: 0 done; 1 an error in a file or of the machine; 64 a command line that "
         "cannot\n"
         "be meant; 128 + the signal's number, interrupted.");
-    app->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     addRenderCommand(*app);
     addViewCommand(*app);
     addCompareCommand(*app);
@@ -153,7 +178,7 @@ std::unique_ptr<CLI::App> makeCommandLine() {
     addReferenceCommand(*app);
     addEvaluateCommand(*app);
     addBenchCommand(*app);
-    refuseOptionsAsValues(*app);
+    applyCommonRules(*app);
     return app;
 }
 
@@ -161,8 +186,13 @@ std::string usageFault(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<const CLI::App*> path = reached(app);
     // Help that is asked of a command that does not exist would be that of another one.
     if (error.get_exit_code() == 0 && (path.size() > 1 || app.remaining().empty())) return "";
-    if (const std::string unknown = unknownWord(path); !unknown.empty()) return unknown;
-    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing(path, error);
+    if (const std::string option = unknownOption(path); !option.empty()) return option;
+    if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return wrongCount(path, *mismatch);
+    const auto* required = dynamic_cast<const CLI::RequiredError*>(&error);
+    const bool isComplete =
+        error.get_exit_code() == 0 || required != nullptr || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    if (const std::string word = isComplete ? unknownWord(path) : ""; !word.empty()) return word;
+    if (required != nullptr) return missing(path, *required);
     std::string text = error.what();
     std::ranges::replace(text, '\n', ' ');
     return nameOf(path) + ": " + text;

@@ -127,7 +127,8 @@ void addImageConvert(CLI::App& image) {
         ->add_option("--crop", options->crop,
                      "X0 X1 Y0 Y1: the part of the picture to keep, in its pixels from the "
                      "upper left; X1 and Y1 are the first beyond it")
-        ->expected(4);
+        ->type_size(4)
+        ->expected(1);
     command->add_option("--resize", options->size,
                         "WIDTHxHEIGHT, WIDTHx or xHEIGHT in pixels, after --crop; by a tent filter, in "
                         "linear light");

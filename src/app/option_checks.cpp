@@ -21,8 +21,8 @@ bool isNumber(const std::string& text, double& value) {
     return CLI::detail::lexical_cast(text, value) && std::isfinite(value);
 }
 
-// Machines with more cores than this are very rare, and then all of them may be used.
-long mostThreads() { return std::max(1024L, long(std::thread::hardware_concurrency())); }
+// More than twice the cores only wait for each other; but files of settings travel between machines.
+long mostThreads() { return std::max(256L, 2 * long(std::thread::hardware_concurrency())); }
 
 }  // namespace
 

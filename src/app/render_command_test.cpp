@@ -145,7 +145,7 @@ TEST_F(RenderCommandTest, RefusesFilmsThatDoNotFit) {
     folder_.write("scene.pbrt",
                   "Film \"image\" \"integer xresolution\" 65536 \"integer yresolution\" 65536\nWorldBegin\n"
                   "Shape \"sphere\"\nWorldEnd\n");
-    EXPECT_THAT(errorOf([&] { run({}); }), testing::AllOf(HasSubstr("scene.pbrt:1:1: "), HasSubstr("needs about")));
+    EXPECT_THAT(errorOf([&] { run({}); }), testing::AllOf(HasSubstr("scene.pbrt:1:6: "), HasSubstr("needs about")));
     run({"--crop", "0", ".0002", "0", ".0002"});
     EXPECT_EQ(readImage(path("out.exr")).width(), 14);
 }

@@ -45,9 +45,8 @@ TEST(SceneOverrides, CropWindowsAreFractionsInOrder) {
 
 TEST(SceneOverrides, ResolutionsHaveTwoSides) {
     for (const char* wrong : {"0x0", "0x720", "-1280x720", "1280", "1280x", "x720", "1280*720", "1280x720x3",
-                              "1280x720 ", "1280.5x720", "65537x1", "4294967297x1", "nanxnan", "1280 x 720", ""})
-        if (*wrong)
-            EXPECT_THAT(fault({"--resolution", wrong}), AllOf(HasSubstr(wrong), HasSubstr("as 1280x720"))) << wrong;
+                              "1280x720 ", "1280.5x720", "65537x1", "4294967297x1", "nanxnan", "1280 x 720"})
+        EXPECT_THAT(fault({"--resolution", wrong}), AllOf(HasSubstr(wrong), HasSubstr("as 1280x720"))) << wrong;
     EXPECT_EQ(parsed({"--resolution", "1280x720"}).loadOptions().resolution->width, 1280);
 }
 
@@ -75,7 +74,7 @@ TEST_F(SceneOverridesTest, WrongParametersAreOfTheCommandLine) {
     EXPECT_THAT(errorOf([&] {
                     parsed({"--fov", "40"}).load(path("a.pbrt"));
                 }),
-                AllOf(HasSubstr("a.pbrt:1:1"), HasSubstr("'orthographic' has no field of view")));
+                AllOf(HasSubstr("a.pbrt:1:8"), HasSubstr("'orthographic' has no field of view")));
 }
 
 }  // namespace

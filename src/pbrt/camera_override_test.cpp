@@ -23,7 +23,7 @@ std::unique_ptr<Scene> load(const std::string& text, const CameraOverride& camer
 }
 
 void expectSameRays(const Scene& a, const Scene& b) {
-    for (const Vec2 film : {Vec2(0, 0), Vec2(40, 0), Vec2(13, 17)}) {
+    for (const Vec2& film : {Vec2(0, 0), Vec2(40, 0), Vec2(13, 17)}) {
         const Ray x = a.camera->generateRay(film, Vec2(0.5f, 0.5f), 0.25f).ray,
                   y = b.camera->generateRay(film, Vec2(0.5f, 0.5f), 0.25f).ray;
         EXPECT_LT(length(x.o - y.o), 1e-5f);
@@ -32,7 +32,8 @@ void expectSameRays(const Scene& a, const Scene& b) {
 }
 
 TEST(CameraOverride, LooksAsALookAtOfTheFileWould) {
-    for (const std::string camera : {"Camera \"perspective\" \"float fov\" 50", "Camera \"orthographic\"", ""})
+    for (const std::string& camera :
+         std::vector<std::string>{"Camera \"perspective\" \"float fov\" 50", "Camera \"orthographic\"", ""})
         expectSameRays(*load(kElsewhere + camera, {.lookAt = kThere}),
                        *load(camera.empty() ? kLookAt + "Camera \"perspective\"" : kLookAt + camera));
 }
@@ -67,12 +68,12 @@ TEST(CameraOverride, IsInTheFilesCoordinates) {
 }
 
 TEST(CameraOverride, AFieldOfViewTakesThePlaceOfTheFiles) {
-    for (const std::string given : {"", "\"float fov\" 20", "\"float halffov\" 10"})
-        expectSameRays(*load("Camera \"perspective\" " + given, {.fov = 70.f}),
+    for (const char* given : {"", "\"float fov\" 20", "\"float halffov\" 10"})
+        expectSameRays(*load("Camera \"perspective\" " + std::string(given), {.fov = 70.f}),
                        *load("Camera \"perspective\" \"float fov\" 70"));
     for (const char* camera : {"orthographic", "environment"})
         EXPECT_THAT(errorOf([&] { load("Camera \"" + std::string(camera) + "\"", {.fov = 70.f}); }),
-                    AllOf(HasSubstr("s.pbrt:2:1"), HasSubstr("--fov"), HasSubstr(camera), HasSubstr("perspective")));
+                    AllOf(HasSubstr("s.pbrt:2:8"), HasSubstr("--fov"), HasSubstr(camera), HasSubstr("perspective")));
 }
 
 TEST(CameraOverride, SaysWhatIsWrongWithADirection) {
