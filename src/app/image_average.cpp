@@ -20,6 +20,10 @@ struct AverageOptions {
 };
 
 void requireFit(const PictureFile& picture, const PictureFile& first) {
+    if (picture.image.width() != first.image.width() || picture.image.height() != first.image.height())
+        throw Error(fmt::format("{} is {}, but {} is {}: only pictures of one size can be averaged", picture.path,
+                                placeString(picture.image, picture.window), first.path,
+                                placeString(first.image, first.window)));
     for (const PictureFile* a : {&first, &picture})
         for (const std::string& name : a->image.channelNames())
             if (const PictureFile& b = a == &first ? picture : first; b.image.channelIndex(name) < 0)
