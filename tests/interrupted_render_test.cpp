@@ -67,6 +67,9 @@ class InterruptedRender : public FolderTest {
                                        "-o",
                                        path("out.png")};
         words.insert(words.end(), options.begin(), options.end());
+        return interrupted(signal, seconds, words);
+    }
+    static int interrupted(int signal, double seconds, const std::vector<std::string>& words) {
         const pid_t child = start(words);
         while (!catches(child, signal)) {
             if (waitpid(child, nullptr, WNOHANG) == child) {
@@ -131,6 +134,17 @@ TEST_F(InterruptedRender, ABetterPictureIsKept) {
     EXPECT_EQ(interrupted(SIGINT, 1.5, "path"), 128 + SIGINT);
     EXPECT_EQ(readFile(path("out.exr")), before);
     EXPECT_EQ(readExrMetadata(path("out.interrupted.exr")).at("drc:interrupted"), "true");
+}
+
+TEST_F(InterruptedRender, OtherLongCommandsEndInTheSameWay) {
+    EXPECT_EQ(interrupted(SIGINT, 2,
+                          {DRC_PROGRAM, "bench", path("room.pbrt"), "--methods", "path", "--seconds", "60",
+                           "--resolution", "32x32", "--reference-error", "1e-9", "-o", path("bench")}),
+              128 + SIGINT);
+    EXPECT_EQ(interrupted(SIGTERM, 2,
+                          {DRC_PROGRAM, "reference", path("room.pbrt"), "--viewpoints", "1000000", "-o",
+                           path("examples"), "--quiet"}),
+              128 + SIGTERM);
 }
 
 // The time is up, and its picture is being denoised and written: it is as good as it would have been.

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -20,7 +21,9 @@ using testing::HasSubstr;
 class LostPicture : public FolderTest {
   protected:
     LostPicture() {
-        writeExr(path("sky.exr"), Image(8, 8));
+        Image sky(8, 8);
+        std::ranges::fill(sky.data(), 1.f);
+        writeExr(path("sky.exr"), sky);
         folder_.write("scene/room.pbrt", R"(
 LookAt 0 0 -3  0 0 0  0 1 0
 Camera "perspective" "float fov" 60

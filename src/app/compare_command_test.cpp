@@ -43,6 +43,17 @@ class CompareCommandTest : public FolderTest {
     }
 };
 
+TEST_F(CompareCommandTest, NoPictureIsReplacedByADifference) {
+    const auto complaint = [&](const char* option, const std::string& file) {
+        return errorOf([&] { run({"compare", path("a.exr"), path("b.exr"), option, path(file)}); });
+    };
+    EXPECT_THAT(complaint("--signed-diff", "b.exr"),
+                HasSubstr("this is the same file as the picture " + path("b.exr")));
+    std::filesystem::create_directory(path("folder.png"));
+    EXPECT_THAT(complaint("--diff", "folder.png"), HasSubstr("--diff: cannot write"));
+    EXPECT_THAT(complaint("--diff", "none/a.png"), HasSubstr("there is no folder"));
+}
+
 TEST_F(CompareCommandTest, Json) {
     const auto json = nlohmann::ordered_json::parse(run({"compare", path("a.exr"), path("b.exr"), "--json"}));
     std::vector<std::string> keys;
