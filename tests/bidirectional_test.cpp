@@ -88,6 +88,56 @@ TEST(Bidirectional, AgreesWithPathsAboutFacesShadedRound) {
         128, 256);
 }
 
+// Seen at grazing angles, so that the view is below the horizons of shading normals: these are bent for each view, of
+// which a light path has another than a camera path.
+const std::pair<const char*, const char*> kBevelled[] = {
+    {"Matte", R"(Material "matte" "rgb Kd" [0.8 0.7 0.6])"},
+    {"Plastic", R"(Material "plastic" "rgb Kd" [0.3 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.1)"},
+    {"Metal", R"(Material "metal" "float roughness" 0.1)"},
+    {"Mirror", R"(Material "mirror" "rgb Kr" [0.8 0.9 0.8])"},
+    {"Translucent", R"(Material "translucent" "rgb Kd" [0.4 0.4 0.3] "rgb Ks" [0.2 0.2 0.2] "float roughness" 0.3
+                       "rgb reflect" [0.5 0.5 0.5] "rgb transmit" [0.5 0.5 0.5])"},
+    {"UberInPart", R"(Material "uber" "rgb Kd" [0.3 0.2 0.4] "rgb Ks" [0.2 0.2 0.2] "rgb Kr" [0.3 0.3 0.3]
+                      "rgb opacity" [0.6 0.7 0.8] "float roughness" 0.2)"},
+    {"Bumpy", R"(Texture "waves" "float" "wrinkled" "integer octaves" 3
+                 Texture "low" "float" "scale" "texture tex1" "waves" "float tex2" 0.2
+                 Material "plastic" "rgb Kd" [0.3 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "texture bumpmap" "low")"},
+};
+class BidirectionalBevels : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalBevels, testing::ValuesIn(kBevelled),
+                         [](const auto& i) { return i.param.first; });
+
+TEST_P(BidirectionalBevels, AgreeWithPaths) {
+    const std::string plate =
+        "AttributeBegin\nTranslate 0 0 1.2\nScale 0.9 0.9 0.9\n" + test::bevelledPlate() + "AttributeEnd\n";
+    expectSameAsPaths(withoutIntegrator(test::room(GetParam().second + ("\n" + plate), kWidth, kHeight)), 64, 192);
+}
+
+// Light paths do not meet curves as camera paths do if these turn towards each ray.
+class BidirectionalCurves : public testing::TestWithParam<const char*> {
+  protected:
+    static std::string room(const std::string& material, const std::string& curves) {
+        return withoutIntegrator(test::room(material + "\nAttributeBegin\nTranslate 0 -0.2 1.2\n" + curves +
+                                                "AttributeEnd\nMaterial \"matte\" \"rgb Kd\" [0.5 0.5 0.5]\n",
+                                            kWidth, kHeight));
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalCurves, testing::Values("flat", "ribbon", "cylinder", "tube"),
+                         [](const auto& i) { return i.param; });
+
+TEST_P(BidirectionalCurves, AgreeWithPaths) {
+    const std::string curves = test::bentCurves(GetParam(), 0.25f);
+    expectSameAsPaths(room(R"(Material "matte" "rgb Kd" [0.9 0.8 0.7])", curves));
+    expectSameAsPaths(room(R"(Material "hair" "rgb sigma_a" [0.1 0.2 0.3])", curves));
+    expectSameAsPaths(room(R"(Material "plastic" "rgb Kd" [0.4 0.4 0.5] "rgb Ks" [0.4 0.4 0.4])", curves));
+}
+
+TEST_P(BidirectionalCurves, AgreeWithPathsAboutTheirLight) {
+    expectSameAsPaths(room(R"(Material "matte" "rgb Kd" [0.5 0.5 0.5])",
+                           "AreaLightSource \"diffuse\" \"rgb L\" [2 3 4] \"bool twosided\" \"true\"\n" +
+                               test::bentCurves(GetParam(), 0.25f)));
+}
+
 class BidirectionalCameras : public testing::TestWithParam<test::CameraCase> {};
 INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalCameras, testing::ValuesIn(test::kCameraCases),
                          [](const auto& i) { return i.param.name; });

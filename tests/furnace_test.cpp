@@ -15,19 +15,21 @@ using test::pictures;
 
 constexpr int kWidth = 12, kHeight = 8;
 
-// A closed box whose walls emit 0.5 and reflect 0.5, and a ball of `material` that fills the picture and, if `emits`,
+// A closed box whose walls emit 0.5 and reflect 0.5, and a shape of `material` in front of the camera that, if `emits`,
 // emits the same.
-std::string ballInFurnace(const std::string& material, bool emits, bool v4) {
+std::string inFurnace(const std::string& shape, const std::string& material, bool emits, bool v4) {
     std::string text = test::furnace(0.5f, kWidth, kHeight);
     text = test::respelt(text, "\"float fov\" 80", "\"float fov\" 26");
     text = test::respelt(
-        text, "Shape \"sphere\"",
+        text, "Shape \"sphere\" \"float radius\" 0.8\n",
         "AttributeEnd\nAttributeBegin\n" + material + "\n" +
-            (emits ? "AreaLightSource \"diffuse\" \"rgb L\" [0.5 0.5 0.5] \"bool twosided\" \"true\"\n" : "") +
-            "Shape \"sphere\"");
+            (emits ? "AreaLightSource \"diffuse\" \"rgb L\" [0.5 0.5 0.5] \"bool twosided\" \"true\"\n" : "") + shape);
     text = test::respelt(text, "WorldBegin\n", "WorldBegin\nAttributeBegin\n");
     text = test::respelt(text, "WorldEnd", "AttributeEnd\nWorldEnd");
     return v4 ? test::inWordsOfV4(text) : text;
+}
+std::string ballInFurnace(const std::string& material, bool emits, bool v4) {
+    return inFurnace("Shape \"sphere\" \"float radius\" 0.8\n", material, emits, v4);
 }
 
 // slack: allowed error of radiance caches whose values vary with position.
@@ -133,6 +135,46 @@ INSTANTIATE_TEST_SUITE_P(Furnaces, EmissiveBallInFurnace, testing::ValuesIn(kBal
 
 TEST_P(EmissiveBallInFurnace, HasTheDirectLightThatFollows) {
     expectConstant(pictures(text(), "direct", 16, 16), GetParam().direct);
+}
+
+// Curves of all types, which absorb nothing. Light paths are of no use on those that turn towards each ray.
+class CurvesInFurnace : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Furnaces, CurvesInFurnace, testing::Values("flat", "ribbon", "cylinder", "tube"),
+                         [](const auto& i) { return i.param; });
+
+TEST_P(CurvesInFurnace, AreNotSeen) {
+    for (const char* material : {R"(Material "matte" "rgb Kd" [1 1 1])", R"(Material "hair" "rgb sigma_a" [0 0 0])"}) {
+        SCOPED_TRACE(material);
+        const std::string text = kDeep + inFurnace(test::bentCurves(GetParam(), 0.25f), material, false, false);
+        expectConstant(pictures(text, "path", 16, 16), 1);
+        expectConstant(pictures(text, "bdpt", 16, 16), 1);
+        expectConstant(gathered(text, 16, 64), 1);
+    }
+    const std::string lit = kDeep + inFurnace(test::bentCurves(GetParam(), 0.25f),
+                                              R"(Material "matte" "rgb Kd" [0.5 0.5 0.5])", true, false);
+    expectConstant(pictures(lit, "path", 16, 16), 1);
+    expectConstant(pictures(lit, "bdpt", 16, 16), 1);
+}
+
+// Light that a shading normal sends below the surface is lost, but none is added; and little is lost where views are
+// below its horizon.
+TEST(BevelsInFurnace, LoseLittle) {
+    for (const char* material :
+         {R"(Material "matte" "rgb Kd" [1 1 1])", R"(Material "mirror" "rgb Kr" [1 1 1])",
+          R"(Material "metal" "rgb eta" [0.01 0.01 0.01] "rgb k" [100 100 100] "float roughness" 0.05)"}) {
+        SCOPED_TRACE(material);
+        // Nearly in the plane of its top.
+        const std::string text =
+            kDeep + inFurnace("Translate 0 0 -0.02\nScale 0.8 0.8 1\n" + test::bevelledPlate(), material, false, false);
+        for (const char* integrator : {"path", "bdpt", "drc", "drc-maps"}) {
+            SCOPED_TRACE(integrator);
+            const auto seen = pictures(text, integrator, 1, 256);
+            for (const Rgb& block : seen[0]) {
+                EXPECT_GT(block.x, 0.82);
+                EXPECT_LT(block.x, 1.02);
+            }
+        }
+    }
 }
 
 // Walls and a ball that reflect one picture, and emit another, its complement.

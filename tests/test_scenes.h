@@ -119,6 +119,28 @@ inline std::string furnace(float albedo, int width, int height) {
            "Shape \"sphere\" \"float radius\" 0.8\nWorldEnd\n";
 }
 
+// A plate [-1,1]x[-1,1]x[0,0.2] with bevels of one quad and the smooth normals that modelling programs export: those of
+// its vertices are means of the faces around them, so that they lean by 30 to 55 degrees. Its bottom is open.
+inline std::string bevelledPlate() {
+    return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3  4 5 1 4 1 0  5 6 2 5 2 1  6 7 3 6 3 2  7 4 0 7 0 "
+           "3] "
+           "\"point P\" [-0.8 -0.8 0.2  0.8 -0.8 0.2  0.8 0.8 0.2  -0.8 0.8 0.2  -1 -1 0  1 -1 0  1 1 0  -1 1 0] "
+           "\"normal N\" [-0.7 -0.7 2.4  0.7 -0.7 2.4  0.7 0.7 2.4  -0.7 0.7 2.4  -1 -1 1.4  1 -1 1.4  1 1 1.4  -1 1 "
+           "1.4]\n";
+}
+
+// Curves of the type, side by side from x = -1 to 1, bent in z and about as long as they are far apart.
+inline std::string bentCurves(const std::string& type, float width) {
+    std::string text;
+    for (int i = 0; i < 6; ++i) {
+        const std::string x = std::to_string(-1 + 0.4f * float(i)) + " ";
+        text += "Shape \"curve\" \"string type\" \"" + type + "\" \"float width\" " + std::to_string(width) +
+                (type == "ribbon" ? " \"normal N\" [0.3 -1 0  -0.3 -1 0.2]" : "") + " \"point P\" [" + x + "0 -0.8 " +
+                x + "0.2 -0.3 " + x + "-0.2 0.3 " + x + "0 0.8]\n";
+    }
+    return text;
+}
+
 // Lamps of every kind of shape, one- and two-sided, whole and partial, for the furnace and for the room.
 inline std::string everyShape() {
     const std::string bent = "\"point P\" [-1.2 -0.6 0.3  -0.6 0.2 0.9  0.2 -0.8 0.9  0.9 -0.2 0.4]";

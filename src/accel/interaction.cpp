@@ -52,10 +52,12 @@ Bsdf SurfaceInteraction::bsdf() const {
     const Relief& relief = material->relief();
     const bool isUneven = relief.heights || relief.normals;
     if (lobes) bsdf.borrowLobes(*lobes);
-    if (lobes && !isUneven) return bsdf;
-    const TextureContext context = textureContext();
-    if (isUneven) bsdf.setFrame(withRelief(bsdf.frame(), relief, context));
-    if (lobes == nullptr) material->addLobes(context, Rgb(1.f), bsdf);
+    if (!lobes || isUneven) {
+        const TextureContext context = textureContext();
+        if (isUneven) bsdf.setFrame(withRelief(bsdf.frame(), relief, context));
+        if (!lobes) material->addLobes(context, Rgb(1.f), bsdf);
+    }
+    bsdf.bendFor(wo);
     return bsdf;
 }
 

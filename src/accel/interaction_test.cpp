@@ -50,5 +50,44 @@ TEST(SurfaceInteraction, BumpsAreNotAveragedOverWideCones) {
               1e-3f);
 }
 
+class White final : public Material {
+  public:
+    void addLobes(const TextureContext&, const Rgb& weight, Bsdf& bsdf) const override {
+        bsdf.add(LambertReflection(Rgb(1.f)), weight);
+    }
+    bool isConstant() const override { return true; }
+    int maxLobes() const override { return 1; }
+};
+
+// By the normals of the mesh and by relief; with lobes computed in advance or not.
+TEST(SurfaceInteraction, NormalsAreBentForViewsBelowThem) {
+    SurfaceInteraction hit;
+    hit.ng = Vec3(0, 0, 1);
+    hit.dpdu = hit.tangent = Vec3(1, 0, 0);
+    hit.dpdv = Vec3(0, 1, 0);
+    const Vec3 leaning = normalize(Vec3(0.6f, 0, 0.8f));
+    for (const bool relief : {false, true})
+        for (const bool inAdvance : {false, true}) {
+            const auto white = std::make_shared<White>();
+            if (relief) white->setRelief(Relief(std::make_shared<Slope>()));
+            Primitive primitive;
+            primitive.material = white;
+            hit.primitive = &primitive;
+            Bsdf lobes;
+            white->addLobes({}, Rgb(1.f), lobes);
+            hit.lobes = inAdvance ? &lobes : nullptr;
+            hit.ns = relief ? hit.ng : leaning;
+            const float side = relief ? 1.f : -1.f;  // the relief leans by -0.6, 0.8
+            hit.wo = normalize(Vec3(side, 0, 0.05f));
+            EXPECT_TRUE(hit.bsdf().bentForView());
+            EXPECT_GT(dot(hit.bsdf().frame().n, hit.wo), 0);
+            EXPECT_GT(luminance(hit.bsdf().f(hit.wo, hit.ng)), 0);
+            hit.wo = normalize(Vec3(side, 0, 2));
+            EXPECT_FALSE(hit.bsdf().bentForView());
+            if (relief) continue;
+            EXPECT_EQ(hit.bsdf().frame().n, leaning);
+        }
+}
+
 }  // namespace
 }  // namespace drc

@@ -22,17 +22,31 @@ float shadingOfLight(const Bsdf& bsdf, const SurfaceInteraction& at) {
     return cosine > 0 ? absDot(bsdf.frame().n, at.wo) / cosine : 0;
 }
 
+// Whether the surface turns towards each ray. It is then what camera paths find it to be: light paths, which arrive
+// from elsewhere, find other points and normals, and cannot be weighed against camera paths. They end there.
+bool facesRays(const SurfaceInteraction& at) { return at.primitive->shape && at.primitive->shape->facesRays(); }
+
 }  // namespace
 
 // A subpath vertex on a surface.
 struct BidirectionalTracer::Vertex {
     SurfaceInteraction hit;
-    Bsdf bsdf;
+    Bsdf bsdf;            // as seen from hit.wo
     Rgb throughput{1.f};  // of the subpath up to this vertex, without its BSDF
     float own = 0;        // pdf per area from the subpath's own end
     float reverse = 0;    // pdf per area from the opposite end; known once the subpath is two vertices longer
     bool specular = false;
-    int scattered = 0;  // number of non-specular vertices before this one
+    bool oneWay = false;  // specular, and a path in the opposite direction would be mirrored elsewhere
+    int scattered = 0;    // number of non-specular vertices before this one
+
+    // For the vertex of a light path: what of its light is scattered in direction d. Since not every BSDF is
+    // reciprocal, it is evaluated with the directions, and the shading normal, that a camera path would have.
+    Rgb scatteredTo(const Vec3& d) const {
+        const Bsdf seen = bsdf.seenFrom(d);
+        return throughput * shadingOfLight(seen, hit) * seen.f(d, hit.wo, LobeFlags::NonSpecular);
+    }
+    // Pdf, per solid angle, with which a path that arrives here from direction d goes on in direction hit.wo.
+    float pdfBack(const Vec3& d) const { return bsdf.seenFrom(d).pdf(d, hit.wo); }
 
     // Surfaces that are hidden from diffuse rays are met only from the camera, from mirrors and from smooth glass. A
     // light path does not know where it will have come from, seen from the camera, before it is scattered again. So it
@@ -40,7 +54,8 @@ struct BidirectionalTracer::Vertex {
     // make all that is left out. joined: whether the path leaves this vertex by its other lobes.
     Node node(const Accel& accel, bool joined = false) const {
         const bool mirrors = specular && !joined;
-        return {own, reverse, mirrors, accel.hidesFromDiffuse() && (mirrors || !hit.primitive->visibleToDiffuse)};
+        const bool hidden = accel.hidesFromDiffuse() && (mirrors || !hit.primitive->visibleToDiffuse);
+        return {own, reverse, mirrors, hidden || facesRays(hit) || (mirrors && oneWay)};
     }
 };
 
@@ -48,8 +63,9 @@ struct BidirectionalTracer::LightEnd {
     Vec3 p{0.f}, ng{0.f};
     Vec3 d{0.f};  // direction of the emitted light
     bool infinite = false, delta = false;
-    EmissionDensity density;  // `origin` includes the probability of choosing the light
-    float chosen = 0;         // see Ends::chosen
+    bool startsPaths = false;  // whether light paths start at this light
+    EmissionDensity density;   // `origin` includes the probability of choosing the light
+    float chosen = 0;          // see Ends::chosen
 
     // Pdf per area of the light's point (or per solid angle of its direction), given one per solid angle at another
     // point.
@@ -92,15 +108,17 @@ struct BidirectionalTracer::Step {
         if (!s || !(s->pdf > 0)) return false;
         const float cosine =
             mode == TransportMode::Radiance ? absDot(s->wi, at.bsdf.frame().n) : absDot(s->wi, at.hit.ng);
-        // Since not every BSDF is reciprocal, light paths evaluate it with the directions that a camera path would
-        // have.
-        const bool turned = mode == TransportMode::Importance && !s->isSpecular();
-        throughput =
-            at.throughput * (turned ? at.bsdf.f(s->wi, at.hit.wo, LobeFlags::NonSpecular) : s->f) * (cosine / s->pdf);
-        if (isBlack(throughput) || !isFinite(throughput)) return false;
         at.specular = s->isSpecular();
+        at.oneWay = at.specular && (at.bsdf.bentForView() || at.bsdf.seenFrom(s->wi).bentForView());
+        if (mode == TransportMode::Radiance)
+            throughput = at.throughput * s->f * (cosine / s->pdf);
+        else if (at.specular)
+            throughput = at.throughput * shadingOfLight(at.bsdf, at.hit) * s->f * (cosine / s->pdf);
+        else
+            throughput = at.scatteredTo(s->wi) * (cosine / s->pdf);
+        if (isBlack(throughput) || !isFinite(throughput)) return false;
         pdf = at.specular ? 1 : s->pdf;
-        reverse = at.specular ? 1 : at.bsdf.pdf(s->wi, at.hit.wo);
+        reverse = at.specular ? 1 : at.pdfBack(s->wi);
         eta = s->eta;
         ray = at.hit.spawnRay(s->wi, spreadAfter(*s, at.hit.coneSpread));
         ray.mirrored = at.specular && mode == TransportMode::Radiance;
@@ -124,6 +142,7 @@ BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Accel& accel,
     for (const LightPtr& light : scene.lights) {
         const float power = luminance(light->power(sphere_.radius));
         if (!(power > 0) || !light->illuminates()) continue;
+        if (!light->emitsFromWhereRaysMeetIt()) continue;
         emitting_.push_back(light.get());
         powers.push_back(power);
     }
@@ -136,7 +155,7 @@ float BidirectionalTracer::weight(std::span<const Node> nodes, size_t s, const E
     // Nodes count from 1, the vertex next to the lens, to n, the point on the light.
     const auto node = [&](size_t i) -> const Node& { return nodes[i - 1]; };
     size_t mostFromLight = 1;  // the light's point and what light paths can have behind it
-    while (mostFromLight < n && !node(n - mostFromLight).lightEndsBefore) ++mostFromLight;
+    while (ends.lightStartsPaths && mostFromLight < n && !node(n - mostFromLight).lightEndsBefore) ++mostFromLight;
     const auto possible = [&](size_t other) {
         const size_t t = n + 1 - other;
         if (other == 0) return ends.lightCanBeMet;
@@ -177,7 +196,8 @@ BidirectionalTracer::LightEnd BidirectionalTracer::lightEnd(const Light& light, 
     end.delta = light.isDelta();
     end.density = light.emissionDensity(at, d, sphere_);
     const auto probability = probability_.find(&light);
-    end.density.origin *= probability == probability_.end() ? 0 : probability->second;
+    end.startsPaths = probability != probability_.end();
+    if (end.startsPaths) end.density.origin *= probability->second;
     const float here = end.delta ? chosen : end.from(from, chosen);
     end.chosen = end.density.origin > 0 ? here / end.density.origin : 0;
     return end;
@@ -294,7 +314,7 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
     for (;;) {
         SurfaceInteraction hit;
         if (toSurface(accel_, step.ray, hit, [](const SurfaceInteraction&) {}) != Arrival::Surface) break;
-        if (scattered >= settings_.maxDepth || paths.light.size() == kMostVertices) break;
+        if (scattered >= settings_.maxDepth || paths.light.size() == kMostVertices || facesRays(hit)) break;
         const bool first = paths.light.empty();
         // What stands outside a portal is not lit through it.
         if (first && light.isInfinite() && isBlack(light.escaped(hit.p, -emitted->d))) break;
@@ -304,7 +324,7 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
         Vertex& at = paths.light.emplace_back();
         at.hit = hit;
         at.bsdf = hit.bsdf();
-        at.throughput = step.throughput * shadingOfLight(at.bsdf, hit);
+        at.throughput = step.throughput;
         at.own = own;
         at.scattered = scattered;
         const auto u = sampler.getFour2D();
@@ -346,8 +366,7 @@ void BidirectionalTracer::joinLens(Paths& paths, float time, const Vec2& uLens, 
     if (!(distance > 0)) return;
     const Vec3 d = way / distance;
     const float fromCamera = view->pixelsPerArea * absDot(at.hit.ng, d);
-    const Rgb f = at.bsdf.f(d, at.hit.wo, LobeFlags::NonSpecular);
-    const Rgb light = at.throughput * f * fromCamera;
+    const Rgb light = at.scatteredTo(d) * fromCamera;
     if (isBlack(light) || hiddenFromLens(accel_, at.hit, d, distance)) return;
     splats.push_back({view->film, light * (weightAtLens(paths, d, fromCamera) / float(lightPaths_))});
 }
@@ -362,7 +381,7 @@ Rgb BidirectionalTracer::join(Paths& paths, size_t camera, size_t light) const {
     const Vec3 d = way / distance;
     Rgb sum = z.throughput * z.bsdf.f(z.hit.wo, d, LobeFlags::NonSpecular);
     if (isBlack(sum)) return sum;
-    sum *= y.throughput * y.bsdf.f(-d, y.hit.wo, LobeFlags::NonSpecular);
+    sum *= y.scatteredTo(-d);
     sum *= absDot(z.bsdf.frame().n, d) * absDot(y.hit.ng, d) / sqr(distance);
     if (isBlack(sum) || screened(accel_, z.hit.spawnPoint(), d, y.hit.spawnPoint(), z.hit.time)) return Rgb(0.f);
     return sum * weightOfJoined(paths, camera, light, d);
@@ -375,7 +394,7 @@ float BidirectionalTracer::weightOfMet(Paths& paths, const LightEnd& end, float 
     for (const Vertex& v : paths.camera) paths.nodes.push_back(v.node(accel_));
     paths.nodes.back().fromLight = end.to(paths.camera.back().hit);
     paths.nodes.push_back({fromCamera, end.density.origin, false});
-    paths.ends = {end.chosen, !end.delta, paths.lensCanBeJoined, lightPaths_};
+    paths.ends = {end.chosen, !end.delta, paths.lensCanBeJoined, lightPaths_, end.startsPaths};
     return weight(paths, 0);
 }
 
@@ -386,10 +405,9 @@ float BidirectionalTracer::weightOfSampled(Paths& paths, const LightEnd& end, co
     const Vertex& at = paths.camera[last];
     paths.nodes[last] = at.node(accel_, true);
     paths.nodes[last].fromLight = end.to(at.hit);
-    if (last > 0)
-        paths.nodes[last - 1].fromLight = perArea(at.bsdf.pdf(wi, at.hit.wo), at.hit.p, paths.camera[last - 1].hit);
+    if (last > 0) paths.nodes[last - 1].fromLight = perArea(at.pdfBack(wi), at.hit.p, paths.camera[last - 1].hit);
     paths.nodes.push_back({end.delta ? 0 : end.from(at.hit.p, pdf), end.density.origin, false});
-    paths.ends = {end.chosen, !end.delta, paths.lensCanBeJoined, lightPaths_};
+    paths.ends = {end.chosen, !end.delta, paths.lensCanBeJoined, lightPaths_, end.startsPaths};
     return weight(paths, 1);
 }
 
@@ -399,7 +417,7 @@ void BidirectionalTracer::appendLight(Paths& paths, size_t first, float fromCame
     for (size_t i = first; i-- > 0;)
         paths.nodes.push_back({i + 1 == first ? nextFromCamera : light[i].reverse, light[i].own, light[i].specular});
     paths.nodes.push_back({first == 0 ? nextFromCamera : paths.endFromCamera, paths.end.density.origin, false});
-    paths.ends = {paths.end.chosen, !paths.end.delta, paths.lensCanBeJoined, lightPaths_};
+    paths.ends = {paths.end.chosen, !paths.end.delta, paths.lensCanBeJoined, lightPaths_, paths.end.startsPaths};
 }
 
 float BidirectionalTracer::weightOfJoined(Paths& paths, size_t camera, size_t light, const Vec3& d) const {
@@ -408,9 +426,8 @@ float BidirectionalTracer::weightOfJoined(Paths& paths, size_t camera, size_t li
     for (size_t i = 0; i <= camera; ++i) paths.nodes.push_back(paths.camera[i].node(accel_));
     paths.nodes[camera] = z.node(accel_, true);
     paths.nodes[camera].fromLight = perArea(y.bsdf.pdf(y.hit.wo, -d), y.hit.p, z.hit);
-    if (camera > 0)
-        paths.nodes[camera - 1].fromLight = perArea(z.bsdf.pdf(d, z.hit.wo), z.hit.p, paths.camera[camera - 1].hit);
-    const float back = y.bsdf.pdf(-d, y.hit.wo);
+    if (camera > 0) paths.nodes[camera - 1].fromLight = perArea(z.pdfBack(d), z.hit.p, paths.camera[camera - 1].hit);
+    const float back = y.pdfBack(-d);
     appendLight(paths, light, perArea(z.bsdf.pdf(z.hit.wo, d), z.hit.p, y.hit),
                 light > 0 ? perArea(back, y.hit.p, paths.light[light - 1].hit) : paths.end.from(y.hit.p, back));
     return weight(paths, light + 2);
@@ -420,7 +437,7 @@ float BidirectionalTracer::weightAtLens(Paths& paths, const Vec3& d, float fromC
     const size_t last = paths.light.size() - 1;
     const Vertex& y = paths.light[last];
     paths.nodes.clear();
-    const float back = y.bsdf.pdf(d, y.hit.wo);
+    const float back = y.pdfBack(d);
     appendLight(paths, last, fromCamera,
                 last > 0 ? perArea(back, y.hit.p, paths.light[last - 1].hit) : paths.end.from(y.hit.p, back));
     return weight(paths, last + 2);

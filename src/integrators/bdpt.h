@@ -48,6 +48,7 @@ class BidirectionalTracer {
         bool lightCanBeMet = true;
         bool lensCanBeJoined = true;
         double lightPaths = 1;
+        bool lightStartsPaths = true;
     };
     // MIS weight of the strategy that takes `s` of the nodes from the light, among all strategies that can make the
     // path. nodes: from the vertex next to the lens to the point on the light.

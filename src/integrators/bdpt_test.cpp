@@ -58,6 +58,13 @@ TEST(Bdpt, WhatASpecularVertexHidesCountsForNothing) {
     EXPECT_EQ(BidirectionalTracer::weight(nodes, 0, {2, true, true, 100}), 1);
 }
 
+TEST(Bdpt, WhereNoLightPathStartsLightsAreMetOrSampled) {
+    const std::vector<Node> nodes{{5, 7, false}, {3, 2, false}};
+    const Ends ends{2, true, true, 100, false};
+    EXPECT_NEAR(BidirectionalTracer::weight(nodes, 0, ends), 9. / (9 + 16), 1e-6);
+    EXPECT_NEAR(BidirectionalTracer::weight(nodes, 1, ends), 16. / (9 + 16), 1e-6);
+}
+
 TEST(Bdpt, WhatPathsFromTheCameraNeverTakeIsLeftOut) {
     // The light at its end can still be sampled.
     const std::vector<Node> hidden{{5, 7, false}, {0, 1, false}, {3, 2, false}}, direct{{5, 7, false}, {0, 2, false}};

@@ -33,7 +33,7 @@ class Bsdf {
 
     Bsdf() = default;
     // ng: geometric normal. Neither normal has to face the viewer.
-    Bsdf(const Frame& shading, const Vec3& ng) : frame_(shading), ng_(ng) {}
+    Bsdf(const Frame& shading, const Vec3& ng) : frame_(shading), unbent_(shading), ng_(ng) {}
     Bsdf(const Bsdf& other);
     Bsdf& operator=(const Bsdf& other);
 
@@ -72,8 +72,17 @@ class Bsdf {
 
     // The shading frame.
     const Frame& frame() const { return frame_; }
-    void setFrame(const Frame& shading) { frame_ = shading; }
+    void setFrame(const Frame& shading) { frame_ = unbent_ = shading; }
     const Vec3& ng() const { return ng_; }
+
+    // Bends the shading frame where a viewer in direction wo would be below its horizon, or would see a reflection of
+    // what is below the surface (bent_normal.h). It depends on the lobes, which must have been added. f, pdf and sample
+    // then hold for this wo: for another one, ask seenFrom().
+    void bendFor(const Vec3& wo);
+    // Whether the frame was bent. If so, all that is scattered here depends on the view, even by diffuse lobes.
+    bool bentForView() const { return bent_; }
+    // The same surface as a viewer in direction wo meets it. It borrows the lobes.
+    Bsdf seenFrom(const Vec3& wo) const;
 
     // The albedo towards wo: an estimate for the G-buffer and for choosing lobes.
     Rgb albedo(const Vec3& wo, const LobeMask& mask = LobeFlags::All) const;
@@ -122,8 +131,9 @@ class Bsdf {
         alignas(Lobe) std::byte storage[kMaxLobes * sizeof(Lobe)];
     };
 
-    Frame frame_;
+    Frame frame_, unbent_;
     Vec3 ng_{0, 0, 1};
+    bool bent_ = false;
     const Lobes* lobes_ = &own_;  // or those of another
     Lobes own_;
 };

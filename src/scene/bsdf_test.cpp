@@ -202,6 +202,83 @@ TEST(Bsdf, ALobeOfBothSidesLeaksNoLight) {
     checkBsdf(bsdf, LobeFlags::All, {0.9f});
 }
 
+// A shading normal that leans so far that the viewer is below its horizon, though above the surface.
+struct Leaning {
+    Vec3 ng{0, 0, 1}, wo = normalize(Vec3(0.95f, 0.1f, 0.3f));
+    Frame shading = Frame::fromNormal(normalize(Vec3(-0.7f, 0.2f, 0.7f)));
+    template <class L>
+    Bsdf with(const L& lobe) const {
+        Bsdf bsdf(shading, ng);
+        bsdf.add(lobe);
+        bsdf.bendFor(wo);
+        return bsdf;
+    }
+};
+
+TEST(Bsdf, IsBentForViewersBelowItsHorizon) {
+    const Leaning leaning;
+    ASSERT_LT(dot(leaning.wo, leaning.shading.n), -0.2f);
+    const Bsdf matte = leaning.with(LambertReflection(Rgb(1.f)));
+    EXPECT_TRUE(matte.bentForView());
+    EXPECT_GT(dot(matte.frame().n, leaning.wo), 0);
+    // At least the half of the cosine lobe is above the surface, and never more than all of it.
+    const Mean albedo = meanWeight(matte, leaning.wo);
+    EXPECT_GT(albedo.value.x, 0.95f);
+    EXPECT_LE(albedo.value.x, 1);
+    Bsdf unbent(leaning.shading, leaning.ng);
+    unbent.add(LambertReflection(Rgb(1.f)));
+    EXPECT_LT(meanWeight(unbent, leaning.wo).value.x, 0.3f);
+
+    // A mirror shows what is above the surface.
+    const Bsdf mirror = leaning.with(SpecularReflection(Rgb(1.f), Fresnel::none()));
+    const auto s = mirror.sample(leaning.wo, 0.5f, Vec2(0.5f, 0.5f));
+    ASSERT_TRUE(s);
+    EXPECT_GT(s->wi.z, 0);
+    EXPECT_GT(meanWeight(leaning.with(MicrofacetReflection(Rgb(1.f), kRough, Fresnel::none())), leaning.wo).value.x,
+              0.4f);
+    // Samples follow the density in the bent frame.
+    Bsdf all = leaning.with(LambertReflection(Rgb(0.3f)));
+    all.add(LambertTransmission(Rgb(0.2f)));
+    all.add(MicrofacetReflection(Rgb(0.5f), kRough, Fresnel::none()));
+    all.bendFor(leaning.wo);
+    checkBsdf(all, LobeFlags::All, {std::max(0.02f, dot(all.frame().n, leaning.wo))});
+}
+
+TEST(Bsdf, StaysAsItIsForOtherViewers) {
+    Leaning leaning;
+    leaning.wo = normalize(Vec3(-0.3f, 0.1f, 1));
+    for (const bool mirrors : {false, true}) {
+        Bsdf bsdf(leaning.shading, leaning.ng);
+        bsdf.add(LambertReflection(Rgb(1.f)));
+        if (mirrors) bsdf.add(MicrofacetReflection(Rgb(0.5f), kRough, Fresnel::none()));
+        // Under the bevel's own horizon for its mirror image, but not for itself.
+        const Vec3 low = normalize(Vec3(0.3f, 0, 0.5f));
+        for (const Vec3& wo : {leaning.wo, -leaning.wo, low}) {
+            bsdf.bendFor(wo);
+            EXPECT_EQ(bsdf.bentForView(), mirrors && wo == low);
+            EXPECT_EQ(bsdf.frame().n == leaning.shading.n, !bsdf.bentForView());
+        }
+    }
+    // Fibres have no horizon.
+    EXPECT_FALSE(Leaning().with(HairScattering(0.2f, Rgb(0.1f), {})).bentForView());
+    EXPECT_FALSE(Bsdf(Leaning().shading, Leaning().ng).bentForView());
+}
+
+TEST(Bsdf, KnowsHowOthersSeeIt) {
+    const Leaning leaning;
+    const Bsdf bsdf = leaning.with(LambertReflection(Rgb(1.f)));
+    const Vec3 above = normalize(Vec3(-0.3f, 0.1f, 1));
+    const Bsdf seen = bsdf.seenFrom(above), copy = bsdf, again = seen.seenFrom(leaning.wo);
+    EXPECT_FALSE(seen.bentForView());
+    EXPECT_EQ(seen.frame().n, leaning.shading.n);
+    EXPECT_EQ(seen.size(), 1);
+    EXPECT_TRUE(copy.bentForView());
+    EXPECT_EQ(copy.frame().n, bsdf.frame().n);
+    EXPECT_TRUE(again.bentForView());
+    EXPECT_EQ(again.frame().n, bsdf.frame().n);
+    EXPECT_EQ(again.f(leaning.wo, above), bsdf.f(leaning.wo, above));
+}
+
 TEST(Bsdf, LobesWithAVanishingEstimateAreStillSampled) {
     // Beyond the critical angle of the smooth surface some facets still refract.
     Bsdf bsdf(kFrame, kFrame.n);

@@ -65,6 +65,7 @@ class Curves final : public Shape {
     ShapeHit hitAt(uint32_t piece, float u, const Ray& ray, float t) const;
 
     const Curves* asCurves() const override { return this; }
+    bool facesRays() const override { return type_ != CurveType::Ribbon; }
     Bounds bounds() const override { return bounds_; }
     // Tests all pieces, for unit tests. Rendering uses Embree.
     std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const override;

@@ -91,6 +91,9 @@ class Shape {
     // The (u, v) that a ray finds which arrives at a sampled point from the direction d (unit). By default the sample's
     // own; flat curves turn towards the ray.
     virtual Vec2 uvSeenFrom(const ShapeSample& at, const Vec3& d) const;
+    // Whether the surface turns towards each ray, so that rays that arrive from two directions do not find the same
+    // points and normals.
+    virtual bool facesRays() const { return false; }
     // The curves, which Embree intersects itself; null for any other shape.
     virtual const Curves* asCurves() const { return nullptr; }
 };

@@ -1,0 +1,22 @@
+// Shading normals of smooth meshes and of relief lean away from the geometric normal. A viewer above the surface may
+// then be below their horizon, where no lobe reflects anything towards it, or a mirror would show it the inside of the
+// surface: black wedges on bevels, and black specks in relief at grazing angles. There the normal that the viewer meets
+// is bent towards the geometric normal, as far as is needed and no farther, so that it is continuous in both normals
+// and in the direction of view. (Cycles does so for the mirrored view; its diffuse lobes do not ask where the view is.)
+#pragma once
+#include <optional>
+
+#include "math/vec.h"
+
+namespace drc {
+
+// What has to be above the geometric horizon, or the view above the shading horizon, on the viewer's side.
+enum class KeepAbove { View, MirroredView };
+
+// None where `shading` may stay as it is. All vectors are unit; the normals are on the same side of the surface, and
+// wo, the direction towards the viewer, on either. With KeepAbove::View, the view is raised above the horizon of the
+// shading normal; with KeepAbove::MirroredView, its mirror image at the shading normal above the surface, which implies
+// the former.
+std::optional<Vec3> bentNormal(const Vec3& shading, const Vec3& geometric, const Vec3& wo, KeepAbove what);
+
+}  // namespace drc
