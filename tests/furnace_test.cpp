@@ -168,9 +168,9 @@ TEST(BevelsInFurnace, LoseLittle) {
             kDeep + inFurnace("Translate 0 0 -0.02\nScale 0.8 0.8 1\n" + test::bevelledPlate(), material, false, false);
         for (const char* integrator : {"path", "bdpt", "drc", "drc-maps"}) {
             SCOPED_TRACE(integrator);
-            const auto seen = pictures(text, integrator, 1, 1024);
+            const auto seen = pictures(text, integrator, 1, 256);
             for (const Rgb& block : seen[0]) {
-                EXPECT_GT(block.x, 0.85);
+                EXPECT_GT(block.x, 0.82);
                 EXPECT_LT(block.x, 1.02);
             }
         }

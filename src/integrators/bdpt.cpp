@@ -142,7 +142,7 @@ BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Accel& accel,
     for (const LightPtr& light : scene.lights) {
         const float power = luminance(light->power(sphere_.radius));
         if (!(power > 0) || !light->illuminates()) continue;
-        if (light->facesRays()) continue;
+        if (!light->emitsFromWhereRaysMeetIt()) continue;
         emitting_.push_back(light.get());
         powers.push_back(power);
     }

@@ -86,9 +86,9 @@ class Light {
     // size.
     virtual Rgb power(float sceneRadius) const = 0;
     virtual bool isDelta() const { return false; }
-    // Whether the light comes from a surface that turns towards each ray (Shape::facesRays). emit() then only
-    // approximates what rays see that meet it.
-    virtual bool facesRays() const { return false; }
+    // Whether light leaves from where rays meet the emitter. Otherwise emit() is an approximation, for which paths from
+    // the light cannot be weighed against others.
+    virtual bool emitsFromWhereRaysMeetIt() const { return true; }
     // Whether light arrives as from a point at infinity.
     virtual bool isAtInfinity() const { return false; }
     // For environments: the radiance that arrives at `from` from direction wi, and the pdf of sample() for it.

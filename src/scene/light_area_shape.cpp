@@ -44,7 +44,8 @@ class ShapeAreaLight final : public AreaLight {
         return ray;
     }
 
-    bool facesRays() const override { return shape_->facesRays(); }
+    // Curves turn towards rays, and Embree's ribbons are made of facets, beside which a light path would start.
+    bool emitsFromWhereRaysMeetIt() const override { return shape_->asCurves() == nullptr; }
     Bounds bounds() const override { return shape_->bounds(); }
     LightReach reach() const override {
         LightReach r = Light::reach();
