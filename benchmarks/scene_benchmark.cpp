@@ -13,8 +13,7 @@ namespace {
 
 std::string scenePath() {
     if (const char* path = std::getenv("DRC_BENCHMARK_SCENE")) return path;
-    const std::string here = __FILE__;
-    return here.substr(0, here.rfind("benchmarks/")) + "scenes/quickstart/scene.pbrt";
+    return DRC_SOURCE_DIR "/scenes/quickstart/scene.pbrt";
 }
 
 }  // namespace

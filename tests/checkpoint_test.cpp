@@ -232,13 +232,14 @@ TEST_F(CheckpointedRender, KeepsTheLastCheckpointWhereThereIsNoRoomForAnother) {
 }
 
 TEST_F(CheckpointedRender, SaysWhatIsWrongWithItsOptions) {
-    const auto error = [&](const std::vector<std::string>& options) {
-        EXPECT_EQ(run(options), 1);
+    const auto error = [&](int code, const std::vector<std::string>& options) {
+        EXPECT_EQ(run(options), code);
         return said();
     };
-    EXPECT_THAT(error({"--checkpoint", path("nowhere/state")}), HasSubstr("there is no folder"));
-    EXPECT_THAT(error({"--checkpoint", path("state"), "--every", "soon"}), HasSubstr("--every soon: must be a time"));
-    EXPECT_THAT(error({"--checkpoint", path("state"), "--every", "0"}),
+    EXPECT_THAT(error(1, {"--checkpoint", path("nowhere/state")}), HasSubstr("there is no folder"));
+    EXPECT_THAT(error(64, {"--checkpoint", path("state"), "--every", "soon"}),
+                HasSubstr("--every soon: must be a time"));
+    EXPECT_THAT(error(64, {"--checkpoint", path("state"), "--every", "0"}),
                 HasSubstr("must be a time of a second or more"));
 }
 

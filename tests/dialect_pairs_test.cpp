@@ -124,14 +124,15 @@ std::vector<Pair> pairs() {
                    Texture "s" "float" "scale" "texture tex" "b" "float scale" 0.1
                    Material "diffuse" "rgb reflectance" [0.6 0.6 0.6] "texture displacement" "s")" +
              kBall},
+        // An amount in [0, 1]: beyond, colours may exceed 1, and pbrt-v4 clamps those.
         {"MixedTextures",
-         kLit + R"(Texture "f" "float" "fbm" "float roughness" 0.7
+         kLit + R"(Texture "f" "float" "bilerp" "float v00" 0 "float v01" 0.3 "float v10" 0.7 "float v11" 1
                    Texture "d" "color" "dots" "rgb inside" [0.9 0.1 0.1] "rgb outside" [0.2 0.3 0.8] "float uscale" 8
                            "float vscale" 8
                    Texture "m" "color" "mix" "texture tex1" "d" "rgb tex2" [0.5 0.7 0.2] "texture amount" "f"
                    Material "matte" "texture Kd" "m")" +
              kBall,
-         kLit + R"(Texture "f" "float" "fbm" "float roughness" 0.7
+         kLit + R"(Texture "f" "float" "bilerp" "float v00" 0 "float v01" 0.3 "float v10" 0.7 "float v11" 1
                    Texture "d" "spectrum" "dots" "rgb inside" [0.9 0.1 0.1] "rgb outside" [0.2 0.3 0.8] "float uscale" 8
                            "float vscale" 8
                    Texture "m" "spectrum" "mix" "texture tex1" "d" "rgb tex2" [0.5 0.7 0.2] "texture amount" "f"

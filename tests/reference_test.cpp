@@ -209,7 +209,7 @@ TEST_F(Reference, WritesTheAuthorsLayout) {
     EXPECT_EQ(run(pfm), 1);
     EXPECT_THAT(log(), HasSubstr("made with --spp 16, not 8"));
     pfm.insert(pfm.end(), {"--inputs", "2"});
-    EXPECT_EQ(run(pfm), 1);
+    EXPECT_EQ(run(pfm), 64);
     EXPECT_THAT(log(), HasSubstr("leave out --inputs"));
 }
 

@@ -16,7 +16,8 @@ class FrameSequenceTest : public FolderTest {
         options_.outputs = {path("a.exr")};
     }
     void list(const std::string& second, const std::string& third) {
-        options_.frames = folder_.write("frames.txt", "b.pbrt\t" + path(second) + "\nc.pbrt\t" + path(third) + "\n");
+        const std::string b = folder_.write("b.pbrt", ""), c = folder_.write("c.pbrt", "");
+        options_.frames = folder_.write("frames.txt", b + "\t" + path(second) + "\n" + c + "\t" + path(third) + "\n");
     }
     RenderOptions options_;
 };
@@ -36,7 +37,7 @@ TEST_F(FrameSequenceTest, FramesAreSkippedToACheckpoint) {
     frames.skipTo(3);
     // Whoever waits for their pictures is told that they are there.
     EXPECT_EQ(testing::internal::GetCapturedStdout(), path("a.exr") + "\n" + path("b.exr") + "\n");
-    EXPECT_EQ(options_.scene, "c.pbrt");
+    EXPECT_EQ(options_.scene, path("c.pbrt"));
     EXPECT_EQ(options_.outputs, std::vector{path("c.exr")});
     options_.resume = "state";
     EXPECT_EQ(errorOf([&] { frames.skipTo(7); }),
@@ -44,11 +45,14 @@ TEST_F(FrameSequenceTest, FramesAreSkippedToACheckpoint) {
 }
 
 TEST_F(FrameSequenceTest, APictureIsNotReplacedByThatOfALaterFrame) {
-    list("b.exr", "./b.exr");
+    list("b.exr", "./a.exr");
     FrameSequence frames(options_);
     EXPECT_TRUE(frames.next());
     EXPECT_THAT(errorOf([&] { frames.next(); }),
-                HasSubstr("frame 3's picture " + path("./b.exr") + ": this is the same file as frame 2's picture"));
+                HasSubstr("frame 3's picture " + path("./a.exr") + ": this is the same file as frame 1's picture"));
+    // Two lines of the list are found before anything is rendered.
+    list("b.exr", "./b.exr");
+    EXPECT_THAT(errorOf([&] { FrameSequence again(options_); }), HasSubstr("is that of line 1, too"));
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ constexpr double kLateIsBetter = 1.3;
 constexpr double kMostToMeasure = 0.03, kNegligible = 0.01;
 // The side of the smallest part in pixels: no filter reaches farther.
 constexpr int kLeastSide = 64;
+// Open Image Denoise's networks work on multiples of so many pixels. Parts of other sizes would be padded, a few hundred
+// pixels by 5 to 8 %, and the whole picture would be taken to need as much more.
+constexpr int kWholeSide = 16;
 // The estimate is multiplied by this, because the speed of a machine varies.
 constexpr double kMargin = 1.03;
 // How much faster this machine may be than the one that PictureFilters::secondsPerPixel was measured on.
@@ -28,9 +31,11 @@ constexpr double kFasterMachine = 2;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// The central part of a region: each side divided by `divisor`, but at least kLeastSide.
+// The central part of a region: each side divided by `divisor`, but at least kLeastSide, in multiples of kWholeSide.
 PixelRegion middle(const PixelRegion& region, double divisor) {
-    const auto side = [&](int length) { return std::min(length, std::max(kLeastSide, int(length / divisor))); };
+    const auto side = [&](int length) {
+        return std::min(length, std::max(kLeastSide, int(length / divisor) / kWholeSide * kWholeSide));
+    };
     const int width = side(region.width()), height = side(region.height());
     const int x = region.x0 + (region.width() - width) / 2, y = region.y0 + (region.height() - height) / 2;
     return {x, y, x + width, y + height};

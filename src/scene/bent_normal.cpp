@@ -13,6 +13,8 @@ float leastElevation(float viewElevation) { return std::min(0.01f, 0.9f * viewEl
 }  // namespace
 
 std::optional<Vec3> bentNormal(const Vec3& shading, const Vec3& geometric, const Vec3& wo, KeepAbove what) {
+    // Flat surfaces, whatever rounding does to the views along them.
+    if (shading == geometric) return {};
     // On the viewer's side.
     const float side = dot(wo, geometric) < 0 ? -1.f : 1.f;
     const Vec3 n = shading * side, ng = geometric * side;

@@ -29,7 +29,10 @@ class Matte final : public Material {
     }
 
     bool isConstant() const override { return areConstant(params_.kd, params_.sigma, params_.roughness); }
-    int maxLobes() const override { return 2; }
+    int maxLobes() const override {
+        const auto isZero = [](const FloatTexturePtr& t) { return t->isConstant() && !(t->eval({}) > 0); };
+        return isZero(params_.sigma) && isZero(params_.roughness) ? 1 : 2;
+    }
 
   private:
     MatteParams params_;
