@@ -321,6 +321,19 @@ class ViewInBrowser(unittest.TestCase):
         self.browser.run("document.getElementById('auto').click()")
         self.browser.wait_for("document.getElementById('stops').textContent !== '2.0 stops'")
 
+    def test_begins_as_the_command_line_says(self):
+        view = View(self.drc, "--exposure", "1.5", "--view", "agx", "--lookat", *"0 1 -3 0 1 0 0 1 0".split(), "--fov",
+                    "60", "--seed", "5", "--max-depth", "2", "--denoise", "off")
+        try:
+            self.assertEqual(view.state()["home"]["eye"], [0, 1, -3])
+            self.browser.open(view.url)
+            self.browser.wait_for("document.body.dataset.drawn > 0")
+            self.browser.wait_for("document.getElementById('stops').textContent === '1.5 stops'")
+            self.assertEqual(self.browser.run("document.getElementById('view').value"), "agx")
+        finally:
+            view.close()
+            self.browser.events.clear()
+
     def test_views_are_those_of_png_files(self):
         """The page and `drc render --view` have the same formulas: the same bytes, up to rounding."""
         self.view.pause()

@@ -138,10 +138,12 @@ void letTheLastCount(CLI::Option& option) {
         option.multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-// The name of an option as a value is most often the sign of a forgotten value.
-void refuseOptionsAsValues(const CLI::App& app, CLI::Option& option) {
+// Neither the name of an option, most often the sign of a forgotten value, nor nothing, that of a script's variable
+// that is not set, is a value.
+void refuseForgottenValues(const CLI::App& app, CLI::Option& option) {
     option.transform(CLI::Validator(
         [&app](std::string& text) -> std::string {
+            if (text.empty()) return "the value is empty";
             if (!looksLikeOption(text)) return "";
             const std::vector<std::string> names = namesOfOptions(app);
             if (std::ranges::count(names, text.substr(0, text.find('='))) == 0) return "";
@@ -154,7 +156,7 @@ void applyCommonRules(CLI::App& app) {
     for (CLI::Option* option : app.get_options()) {
         if (option->get_positional() || option->get_items_expected_max() == 0) continue;
         letTheLastCount(*option);
-        refuseOptionsAsValues(app, *option);
+        refuseForgottenValues(app, *option);
     }
     for (CLI::App* command : app.get_subcommands({})) applyCommonRules(*command);
 }
@@ -167,9 +169,8 @@ std::unique_ptr<CLI::App> makeCommandLine() {
     app->require_subcommand(1);
     app->footer(
         "drc SUBCOMMAND --help lists the options of a subcommand; a repeated option overrides the one before, but for\n"
-        "those that are lists. Exit status: 0 done; 1 an error in a file or of the machine; 64 a command line that "
-        "cannot\n"
-        "be meant; 128 + the signal's number, interrupted.");
+        "those that are lists. Exit status: 0 done; 1 an error in a file or of the machine; 64 a command line that\n"
+        "cannot be meant; 128 + the signal's number, interrupted.");
     addRenderCommand(*app);
     addViewCommand(*app);
     addCompareCommand(*app);

@@ -74,6 +74,8 @@ TEST(CommandLine, WhatIsMissingIsNamed) {
     EXPECT_EQ(fault({"render", "a.pbrt", "--spp"}), "drc render: --spp needs a value: INT in [1, 16777216]");
     EXPECT_EQ(fault({"render", "a.pbrt", "--crop", "0", "1"}), "drc render: --crop needs 4 values: X0 X1 Y0 Y1");
     EXPECT_THAT(fault({"image", "convert", "a.exr", "-o", "b.exr", "--crop", "0", "1"}), HasSubstr("--crop needs 4"));
+    for (const char* option : {"--resolution", "--checkpoint", "--resume", "--timing", "-o", "--seed"})
+        EXPECT_THAT(fault({"render", "a.pbrt", option, ""}), EndsWith("the value is empty")) << option;
     EXPECT_THAT(fault({"compare", "a.exr"}), HasSubstr("PICTURE: At least 2 required"));
     EXPECT_THAT(fault({"compare", "a.exr", "b.exr", "c.exr", "d.exr"}), Not(testing::IsEmpty()));
     EXPECT_EQ(fault({"render", "a.pbrt", "--checkpoint", "--resume", "state"}),
