@@ -6,7 +6,9 @@
 
 #include "app/command.h"
 #include "app/display_options.h"
+#include "app/option_checks.h"
 #include "app/picture_writer.h"
+#include "app/usage_error.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "image/image_layers.h"
@@ -62,7 +64,7 @@ ImageOutputKind imageOutputKind(const std::string& path) {
     for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
     for (const NamedKind& known : kKinds)
         if (extension == known.extension) return known.kind;
-    throw Error(fmt::format("-o {}: pictures are written as .jpg, .jpeg, .hdr, .pic, .pfm, .exr or .png", path));
+    throw UsageError(fmt::format("-o {}: pictures are written as .jpg, .jpeg, .hdr, .pic, .pfm, .exr or .png", path));
 }
 
 bool isDisplayed(ImageOutputKind kind) { return kind == ImageOutputKind::Png || kind == ImageOutputKind::Jpeg; }
@@ -74,7 +76,7 @@ void addImageOutput(CLI::App& command, ImageOutput& output) {
     addDisplayOptions(command, output.display);
     command.add_option(kQualityOption, output.jpegQuality, "Quality of a JPEG, from 1 to 100")
         ->capture_default_str()
-        ->check(CLI::Range(1, 100));
+        ->check(wholeNumberIn(1, 100));
     command.add_option(kBitsOption, output.pngBits, "Bits of each channel of a PNG, 8 or 16")
         ->capture_default_str()
         ->check(CLI::IsMember({8, 16}));
@@ -85,12 +87,12 @@ void checkImageOutput(const CLI::App& command, const ImageOutput& output) {
     if (kind == ImageOutputKind::Exr) {
         refuseDisplayOptionsWithoutPng(command, {output.path});
     } else if (const std::string given = givenDisplayOptions(command); !isDisplayed(kind) && !given.empty()) {
-        throw Error(fmt::format("{}: {} files stay linear and unexposed; give a .png or .jpg as output", given,
-                                kind == ImageOutputKind::Pfm ? "PFM" : "Radiance HDR"));
+        throw UsageError(fmt::format("{}: {} files stay linear and unexposed; give a .png or .jpg as output", given,
+                                     kind == ImageOutputKind::Pfm ? "PFM" : "Radiance HDR"));
     }
     const auto requireKind = [&](const char* option, ImageOutputKind of, const char* extension) {
         if (command.count(option) > 0 && kind != of)
-            throw Error(fmt::format("{}: {} is no {} file", option, output.path, extension));
+            throw UsageError(fmt::format("{}: {} is no {} file", option, output.path, extension));
     };
     requireKind(kQualityOption, ImageOutputKind::Jpeg, ".jpg");
     requireKind(kBitsOption, ImageOutputKind::Png, ".png");
