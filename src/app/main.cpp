@@ -1,5 +1,6 @@
 // drc: the command line. Exit codes, as in docs/exit-codes.md: 0 done, 1 an error that the user can mend, 64 a command
-// line that cannot be meant (EX_USAGE of sysexits.h), 128 + the signal (130 for Ctrl-C) interrupted before all was done.
+// line that cannot be meant (EX_USAGE of sysexits.h), 128 + the signal (130 for Ctrl-C) interrupted before all was
+// done.
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>

@@ -146,7 +146,8 @@ class Bench {
             for (const BenchMethod& method : s_.methods)
                 if (budget.unit == BudgetUnit::Seconds && method.keeps(budget.unit)) seconds += budget.amount;
         seconds *= double(s_.repeats) * double(s_.scenes.size());
-        std::string text = fmt::format("{} renders", countRuns(s_.scenes.size()));
+        const int count = countRuns(s_.scenes.size());
+        std::string text = fmt::format("{} render{}", count, count == 1 ? "" : "s");
         if (seconds > 0) text += fmt::format(", {} with a budget in seconds together", formatDuration(seconds));
         if (s_.references.empty())
             text += fmt::format("; before them two references of each scene, of at most {} spp", s_.reference.maxSpp);
