@@ -88,9 +88,9 @@ TEST(Bidirectional, AgreesWithPathsAboutFacesShadedRound) {
         128, 256);
 }
 
-// Seen at grazing angles, so that the view is below the horizons of shading normals: these are bent for each view, of
+// A floor whose normals lean away from the camera, so that it is below their horizon: they are bent for each view, of
 // which a light path has another than a camera path.
-const std::pair<const char*, const char*> kBevelled[] = {
+const std::pair<const char*, const char*> kLeaning[] = {
     {"Matte", R"(Material "matte" "rgb Kd" [0.8 0.7 0.6])"},
     {"Plastic", R"(Material "plastic" "rgb Kd" [0.3 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "float roughness" 0.1)"},
     {"Metal", R"(Material "metal" "float roughness" 0.1)"},
@@ -103,14 +103,14 @@ const std::pair<const char*, const char*> kBevelled[] = {
                  Texture "low" "float" "scale" "texture tex1" "waves" "float tex2" 0.2
                  Material "plastic" "rgb Kd" [0.3 0.4 0.5] "rgb Ks" [0.4 0.4 0.4] "texture bumpmap" "low")"},
 };
-class BidirectionalBevels : public testing::TestWithParam<std::pair<const char*, const char*>> {};
-INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalBevels, testing::ValuesIn(kBevelled),
+class BidirectionalLeaningNormals : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+INSTANTIATE_TEST_SUITE_P(Paths, BidirectionalLeaningNormals, testing::ValuesIn(kLeaning),
                          [](const auto& i) { return i.param.first; });
 
-TEST_P(BidirectionalBevels, AgreeWithPaths) {
-    const std::string plate =
-        "AttributeBegin\nTranslate 0 0 1.2\nScale 0.9 0.9 0.9\n" + test::bevelledPlate() + "AttributeEnd\n";
-    expectSameAsPaths(withoutIntegrator(test::room(GetParam().second + ("\n" + plate), kWidth, kHeight)), 64, 192);
+TEST_P(BidirectionalLeaningNormals, AgreeWithPaths) {
+    std::string text = test::room(GetParam().second + ("\n" + test::leaningFloor()), kWidth, kHeight);
+    text = test::respelt(text, "LookAt 0 -1.9 1.5  0 0 1  0 0 1", "LookAt 0 -1.9 0.5  0 0 0.2  0 0 1");
+    expectSameAsPaths(withoutIntegrator(text), 64, 192);
 }
 
 // Light paths do not meet curves as camera paths do if these turn towards each ray.

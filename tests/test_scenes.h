@@ -119,14 +119,12 @@ inline std::string furnace(float albedo, int width, int height) {
            "Shape \"sphere\" \"float radius\" 0.8\nWorldEnd\n";
 }
 
-// A plate [-1,1]x[-1,1]x[0,0.2] with bevels of one quad and the smooth normals that modelling programs export: those of
-// its vertices are means of the faces around them, so that they lean by 30 to 55 degrees. Its bottom is open.
-inline std::string bevelledPlate() {
-    return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3  4 5 1 4 1 0  5 6 2 5 2 1  6 7 3 6 3 2  7 4 0 7 0 "
-           "3] "
-           "\"point P\" [-0.8 -0.8 0.2  0.8 -0.8 0.2  0.8 0.8 0.2  -0.8 0.8 0.2  -1 -1 0  1 -1 0  1 1 0  -1 1 0] "
-           "\"normal N\" [-0.7 -0.7 2.4  0.7 -0.7 2.4  0.7 0.7 2.4  -0.7 0.7 2.4  -1 -1 1.4  1 -1 1.4  1 1 1.4  -1 1 "
-           "1.4]\n";
+// A floor [-2,2]x[-2,2] at z = 0.05 with shading normals that lean towards +y by 45 to 52 degrees: whoever looks that
+// way from less than as far above it is below their horizon.
+inline std::string leaningFloor() {
+    return "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point P\" [-2 -2 0.05  2 -2 0.05  2 2 0.05  -2 "
+           "2 "
+           "0.05] \"normal N\" [0.2 1 1  -0.2 1 1  -0.1 1 0.8  0.1 1 0.8]\n";
 }
 
 // Curves of the type, side by side from x = -1 to 1, bent in z and about as long as they are far apart.

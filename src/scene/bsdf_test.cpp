@@ -251,7 +251,7 @@ TEST(Bsdf, StaysAsItIsForOtherViewers) {
         Bsdf bsdf(leaning.shading, leaning.ng);
         bsdf.add(LambertReflection(Rgb(1.f)));
         if (mirrors) bsdf.add(MicrofacetReflection(Rgb(0.5f), kRough, Fresnel::none()));
-        // Under the bevel's own horizon for its mirror image, but not for itself.
+        // Above the horizon of the shading normal, while its mirror image is below the surface.
         const Vec3 low = normalize(Vec3(0.3f, 0, 0.5f));
         for (const Vec3& wo : {leaning.wo, -leaning.wo, low}) {
             bsdf.bendFor(wo);
