@@ -5,15 +5,6 @@
 #include "base/limits.h"
 
 namespace drc::pbrt {
-namespace {
-
-std::string placeOf(const SourcePos& pos) {
-    const SourceLocation at = pos.location();
-    return "line " + std::to_string(at.line) + " of " + at.file;
-}
-
-}  // namespace
-
 void Blocks::begin(const std::string& kind, const SourcePos& pos, const GraphicsState& state) {
     if (open_.size() >= limits::kBlockDepth)
         fail(pos, kind + "Begin within more than " + std::to_string(limits::kBlockDepth) + " other blocks");
@@ -23,7 +14,7 @@ void Blocks::begin(const std::string& kind, const SourcePos& pos, const Graphics
 
 std::string Blocks::innermost() const {
     const Block& block = open_.back();
-    return block.kind + "End of " + block.kind + "Begin in " + placeOf(block.pos);
+    return block.kind + "End of " + block.kind + "Begin in " + block.pos.lineOfFile();
 }
 
 void Blocks::checkNesting(const std::string& kind, const SourcePos& pos) const {
@@ -34,8 +25,8 @@ void Blocks::checkNesting(const std::string& kind, const SourcePos& pos) const {
     if (innermost.kind == "Import" && kind != "Import")
         fail(pos, kind + "End without " + kind + "Begin in the imported file");
     if (innermost.kind != kind)
-        fail(pos,
-             kind + "End where the " + innermost.kind + "Begin in " + placeOf(innermost.pos) + " must be ended first");
+        fail(pos, kind + "End where the " + innermost.kind + "Begin in " + innermost.pos.lineOfFile() +
+                      " must be ended first");
 }
 
 void Blocks::end(const std::string& kind, const SourcePos& pos, GraphicsState& state) {
@@ -60,7 +51,7 @@ void Blocks::endInV3(const std::string& kind, const SourcePos& pos, GraphicsStat
         return;
     }
     if (open_.back().kind != kind)
-        warn(pos, kind + "End where the " + open_.back().kind + "Begin in " + placeOf(open_.back().pos) +
+        warn(pos, kind + "End where the " + open_.back().kind + "Begin in " + open_.back().pos.lineOfFile() +
                       " should be ended first; as in pbrt-v3, it restores the latest " +
                       (restoresState ? "state and transformation" : "transformation") + " that were saved");
     TransformSet ctm = state.ctm;

@@ -16,13 +16,6 @@ using testing::StartsWith;
 const std::string kTriangle = "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point3 P\" [0 0 0  1 0 0  0 1 0]\n";
 const std::string kRed = "\"string type\" \"diffuse\" \"rgb reflectance\" [.8 .2 .1]\n";
 
-Rgb albedoOf(const Primitive& primitive) {
-    Bsdf bsdf(Frame(), Vec3(0, 0, 1));
-    TextureContext at;
-    at.n = Vec3(0, 0, 1);
-    primitive.material->addLobes(at, Rgb(1.f), bsdf);
-    return bsdf.albedo(Vec3(0, 0, 1));
-}
 void expectRed(const Scene& scene, size_t primitive = 0) {
     const Rgb albedo = albedoOf(scene.primitives.at(primitive)), red(.8f, .2f, .1f);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(albedo[i], red[i], 1e-5f);

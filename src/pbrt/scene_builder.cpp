@@ -11,15 +11,6 @@
 #include "pbrt/scene_limits.h"
 
 namespace drc::pbrt {
-namespace {
-
-std::string placeOf(const SourcePos& pos) {
-    const SourceLocation at = pos.location();
-    return "line " + std::to_string(at.line) + " of " + at.file;
-}
-
-}  // namespace
-
 SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect, const Vec3& origin)
     : files_(files),
       dialect_(dialect),
@@ -374,7 +365,7 @@ void SceneBuilder::checkComplete(const SourcePos& end) const {
     if (worldEnded_) return;
     if (!blocks_.empty()) fail(end, "the file ends before the " + blocks_.innermost());
     if (worldBegin_ && !make_.needsWorldEnd) return;
-    if (worldBegin_) fail(end, "the file ends before the WorldEnd of WorldBegin in " + placeOf(*worldBegin_));
+    if (worldBegin_) fail(end, "the file ends before the WorldEnd of WorldBegin in " + worldBegin_->lineOfFile());
     fail(end, "the file ends without a WorldBegin");
 }
 

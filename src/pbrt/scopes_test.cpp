@@ -11,13 +11,6 @@ namespace {
 
 const std::string kTriangle = "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point3 P\" [0 0 0  1 0 0  0 1 0]\n";
 
-Rgb albedoOf(const Primitive& primitive) {
-    Bsdf bsdf(Frame(), Vec3(0, 0, 1));
-    TextureContext at;
-    at.n = Vec3(0, 0, 1);
-    primitive.material->addLobes(at, Rgb(1.f), bsdf);
-    return bsdf.albedo(Vec3(0, 0, 1));
-}
 bool isRed(const Scene& scene) {
     const Rgb albedo = albedoOf(scene.primitives.at(0));
     return albedo.x > 2 * albedo.y;

@@ -90,6 +90,11 @@ SourceLocation SourcePos::location() const {
     return {source->name(), 1 + int(line.number), 1 + int(std::max(offset, line.start) - line.start)};
 }
 
+std::string SourcePos::lineOfFile() const {
+    const SourceLocation at = location();
+    return "line " + std::to_string(at.line) + " of " + at.file;
+}
+
 std::string SourcePos::excerpt() const {
     if (source == nullptr) return "";
     const std::string_view text = source->text();

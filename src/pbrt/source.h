@@ -56,6 +56,8 @@ struct SourcePos {
 
     // Line and column count from 1; the column counts bytes.
     SourceLocation location() const;
+    // "line 3 of room.pbrt", for messages that tell of another place than their own.
+    std::string lineOfFile() const;
     // The line, shortened to a readable length, with a caret below it.
     std::string excerpt() const;
 };

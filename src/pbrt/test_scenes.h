@@ -47,4 +47,13 @@ inline std::string errorOfWorldV4(const std::string& text, const std::string& di
     return errorOf([&] { loadWorldV4(text, directory); });
 }
 
+// The albedo of a primitive's material, seen along the normal at the origin of all texture coordinates.
+inline Rgb albedoOf(const Primitive& primitive) {
+    Bsdf bsdf(Frame(), Vec3(0, 0, 1));
+    TextureContext at;
+    at.n = Vec3(0, 0, 1);
+    primitive.material->addLobes(at, Rgb(1.f), bsdf);
+    return bsdf.albedo(Vec3(0, 0, 1));
+}
+
 }  // namespace drc::pbrt
