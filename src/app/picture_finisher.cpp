@@ -21,8 +21,8 @@ constexpr double kLateIsBetter = 1.3;
 constexpr double kMostToMeasure = 0.03, kNegligible = 0.01;
 // The side of the smallest part in pixels: no filter reaches farther.
 constexpr int kLeastSide = 64;
-// Open Image Denoise's networks work on multiples of so many pixels. Parts of other sizes would be padded, a few hundred
-// pixels by 5 to 8 %, and the whole picture would be taken to need as much more.
+// Open Image Denoise's networks work on multiples of so many pixels. Parts of other sizes would be padded, a few
+// hundred pixels by 5 to 8 %, and the whole picture would be taken to need as much more.
 constexpr int kWholeSide = 16;
 // The estimate is multiplied by this, because the speed of a machine varies.
 constexpr double kMargin = 1.03;
