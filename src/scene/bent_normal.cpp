@@ -8,7 +8,7 @@ namespace {
 
 // Sine of the elevation that is kept. Views that are lower above the surface keep nearly their own, so that a shading
 // normal that is the geometric one is never bent.
-float leastElevation(float viewElevation) { return std::min(0.01f, 0.9f * viewElevation); }
+float leastElevation(float viewElevation) { return std::min(kElevationKept, 0.9f * viewElevation); }
 
 }  // namespace
 

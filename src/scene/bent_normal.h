@@ -13,6 +13,9 @@ namespace drc {
 // What has to be above the geometric horizon, or the view above the shading horizon, on the viewer's side.
 enum class KeepAbove { View, MirroredView };
 
+// The sine of the greatest elevation that bending keeps: what is higher needs none.
+inline constexpr float kElevationKept = 0.01f;
+
 // None where `shading` may stay as it is. All vectors are unit; the normals are on the same side of the surface, and
 // wo, the direction towards the viewer, on either. With KeepAbove::View, the view is raised above the horizon of the
 // shading normal; with KeepAbove::MirroredView, its mirror image at the shading normal above the surface, which implies

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 
-#include "scene/bent_normal.h"
 #include "scene/bsdf_view.h"
 #include "scene/visit_lobe.h"
 
@@ -59,18 +58,15 @@ Bsdf& Bsdf::operator=(const Bsdf& other) {
     frame_ = other.frame_;
     unbent_ = other.unbent_;
     ng_ = other.ng_;
-    bent_ = other.bent_;
     own_ = other.own_;
     lobes_ = other.lobes_ == &other.own_ ? &own_ : other.lobes_;
     return *this;
 }
 
-void Bsdf::bendFor(const Vec3& wo) {
-    frame_ = unbent_;
-    bent_ = false;
+void Bsdf::bend(const Vec3& wo) {
     // Whatever has its view above the horizon of the mirrored view needs nothing: the lobes are asked only for the
     // rest.
-    if (!bentNormal(unbent_.n, ng_, wo, KeepAbove::MirroredView)) return;
+    if (!bentNormal(frame_.n, ng_, wo, KeepAbove::MirroredView)) return;
     // Fibres do not tell reflection from transmission by a horizon.
     bool hasSides = false, mirrors = false;
     for (int i = 0; i < size(); ++i) {
@@ -79,14 +75,14 @@ void Bsdf::bendFor(const Vec3& wo) {
         mirrors |= any(flags(i) & LobeFlags::Reflection) && any(flags(i) & (LobeFlags::Glossy | LobeFlags::Specular));
     }
     if (!hasSides) return;
-    const auto normal = bentNormal(unbent_.n, ng_, wo, mirrors ? KeepAbove::MirroredView : KeepAbove::View);
+    const auto normal = bentNormal(frame_.n, ng_, wo, mirrors ? KeepAbove::MirroredView : KeepAbove::View);
     if (!normal) return;
-    frame_ = Frame::fromNormalAndTangent(*normal, unbent_.s);
-    bent_ = true;
+    unbent_ = frame_;
+    frame_ = Frame::fromNormalAndTangent(*normal, unbent_->s);
 }
 
 Bsdf Bsdf::seenFrom(const Vec3& wo) const {
-    Bsdf seen(unbent_, ng_);
+    Bsdf seen(unbent_.value_or(frame_), ng_);
     seen.borrowLobes(*this);
     seen.bendFor(wo);
     return seen;

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "math/frame.h"
+#include "scene/bent_normal.h"
 #include "scene/lobes.h"
 
 namespace drc {
@@ -33,7 +34,7 @@ class Bsdf {
 
     Bsdf() = default;
     // ng: geometric normal. Neither normal has to face the viewer.
-    Bsdf(const Frame& shading, const Vec3& ng) : frame_(shading), unbent_(shading), ng_(ng) {}
+    Bsdf(const Frame& shading, const Vec3& ng) : frame_(shading), ng_(ng) {}
     Bsdf(const Bsdf& other);
     Bsdf& operator=(const Bsdf& other);
 
@@ -72,15 +73,21 @@ class Bsdf {
 
     // The shading frame.
     const Frame& frame() const { return frame_; }
-    void setFrame(const Frame& shading) { frame_ = unbent_ = shading; }
+    void setFrame(const Frame& shading) {
+        frame_ = shading;
+        unbent_.reset();
+    }
     const Vec3& ng() const { return ng_; }
 
     // Bends the shading frame where a viewer in direction wo would be below its horizon, or would see a reflection of
     // what is below the surface (bent_normal.h). It depends on the lobes, which must have been added. f, pdf and sample
     // then hold for this wo: for another one, ask seenFrom().
-    void bendFor(const Vec3& wo);
+    void bendFor(const Vec3& wo) {
+        if (unbent_) setFrame(Frame(*unbent_));
+        if (mayBend(wo)) bend(wo);
+    }
     // Whether the frame was bent. If so, all that is scattered here depends on the view, even by diffuse lobes.
-    bool bentForView() const { return bent_; }
+    bool bentForView() const { return unbent_.has_value(); }
     // The same surface as a viewer in direction wo meets it. It borrows the lobes.
     Bsdf seenFrom(const Vec3& wo) const;
 
@@ -107,6 +114,13 @@ class Bsdf {
     bool hasSides(int i) const { return lobes_->hasSides[size_t(i)]; }
 
   private:
+    // False where even the mirrored view is well above the surface, as nearly everywhere: this is asked at every hit.
+    bool mayBend(const Vec3& wo) const {
+        const float cosine = dot(frame_.n, ng_), view = dot(wo, ng_), mirrored = 2 * dot(wo, frame_.n) * cosine - view;
+        return !(cosine > 0 && (view < 0 ? -mirrored : mirrored) >= kElevationKept);
+    }
+    void bend(const Vec3& wo);
+
     template <class L>
     static bool isSeparable(const L& lobe) {
         if constexpr (requires { lobe.isSeparable(); })
@@ -131,9 +145,9 @@ class Bsdf {
         alignas(Lobe) std::byte storage[kMaxLobes * sizeof(Lobe)];
     };
 
-    Frame frame_, unbent_;
+    Frame frame_;
+    std::optional<Frame> unbent_;  // the shading frame, where frame_ is a bent one
     Vec3 ng_{0, 0, 1};
-    bool bent_ = false;
     const Lobes* lobes_ = &own_;  // or those of another
     Lobes own_;
 };
