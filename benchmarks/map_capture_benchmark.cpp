@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "accel/accel.h"
-#include "cache/map_capture.h"
-#include "integrators/light_sampler.h"
-#include "integrators/path_tracer.h"
+#include "maps/map_capture.h"
 #include "math/rng.h"
 #include "math/warp.h"
 #include "ray_recorder.h"
 #include "scene_benchmark.h"
+#include "transport/light_sampler.h"
+#include "transport/path_tracer.h"
 
 namespace drc::benchmarks {
 namespace {

@@ -59,11 +59,11 @@ set(DRC_LIBRARIES_SO_FAR "" CACHE INTERNAL "")
 set(DRC_FIRST_LIBRARY "" CACHE INTERNAL "")
 set(DRC_FIRST_TEST_PROGRAM "" CACHE INTERNAL "")
 
-# drc_library(NAME): src/NAME/*.cpp, linked to the libraries declared before it.
+# drc_library(NAME): the sources in src/NAME and its folders, linked to the libraries declared before it.
 function(drc_library name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
-  file(GLOB test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*_test.cpp)
+  file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*_test.cpp)
   if(sources)
     add_library(drc_${name} STATIC ${sources})
     target_link_libraries(drc_${name} PUBLIC drc_options ${DRC_LIBRARIES_SO_FAR})

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <map>
 
-#include "integrators/camera_sample.h"
-#include "integrators/final_gather.h"
-#include "integrators/path_tracer.h"
 #include "math/rank_statistics.h"
 #include "pbrt/scene_file.h"
 #include "render/session.h"
 #include "scene/chi_square.h"
 #include "test_scenes.h"
+#include "transport/camera_sample.h"
+#include "transport/final_gather.h"
+#include "transport/path_tracer.h"
 
 namespace drc {
 namespace {

@@ -6,10 +6,10 @@
 #include <atomic>
 #include <mutex>
 
-#include "cache/network_map_denoiser.h"
+#include "maps/network_map_denoiser.h"
 #include "pipeline.h"
+#include "reconstruct/surface_picture_filter.h"
 #include "render/session.h"
-#include "render/surface_picture_filter.h"
 #include "test_scenes.h"
 
 namespace drc {

@@ -1,7 +1,7 @@
 // Compares a map's estimate of its own noise with the variance over many maps.
 #include <gtest/gtest.h>
 
-#include "cache/map_capture.h"
+#include "maps/map_capture.h"
 #include "pipeline.h"
 #include "test_scenes.h"
 

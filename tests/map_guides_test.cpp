@@ -1,7 +1,7 @@
 // The auxiliary channels of a map: albedo and direct light of the surfaces that it sees.
 #include <gtest/gtest.h>
 
-#include "cache/map_capture.h"
+#include "maps/map_capture.h"
 #include "pipeline.h"
 #include "test_scenes.h"
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "cache/map_denoiser.h"
+#include "maps/map_denoiser.h"
 #include "pbrt/scene_file.h"
+#include "reconstruct/surface_picture_filter.h"
 #include "render/session.h"
-#include "render/surface_picture_filter.h"
 #include "z_test.h"
 
 namespace drc::test {

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "cache/indirect_pass.h"
-#include "integrators/camera_sample.h"
+#include "maps/indirect_pass.h"
 #include "pbrt/scene_file.h"
+#include "transport/camera_sample.h"
 #include "z_test.h"
 
 namespace drc::test {

@@ -11,7 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "base/folder_testing.h"
-#include "cache/example_shard.h"
+#include "maps/example_shard.h"
 
 extern char** environ;
 

@@ -7,7 +7,7 @@
 #include "image/image_io.h"
 #include "pbrt/scene_file.h"
 #include "render/session.h"
-#include "scene/shape_check.h"
+#include "scene/shapes/shape_check.h"
 #include "test_scenes.h"
 
 namespace drc {

@@ -5,9 +5,9 @@
 #include "base/folder_testing.h"
 #include "pbrt/fourier_file_testing.h"
 #include "pbrt/measured_file_testing.h"
-#include "scene/conductor_textures.h"
-#include "scene/lambert_reflection.h"
-#include "scene/microfacet_reflection.h"
+#include "scene/lobes/lambert_reflection.h"
+#include "scene/lobes/microfacet_reflection.h"
+#include "scene/materials/conductor_textures.h"
 #include "test_scenes.h"
 
 namespace drc::test {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cache/projection.h"
+#include "maps/projection.h"
 
 namespace drc {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "augmentation.h"
-#include "cache/example_source.h"
+#include "maps/example_source.h"
 
 namespace drc {
 

@@ -4,7 +4,7 @@
 #pragma once
 #include <torch/torch.h>
 
-#include "cache/projection.h"
+#include "maps/projection.h"
 
 namespace drc {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cache/map_evaluation.h"
+#include "maps/map_evaluation.h"
 
 namespace drc {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "cache/example_testing.h"
+#include "maps/example_testing.h"
 #include "validation.h"
 
 namespace drc {

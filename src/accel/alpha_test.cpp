@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "accel/accel.h"
-#include "scene/material_matte.h"
-#include "scene/shape_sphere.h"
-#include "scene/texture_checkerboard.h"
+#include "scene/materials/material_matte.h"
+#include "scene/shapes/shape_sphere.h"
+#include "scene/textures/texture_checkerboard.h"
 
 namespace drc {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <embree3/rtcore.h>
 
-#include "scene/curves.h"
+#include "scene/shapes/curves.h"
 
 namespace drc {
 

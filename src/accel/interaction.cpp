@@ -1,7 +1,7 @@
 #include "accel/interaction.h"
 
-#include "scene/bump.h"
-#include "scene/texture_footprint.h"
+#include "scene/textures/bump.h"
+#include "scene/textures/texture_footprint.h"
 
 namespace drc {
 namespace {

@@ -1,7 +1,7 @@
 // The surface at the point where a ray hits it. Everything is in world space.
 #pragma once
 #include "accel/spawn_point.h"
-#include "scene/bsdf.h"
+#include "scene/lobes/bsdf.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 

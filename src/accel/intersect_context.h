@@ -2,7 +2,7 @@
 #pragma once
 #include <embree3/rtcore.h>
 
-#include "scene/shape.h"
+#include "scene/shapes/shape.h"
 
 namespace drc {
 

@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "accel/accel.h"
-#include "scene/material_matte.h"
+#include "scene/materials/material_matte.h"
 #include "scene/ray_testing.h"
-#include "scene/shape_cone.h"
-#include "scene/shape_cylinder.h"
-#include "scene/shape_disk.h"
-#include "scene/shape_hyperboloid.h"
-#include "scene/shape_paraboloid.h"
-#include "scene/shape_sphere.h"
+#include "scene/shapes/shape_cone.h"
+#include "scene/shapes/shape_cylinder.h"
+#include "scene/shapes/shape_disk.h"
+#include "scene/shapes/shape_hyperboloid.h"
+#include "scene/shapes/shape_paraboloid.h"
+#include "scene/shapes/shape_sphere.h"
 
 namespace drc {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "accel/accel.h"
 #include "math/warp.h"
-#include "scene/material_matte.h"
+#include "scene/materials/material_matte.h"
 #include "scene/ray_testing.h"
 
 namespace drc {

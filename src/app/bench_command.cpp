@@ -21,7 +21,7 @@
 #include "bench/bench_json.h"
 #include "bench/bench_page.h"
 #include "bench/bench_table.h"
-#include "render/integrator.h"
+#include "integrators/integrator.h"
 
 namespace drc {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/camera.h"
+#include "scene/cameras/camera.h"
 
 namespace drc {
 

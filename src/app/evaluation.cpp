@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/progress.h"
-#include "cache/network_map_denoiser.h"
+#include "maps/network_map_denoiser.h"
 #include "math/rng.h"
 
 namespace drc {

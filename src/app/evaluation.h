@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cache/map_evaluation.h"
+#include "maps/map_evaluation.h"
 #include "neural/unet_weights.h"
 
 namespace drc {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/evaluation_testing.h"
-#include "cache/iispt_folder.h"
-#include "cache/network_map_denoiser.h"
+#include "maps/iispt_folder.h"
+#include "maps/network_map_denoiser.h"
 
 namespace drc {
 namespace {

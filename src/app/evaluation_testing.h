@@ -5,7 +5,7 @@
 
 #include "app/evaluation.h"
 #include "base/folder_testing.h"
-#include "cache/example_testing.h"
+#include "maps/example_testing.h"
 
 namespace drc {
 

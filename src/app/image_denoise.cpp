@@ -12,7 +12,7 @@
 #include "base/parallel.h"
 #include "image/color.h"
 #include "image/image_layers.h"
-#include "render/open_image_denoise.h"
+#include "reconstruct/open_image_denoise.h"
 
 namespace drc {
 namespace {

@@ -5,7 +5,7 @@
 #include "base/atomic_file.h"
 #include "image/image_layers.h"
 #include "image/render_merger.h"
-#include "render/open_image_denoise.h"
+#include "reconstruct/open_image_denoise.h"
 
 namespace drc {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "app/command.h"
 #include "base/log.h"
-#include "integrators/light_sampler.h"
 #include "pbrt/scene_file.h"
+#include "transport/light_sampler.h"
 
 namespace drc {
 namespace {

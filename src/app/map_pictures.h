@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "cache/map_capture.h"
 #include "image/image.h"
+#include "maps/map_capture.h"
 
 namespace drc {
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cache/example_testing.h"
-#include "cache/map_evaluation.h"
 #include "image/color.h"
+#include "maps/example_testing.h"
+#include "maps/map_evaluation.h"
 
 namespace drc {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "render/integrator.h"
-#include "render/oidn_picture_filter.h"
-#include "render/surface_picture_filter.h"
+#include "integrators/integrator.h"
+#include "reconstruct/oidn_picture_filter.h"
+#include "reconstruct/surface_picture_filter.h"
 
 namespace drc {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "render/open_image_denoise.h"
-#include "render/picture_filter.h"
-#include "render/render_params.h"
+#include "integrators/render_params.h"
+#include "reconstruct/open_image_denoise.h"
+#include "reconstruct/picture_filter.h"
 
 namespace drc {
 

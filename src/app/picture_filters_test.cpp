@@ -5,8 +5,8 @@
 
 #include "base/folder_testing.h"
 #include "base/log.h"
-#include "render/integrator.h"
-#include "render/oidn_picture_filter.h"
+#include "integrators/integrator.h"
+#include "reconstruct/oidn_picture_filter.h"
 
 namespace drc {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/picture_filters.h"
 #include "app/picture_writer.h"
-#include "render/denoised_error.h"
+#include "reconstruct/denoised_error.h"
 #include "render/session.h"
 
 namespace drc {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "film/layered_picture.h"
 #include "image/display.h"
 #include "image/image_io.h"
-#include "render/layered_picture.h"
 
 namespace drc {
 

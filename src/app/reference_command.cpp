@@ -10,8 +10,8 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/progress.h"
-#include "cache/example_shard.h"
-#include "cache/training_examples.h"
+#include "maps/example_shard.h"
+#include "maps/training_examples.h"
 #include "neural/safetensors.h"
 #include "pbrt/scene_file.h"
 

@@ -22,10 +22,10 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/progress.h"
-#include "cache/network_map_denoiser.h"
+#include "maps/network_map_denoiser.h"
 #include "pbrt/scene_file.h"
+#include "reconstruct/noise_threshold.h"
 #include "render/deadline.h"
-#include "render/noise_threshold.h"
 #include "scene/film_output.h"
 
 namespace drc {

@@ -10,8 +10,8 @@
 #include "image/image_io.h"
 #include "image/image_layers.h"
 #include "image/view_transform.h"
-#include "render/integrator.h"
-#include "render/open_image_denoise.h"
+#include "integrators/integrator.h"
+#include "reconstruct/open_image_denoise.h"
 
 namespace drc {
 namespace {

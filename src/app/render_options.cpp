@@ -7,7 +7,7 @@
 #include "app/option_choice.h"
 #include "app/usage_error.h"
 #include "base/limits.h"
-#include "render/integrator.h"
+#include "integrators/integrator.h"
 #include "view/tcp_sender.h"
 
 namespace drc {

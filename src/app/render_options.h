@@ -6,7 +6,7 @@
 
 #include "app/scene_overrides.h"
 #include "image/display.h"
-#include "render/render_params.h"
+#include "integrators/render_params.h"
 
 namespace drc {
 

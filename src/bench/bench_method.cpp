@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "render/integrator.h"
+#include "integrators/integrator.h"
 
 namespace drc {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/folder_testing.h"
-#include "render/integrator.h"
+#include "integrators/integrator.h"
 
 namespace drc {
 namespace {

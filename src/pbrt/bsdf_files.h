@@ -5,8 +5,8 @@
 #include <string>
 
 #include "pbrt/source.h"
-#include "scene/fourier_table.h"
-#include "scene/measured_table.h"
+#include "scene/lobes/fourier_table.h"
+#include "scene/lobes/measured_table.h"
 
 namespace drc::pbrt {
 

@@ -6,7 +6,7 @@
 
 #include "pbrt/file_search.h"
 #include "pbrt/param_set.h"
-#include "scene/camera.h"
+#include "scene/cameras/camera.h"
 
 namespace drc::pbrt {
 

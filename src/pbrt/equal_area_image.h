@@ -1,7 +1,7 @@
 // pbrt-v4's images of the sphere of directions: squares in which every pixel has the same solid angle (Clarberg 2008;
 // PBR 4e, section 3.8.3). The upper hemisphere is the inner diamond of the square, with +z at its centre.
 #pragma once
-#include "scene/light_image.h"
+#include "scene/lights/light_image.h"
 
 namespace drc::pbrt {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "scene/fourier_table.h"
+#include "scene/lobes/fourier_table.h"
 
 namespace drc::pbrt {
 

@@ -7,7 +7,7 @@
 #include "pbrt/bsdf_files.h"
 #include "pbrt/fourier_file_testing.h"
 #include "pbrt/test_scenes.h"
-#include "scene/lambert_reflection.h"
+#include "scene/lobes/lambert_reflection.h"
 
 namespace drc::pbrt {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "math/catmull_rom.h"
-#include "scene/fourier_testing.h"
+#include "scene/lobes/fourier_testing.h"
 
 namespace drc::test {
 

@@ -6,7 +6,7 @@
 
 #include "pbrt/file_search.h"
 #include "pbrt/param_set.h"
-#include "scene/light.h"
+#include "scene/lights/light.h"
 #include "scene/scene.h"
 
 namespace drc::pbrt {

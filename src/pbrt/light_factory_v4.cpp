@@ -6,7 +6,7 @@
 #include "pbrt/light_factory.h"
 #include "pbrt/light_params.h"
 #include "pbrt/registry.h"
-#include "scene/portal.h"
+#include "scene/lights/portal.h"
 
 namespace drc::pbrt {
 namespace {

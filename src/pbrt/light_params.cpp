@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "math/frame.h"
-#include "scene/shape_sphere.h"
+#include "scene/shapes/shape_sphere.h"
 
 namespace drc::pbrt {
 namespace {

@@ -8,7 +8,7 @@
 #include "pbrt/material_factory.h"
 #include "pbrt/named_media.h"
 #include "pbrt/registry.h"
-#include "scene/material_hair.h"
+#include "scene/materials/material_hair.h"
 
 namespace drc::pbrt {
 

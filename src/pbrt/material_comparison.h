@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/bsdf.h"
-#include "scene/material.h"
+#include "scene/lobes/bsdf.h"
+#include "scene/materials/material.h"
 
 namespace drc::pbrt {
 

@@ -8,7 +8,7 @@
 #include "pbrt/named_map.h"
 #include "pbrt/texture_files.h"
 #include "pbrt/texture_params.h"
-#include "scene/material.h"
+#include "scene/materials/material.h"
 
 namespace drc::pbrt {
 

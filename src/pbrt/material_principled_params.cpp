@@ -1,6 +1,6 @@
 #include "pbrt/material_principled_params.h"
 
-#include "scene/material_principled.h"
+#include "scene/materials/material_principled.h"
 
 namespace drc::pbrt {
 

@@ -1,7 +1,7 @@
 // What pbrt-v4 makes of a colour image where a texture needs numbers, as masks do.
 #pragma once
 #include "image/image.h"
-#include "scene/mip_pyramid.h"
+#include "scene/textures/mip_pyramid.h"
 
 namespace drc::pbrt {
 

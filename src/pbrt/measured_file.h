@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "scene/measured_table.h"
+#include "scene/lobes/measured_table.h"
 
 namespace drc::pbrt {
 

@@ -8,7 +8,7 @@
 #include "pbrt/measured_file_testing.h"
 #include "pbrt/spectrum.h"
 #include "pbrt/test_scenes.h"
-#include "scene/microfacet_reflection.h"
+#include "scene/lobes/microfacet_reflection.h"
 
 namespace drc::pbrt {
 namespace {

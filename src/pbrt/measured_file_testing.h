@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/measured_testing.h"
+#include "scene/lobes/measured_testing.h"
 
 namespace drc::test {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "pbrt/dialect.h"
 #include "pbrt/param_set.h"
-#include "scene/medium.h"
+#include "scene/media/medium.h"
 
 namespace drc::pbrt {
 

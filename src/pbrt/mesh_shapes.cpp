@@ -7,8 +7,8 @@
 
 #include "base/limits.h"
 #include "pbrt/ply_reader.h"
-#include "scene/height_field.h"
-#include "scene/loop_subdivision.h"
+#include "scene/shapes/height_field.h"
+#include "scene/shapes/loop_subdivision.h"
 
 namespace drc::pbrt {
 namespace {

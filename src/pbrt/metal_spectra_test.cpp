@@ -4,7 +4,7 @@
 
 #include "base/log.h"
 #include "pbrt/test_scenes.h"
-#include "scene/conductor_textures.h"
+#include "scene/materials/conductor_textures.h"
 
 namespace drc::pbrt {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "scene/triangle_mesh.h"
+#include "scene/shapes/triangle_mesh.h"
 
 namespace drc::pbrt {
 

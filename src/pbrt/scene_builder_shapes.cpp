@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "pbrt/scene_builder.h"
 #include "pbrt/scene_limits.h"
-#include "scene/texture_scale.h"
+#include "scene/textures/texture_scale.h"
 
 namespace drc::pbrt {
 

@@ -8,7 +8,7 @@
 #include "pbrt/scene_file.h"
 #include "pbrt/spectrum.h"
 #include "pbrt/test_scenes.h"
-#include "scene/material_matte.h"
+#include "scene/materials/material_matte.h"
 
 namespace drc::pbrt {
 namespace {

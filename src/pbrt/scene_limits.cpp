@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/limits.h"
-#include "scene/projected_shape.h"
+#include "scene/shapes/projected_shape.h"
 
 namespace drc::pbrt {
 namespace {

@@ -5,7 +5,7 @@
 #include "math/animated_transform.h"
 #include "pbrt/param_set.h"
 #include "pbrt/texture_params.h"
-#include "scene/shape.h"
+#include "scene/shapes/shape.h"
 
 namespace drc::pbrt {
 

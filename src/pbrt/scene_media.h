@@ -7,7 +7,7 @@
 
 #include "pbrt/dialect.h"
 #include "pbrt/source.h"
-#include "scene/medium.h"
+#include "scene/media/medium.h"
 
 namespace drc::pbrt {
 

@@ -5,13 +5,13 @@
 #include "pbrt/curve_shape.h"
 #include "pbrt/mesh_shapes.h"
 #include "pbrt/registry.h"
-#include "scene/projected_shape.h"
-#include "scene/shape_cone.h"
-#include "scene/shape_cylinder.h"
-#include "scene/shape_disk.h"
-#include "scene/shape_hyperboloid.h"
-#include "scene/shape_paraboloid.h"
-#include "scene/shape_sphere.h"
+#include "scene/shapes/projected_shape.h"
+#include "scene/shapes/shape_cone.h"
+#include "scene/shapes/shape_cylinder.h"
+#include "scene/shapes/shape_disk.h"
+#include "scene/shapes/shape_hyperboloid.h"
+#include "scene/shapes/shape_paraboloid.h"
+#include "scene/shapes/shape_sphere.h"
 
 namespace drc::pbrt {
 namespace {

@@ -9,9 +9,9 @@
 #include "pbrt/dialect.h"
 #include "pbrt/file_search.h"
 #include "pbrt/texture_params.h"
-#include "scene/curves.h"
-#include "scene/shape.h"
-#include "scene/triangle_mesh.h"
+#include "scene/shapes/curves.h"
+#include "scene/shapes/shape.h"
+#include "scene/shapes/triangle_mesh.h"
 
 namespace drc::pbrt {
 

@@ -7,7 +7,7 @@
 #include "pbrt/file_search.h"
 #include "pbrt/texture_files.h"
 #include "pbrt/texture_params.h"
-#include "scene/texture.h"
+#include "scene/textures/texture.h"
 
 namespace drc::pbrt {
 

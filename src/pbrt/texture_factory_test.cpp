@@ -7,7 +7,7 @@
 #include "image/image_io.h"
 #include "pbrt/param_parser.h"
 #include "pbrt/test_scenes.h"
-#include "scene/noise.h"
+#include "scene/textures/noise.h"
 
 namespace drc::pbrt {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/parallel.h"
 #include "pbrt/source.h"
-#include "scene/mip_pyramid.h"
+#include "scene/textures/mip_pyramid.h"
 
 namespace drc::pbrt {
 

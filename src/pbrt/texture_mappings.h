@@ -3,7 +3,7 @@
 #include "math/transform.h"
 #include "pbrt/dialect.h"
 #include "pbrt/param_set.h"
-#include "scene/texture_mapping.h"
+#include "scene/textures/texture_mapping.h"
 
 namespace drc::pbrt {
 

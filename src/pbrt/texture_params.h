@@ -5,7 +5,7 @@
 #include "pbrt/dialect.h"
 #include "pbrt/named_map.h"
 #include "pbrt/param_set.h"
-#include "scene/texture.h"
+#include "scene/textures/texture.h"
 
 namespace drc::pbrt {
 

@@ -1,4 +1,4 @@
-#include "render/layered_picture.h"
+#include "film/layered_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a session shows while it goes on is the beauty of its picture.
-#include "render/preview.h"
+#include "film/preview.h"
 
 #include <gtest/gtest.h>
 

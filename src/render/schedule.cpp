@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cache/map_grid.h"
-#include "render/integrator.h"
-#include "render/sample_pass.h"
+#include "film/sample_pass.h"
+#include "integrators/integrator.h"
+#include "maps/map_grid.h"
 
 namespace drc {
 namespace {

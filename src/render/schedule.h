@@ -5,7 +5,7 @@
 #include <chrono>
 #include <optional>
 
-#include "render/render_params.h"
+#include "integrators/render_params.h"
 
 namespace drc {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/sample_pass.h"
+#include "film/sample_pass.h"
 
 namespace drc {
 namespace {

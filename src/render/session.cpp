@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "base/log.h"
-#include "integrators/window_finder.h"
+#include "film/sample_pass.h"
 #include "render/deadline.h"
-#include "render/sample_pass.h"
+#include "transport/window_finder.h"
 
 namespace drc {
 namespace {

@@ -3,9 +3,9 @@
 #pragma once
 #include <memory>
 
-#include "integrators/environment_guide.h"
-#include "render/integrator.h"
+#include "integrators/integrator.h"
 #include "render/schedule.h"
+#include "transport/environment_guide.h"
 
 namespace drc {
 

@@ -9,11 +9,11 @@
 #include "base/folder_testing.h"
 #include "base/log.h"
 #include "base/state_file.h"
-#include "cache/map_denoiser.h"
+#include "film/sample_pass.h"
+#include "integrators/integrator.h"
+#include "maps/map_denoiser.h"
 #include "pbrt/scene_file.h"
-#include "render/integrator.h"
-#include "render/sample_pass.h"
-#include "render/surface_picture_filter.h"
+#include "reconstruct/surface_picture_filter.h"
 
 namespace drc {
 namespace {

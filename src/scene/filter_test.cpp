@@ -1,6 +1,6 @@
 #include "scene/filter.h"
 
-#include "scene/shape_check.h"
+#include "scene/shapes/shape_check.h"
 
 namespace drc {
 namespace {

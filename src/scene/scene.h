@@ -7,14 +7,14 @@
 
 #include "base/error.h"
 #include "image/white_balance.h"
-#include "scene/camera.h"
+#include "scene/cameras/camera.h"
 #include "scene/filter.h"
-#include "scene/light.h"
-#include "scene/material.h"
-#include "scene/medium.h"
-#include "scene/shape.h"
+#include "scene/lights/light.h"
+#include "scene/materials/material.h"
+#include "scene/media/medium.h"
+#include "scene/shapes/shape.h"
+#include "scene/shapes/triangle_mesh.h"
 #include "scene/surface_names.h"
-#include "scene/triangle_mesh.h"
 
 namespace drc {
 

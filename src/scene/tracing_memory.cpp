@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "scene/curves.h"
+#include "scene/shapes/curves.h"
 
 namespace drc {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/log.h"
-#include "render/sample_pass.h"
+#include "film/sample_pass.h"
 
 namespace drc {
 namespace {

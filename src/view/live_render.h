@@ -8,8 +8,8 @@
 #include <optional>
 #include <thread>
 
-#include "render/denoised_error.h"
-#include "render/noise_threshold.h"
+#include "reconstruct/denoised_error.h"
+#include "reconstruct/noise_threshold.h"
 #include "render/session.h"
 
 namespace drc {

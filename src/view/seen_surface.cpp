@@ -1,6 +1,6 @@
 #include "view/seen_surface.h"
 
-#include "integrators/ray_queries.h"
+#include "transport/ray_queries.h"
 
 namespace drc {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "render/layered_picture.h"
-#include "render/preview.h"
+#include "film/layered_picture.h"
+#include "film/preview.h"
 
 namespace drc::tev {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/camera.h"
+#include "scene/cameras/camera.h"
 
 namespace drc {
 

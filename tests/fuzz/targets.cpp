@@ -9,12 +9,12 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "cache/example_shard.h"
 #include "image/exr_reader.h"
 #include "image/image_format.h"
 #include "image/image_io.h"
 #include "image/radiance_hdr.h"
 #include "image/tga.h"
+#include "maps/example_shard.h"
 #include "neural/safetensors.h"
 #include "pbrt/fourier_file.h"
 #include "pbrt/measured_file.h"

@@ -1,0 +1,210 @@
+// Final gather: path tracing in which paths end in radiance cells, one bounce or more after the surface that is seen.
+#include <bit>
+#include <cmath>
+
+#include "cells/radiance_cells.h"
+#include "integrators/sample_planner.h"
+#include "integrators/sampled_integrator.h"
+#include "transport/final_gather.h"
+
+namespace drc {
+namespace {
+
+// The finest cells at first, as a share of the median distance that the picture shows: about 16 pixels of a picture
+// 1280 pixels wide.
+constexpr float kCellSize = 0.0144f;
+// The sizes of cells are halved when the picture has had so many camera samples, and again with every kRefineFactor
+// times as many. Cells then still get four times as many deposits each, so that with the number of samples both the
+// size and the noise of cells fall towards zero.
+constexpr double kRefineAt = 1 << 26, kRefineFactor = 16;
+// A commit of deposits takes a pass over the whole table of cells, which is most of the work of a coarse picture. For
+// a camera that moves it is put off, until each pixel has a sample, if the cells answer this share of what they are
+// asked, as in a room that they know already.
+constexpr double kMostlyKnown = 2. / 3;
+
+class FinalGatherIntegrator final : public SampledIntegrator {
+  public:
+    explicit FinalGatherIntegrator(const RenderContext& context)
+        : SampledIntegrator(context),
+          region_(context.scene.settings.region()),
+          gather_(context.tracer.lighting(), context.tracer.settings()) {
+        if (!context.params.cells || !(context.distance > 0)) return;
+        RadianceCellSettings& settings = cellSettings_;
+        // A power of two, so that the frames of an animation have the same cells.
+        settings.size = context.params.cellSize > 0 ? context.params.cellSize
+                                                    : std::exp2(std::round(std::log2(kCellSize * context.distance)));
+        settings.lightScale = context.scene.settings.filmScale;
+        cells_.emplace(settings);
+        plan();
+    }
+
+    // The cells are not of the camera. Deposits that have not been committed are lost.
+    bool cameraMoved() override {
+        if (!cells_) return false;
+        region_ = context_.scene.settings.region();
+        rows_.clear();
+        plan();
+        hasMoved_ = true;
+        return true;
+    }
+
+    PixelSamples samplesOf(int x, int y, uint32_t sample) const override {
+        return planner_ ? planner_->samples(x, y) : PixelSamples{sample, 1};
+    }
+
+    void samplePassDone(int samples) override {
+        if (!cells_) return;
+        planner_->update(samples, samples > 0);
+        if (hasMoved_ && samples == 0 && mostIsKnown()) return;
+        if (samples > 0 && double(samples) * double(region_.count()) >= refineAt_) {
+            cells_->refine();
+            refineAt_ *= kRefineFactor;
+        }
+        commit();
+    }
+
+    void focusPassesDone() override {
+        if (cells_) commit();
+    }
+
+    void endSampling() override {
+        cells_.reset();
+        planner_.reset();
+        rows_ = {};
+    }
+
+    // The deposits of a pass that is not complete have not been committed yet.
+    void saveState(StateWriter& to) const override {
+        if (!cells_) return;
+        cells_->save(to);
+        planner_->save(to);
+        to.value(refineAt_);
+        for (const Row& row : rows_) {
+            to.value(uint64_t(row.deposits.size()));
+            for (const CacheDeposit& d : row.deposits) {
+                const auto three = [&](const auto& v) {
+                    for (int c = 0; c < 3; ++c) to.value(v[c]);
+                };
+                three(d.at.p), three(d.at.n), three(d.light), three(d.viewFactor);
+                to.value(d.at.reach);
+            }
+        }
+    }
+    std::function<void()> loadState(StateReader& from) override {
+        if (!cells_) return [] {};
+        // Shared, because functions can be copied.
+        const auto state = std::make_shared<State>(RadianceCells(cellSettings_), *planner_);
+        state->cells.load(from);
+        state->planner.load(from);
+        state->refineAt = from.value<double>();
+        for (size_t i = 0; i < rows_.size(); ++i) {
+            const auto count = from.value<uint64_t>();
+            if (count > from.remaining() / kDepositBytes) from.fail("it ends too early");
+            std::vector<CacheDeposit>& deposits = state->deposits.emplace_back();
+            deposits.resize(count);
+            for (CacheDeposit& d : deposits) {
+                const auto three = [&](auto& v) {
+                    for (int c = 0; c < 3; ++c) v[c] = from.value<float>();
+                };
+                three(d.at.p), three(d.at.n), three(d.light), three(d.viewFactor);
+                d.at.reach = from.value<float>();
+            }
+        }
+        return [this, state] {
+            *cells_ = std::move(state->cells);
+            *planner_ = std::move(state->planner);
+            refineAt_ = state->refineAt;
+            for (size_t i = 0; i < rows_.size(); ++i) rows_[i].deposits = std::move(state->deposits[i]);
+        };
+    }
+
+  private:
+    bool tellsDirect() const override { return true; }
+
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, const PathSinks& sinks) override {
+        if (!cells_) return context_.tracer.radiance(ray, sampler, sinks);
+        Row& row = rows_[size_t(place.y - region_.y0)];
+        GBufferSample surface;
+        FinalGather::Sample sample{
+            .sampler = sampler,
+            .cache = *cells_,
+            .training = planner_->training(place.x, place.y),
+            .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
+            .deposits = row.deposits,
+            .counts = row.counts,
+            .sinks = {.gBuffer = &surface, .direct = sinks.direct}};
+        const Rgb value = gather_.radiance(ray, sample);
+        const int half = halfOf(pixelStream(context_.params.seed, kHalfStream, place.x, place.y), place.index);
+        planner_->add(place.x, place.y, half, luminance(value), surface);
+        if (sinks.gBuffer) *sinks.gBuffer = surface;
+        return value;
+    }
+
+    FinalGather::Counts counts() const {
+        FinalGather::Counts all;
+        for (const Row& row : rows_) all.add(row.counts);
+        return all;
+    }
+    // Whether the cells have answered most of what they have been asked since the last commit.
+    bool mostIsKnown() const {
+        const FinalGather::Counts all = counts();
+        return double(all.answered) >= kMostlyKnown * double(all.asked);
+    }
+
+    void commit() {
+        const FinalGather::Counts all = counts();
+        std::vector<std::vector<CacheDeposit>*> lists;
+        for (Row& row : rows_) {
+            row.counts = {};
+            lists.push_back(&row.deposits);
+        }
+        const size_t deposits = cells_->commit(lists);
+        if (context_.stats == nullptr) return;
+        Stats& stats = *context_.stats;
+        stats.add("cells/look-ups/answered", all.answered);
+        stats.add("cells/look-ups/refused: the segment is short or the lobe narrow", all.refused);
+        stats.add("cells/look-ups/refused: too little is known", all.asked - all.answered);
+        stats.add("cells/deposits", int64_t(deposits));
+        stats.set("cells/cells", int64_t(cells_->used()));
+        stats.set("cells/bytes", int64_t(cells_->bytes()));
+    }
+
+    void plan() {
+        rows_.resize(size_t(region_.height()));
+        planner_.emplace(region_, context_.scene.settings.filmScale, uint32_t(context_.params.firstSample));
+    }
+
+    static constexpr uint64_t kCellStream = 0x3000000000, kHalfStream = 0x3001;
+
+    // What the samples of a row of pixels have found out in a pass. One thread at a time works on a row, and rows are
+    // committed in their order, whichever thread had them.
+    struct alignas(64) Row {
+        std::vector<CacheDeposit> deposits;
+        FinalGather::Counts counts;
+    };
+    // What is read from a file before it is put in its place.
+    struct State {
+        RadianceCells cells;
+        SamplePlanner planner;
+        double refineAt = 0;
+        std::vector<std::vector<CacheDeposit>> deposits;
+    };
+    static constexpr size_t kDepositBytes = 13 * sizeof(float);
+
+    PixelRegion region_;
+    FinalGather gather_;
+    RadianceCellSettings cellSettings_;
+    std::optional<RadianceCells> cells_;
+    std::optional<SamplePlanner> planner_;
+    std::vector<Row> rows_;
+    double refineAt_ = kRefineAt;
+    bool hasMoved_ = false;  // the camera
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> makeFinalGatherIntegrator(const RenderContext& context) {
+    return std::make_unique<FinalGatherIntegrator>(context);
+}
+
+}  // namespace drc

@@ -1,0 +1,95 @@
+#include "integrators/sampled_integrator.h"
+
+#include "film/sample_pass.h"
+
+namespace drc {
+
+int halfOf(uint64_t seed, uint32_t index) {
+    constexpr uint64_t kHalfStream = 0x2006;
+    return int((index ^ (hashCombine(seed, hashCombine(kHalfStream, index / 2)) >> 32)) & 1);
+}
+
+std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const RenderSettings& settings, bool direct) {
+    const double quantum = radianceQuantum(settings.filmScale);
+    std::vector<FilmLayerSpec> layers{{.name = kBeautyLayer, .groups = params.variance ? 2 : 1, .quantum = quantum}};
+    if (params.parts && direct) layers.push_back({.name = kDirectLayer, .quantum = quantum});
+    if (params.gBuffer) addGBufferSpec(layers, params.independentHalves ? 2 : 1);
+    if (settings.transparentFilm) layers.push_back({.name = kAlphaLayer, .channels = 1});
+    return layers;
+}
+
+void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) {
+    const RenderParams& params = context_.params;
+    const CameraRay& camera = sample.camera;
+    GBufferSample gBuffer;
+    Rgb value(0.f), direct(0.f);
+    const bool keeps = keepsDirect();
+    if (camera.weight > 0) {
+        const PathSinks sinks{.gBuffer = params.gBuffer ? &gBuffer : nullptr, .direct = keeps ? &direct : nullptr};
+        value = radiance(camera.ray, sample.sampler, {x, y, index}, film, sinks) * camera.weight;
+    }
+    const int group = groupOf(index);
+    film.layer(0).add(x, y, group, value, sample.filterWeight);
+    if (keeps) film.layer(1).add(x, y, 0, direct * camera.weight, sample.filterWeight);
+    if (params.gBuffer)
+        addGBufferSample(film.layer(keeps ? 2 : 1), x, y, gBuffer, sample.filterWeight,
+                         params.independentHalves ? group : 0);
+    if (context_.scene.settings.transparentFilm) {
+        const float alpha[] = {gBuffer.covered ? 1.f : 0.f};
+        // With a transparent film there is a G-buffer, too: see resolved().
+        film.layer(keeps ? 3 : 2).add(x, y, 0, alpha, sample.filterWeight);
+    }
+}
+
+int SampledIntegrator::groupOf(uint32_t index) const {
+    const RenderParams& params = context_.params;
+    if (!params.variance) return 0;
+    return params.independentHalves ? int(index & 1) : halfOf(params.seed, index);
+}
+
+LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) const {
+    LayeredPicture picture;
+    picture.scale = context_.scene.settings.filmScale;
+    picture.film = std::move(film);
+    const FilmLayer& samples = picture.film->layer(kBeauty);
+    picture.layers.push_back(pictureLayer(*picture.film, kBeauty, "", picture.scale));
+    fillUnsampled({&picture.layers[0].mean}, samples);
+    if (keepsDirect()) {
+        picture.direct = pictureLayer(*picture.film, kDirect, "direct", picture.scale).mean;
+        fillUnsampled({&*picture.direct}, samples);
+    }
+    if (context_.params.variance) picture.samples = sampleCounts(samples);
+    if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);
+    if (context_.scene.settings.transparentFilm) {
+        picture.alpha = alphaOf(picture.film->layer(kAlpha));
+        fillUnsampled({&*picture.alpha}, samples);
+    }
+    picture.compose();
+    return picture;
+}
+
+Preview SampledIntegrator::preview(const Film& film) const {
+    const PixelRegion& region = film.region();
+    const FilmLayer& samples = film.layer(kBeauty);
+    const FilmLayer* alpha = context_.scene.settings.transparentFilm ? &film.layer(kAlpha) : nullptr;
+    const float scale = context_.scene.settings.filmScale;
+    Preview preview{Image(region.width(), region.height()), {}, Image(region.width(), region.height(), {"X"})};
+    if (alpha) preview.alpha.emplace(region.width(), region.height(), std::vector<std::string>{"A"});
+    parallelFor(0, region.height(), 8, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            const int y = region.y0 + row;
+            const auto lock = film.lockRow(y);
+            for (int column = 0; column < region.width(); ++column) {
+                const int x = region.x0 + column;
+                preview.beauty.setRgb(column, row, clampNonNegative(samples.mean(x, y) * scale));
+                preview.samples.at(column, row, 0) = float(samples.expected(x, y));
+                if (alpha) preview.alpha->at(column, row, 0) = alphaAt(*alpha, x, y);
+            }
+        }
+    });
+    fillUnsampled({&preview.beauty}, preview.samples);
+    if (alpha) fillUnsampled({&*preview.alpha}, preview.samples);
+    return preview;
+}
+
+}  // namespace drc

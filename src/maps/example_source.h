@@ -1,0 +1,50 @@
+// Interface for reading the training examples of one scene, whatever format they are stored in.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "maps/example_record.h"
+
+namespace drc {
+
+class ExampleSource {
+  public:
+    virtual ~ExampleSource() = default;
+    ExampleSource() = default;
+    ExampleSource(const ExampleSource&) = delete;
+    ExampleSource& operator=(const ExampleSource&) = delete;
+
+    const std::string& path() const { return path_; }
+    const std::string& scene() const { return scene_; }
+    const MapLayout& layout() const { return layout_; }
+    int inputs() const { return inputs_; }   // realisations per example, at least 1
+    int count() const { return count_; }     // number of examples that can be loaded
+    bool guides() const { return guides_; }  // whether the maps have CapturedMap::albedo and CapturedMap::direct
+    // One line that begins with the path and says which examples cannot be used. Empty if there is no damage.
+    const std::string& damage() const { return damage_; }
+
+    // Loads example `index` with the inputs [first, first + count), which must exist. Reuses the buffers of `example`.
+    // Any number of threads may load at the same time. Throws Error, beginning with the path, if the file has changed
+    // since it was opened.
+    virtual void load(int index, int first, int count, TrainingExample& example) const = 0;
+    // A 64-bit hash of the content, as 16 hexadecimal digits. Not cryptographic.
+    virtual std::string contentHash() const = 0;
+
+  protected:
+    std::string path_, scene_, damage_;
+    MapLayout layout_{Projection::EqualArea, 32};
+    int inputs_ = 1, count_ = 0;
+    bool guides_ = true;
+};
+
+// Paths that openExamples() accepts, sorted: files as given, and from folders, at any depth, every shard and every
+// folder of PFM files (iispt_folder.h). Throws Error for a path that does not exist.
+std::vector<std::string> findExamples(const std::vector<std::string>& paths);
+
+// Opens a shard or a folder of PFM files and reads it through once to find out what can be used. Warns in one line if
+// part of it cannot. Throws Error, beginning with the path, if it does not contain examples as `drc reference` writes
+// them.
+std::unique_ptr<ExampleSource> openExamples(const std::string& path);
+
+}  // namespace drc

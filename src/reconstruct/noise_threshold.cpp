@@ -1,0 +1,41 @@
+#include "reconstruct/noise_threshold.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drc {
+namespace {
+
+// The next estimate is made where the threshold is expected to be reached, but after so many times the samples at least
+// and at most: estimates take time, and expectations may fail.
+constexpr double kLeastGrowth = 1.15, kMostGrowth = 3;
+// Of error ~ samples^-slope: what denoised pictures usually show, and what two estimates may make of it.
+constexpr double kUsualSlope = 0.35, kLeastSlope = 0.15, kMostSlope = 0.6;
+
+}  // namespace
+
+NoiseThreshold::NoiseThreshold(double threshold) : threshold_(threshold), slope_(kUsualSlope) {}
+
+bool NoiseThreshold::isDue(int samples) const {
+    if (!(threshold_ > 0) || reached()) return false;
+    if (!error_) return samples >= kFirst;
+    return samples >= samples_ * std::clamp(*samplesNeeded() / samples_, kLeastGrowth, kMostGrowth);
+}
+
+void NoiseThreshold::estimated(int samples, double error) {
+    if (error_ && *error_ > 0 && error > 0 && samples > samples_) {
+        // Two estimates that are near each other tell little of the slope between them.
+        const double growth = std::log(double(samples) / samples_), weight = std::min(1.0, growth / std::log(2.0));
+        const double slope = std::clamp(std::log(*error_ / error) / growth, kLeastSlope, kMostSlope);
+        slope_ += weight * (slope - slope_);
+    }
+    samples_ = samples;
+    error_ = error;
+}
+
+std::optional<double> NoiseThreshold::samplesNeeded() const {
+    if (!error_ || !(threshold_ > 0)) return {};
+    return samples_ * std::pow(*error_ / threshold_, 1 / slope_);
+}
+
+}  // namespace drc

@@ -1,8 +1,0 @@
-#include "scene/camera.h"
-
-namespace drc {
-
-std::optional<CameraView> Camera::view(const Vec3&, const Vec2&, float) const { return {}; }
-float Camera::pixelsPerArea(const Ray&, float) const { return 0; }
-
-}  // namespace drc

@@ -1,0 +1,98 @@
+// Cameras. Film coordinates are in pixels: (0,0) is the top left corner of the top left pixel, x to the right, y down.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "math/animated_transform.h"
+#include "scene/cameras/shutter.h"
+#include "scene/ray.h"
+
+namespace drc {
+
+struct FilmGeometry {
+    int width = 1280;
+    int height = 720;
+    float diagonal = 35;  // of the film, in millimetres; used only by the realistic camera
+};
+
+struct CameraRay {
+    Ray ray;
+    // Factor by which the radiance along the ray contributes to the pixel. 0: the camera blocks the ray. Other values
+    // than 1 occur only for realistic cameras.
+    float weight = 1;
+};
+
+// The projection of a scene point through a point of the lens.
+struct CameraView {
+    Vec2 film;
+    Vec3 from;                // the point on the lens, world space
+    float pixelsPerArea = 0;  // film area in pixels per unit area at the point, for a surface that faces the lens
+};
+
+class Camera {
+  public:
+    virtual ~Camera() = default;
+    // Ray through a film position. uLens in [0,1)^2 chooses the point on the lens, uTime in [0,1) the time in the
+    // exposure.
+    virtual CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const = 0;
+    // Projects p through the lens point that uLens chooses, at a ray's time (Ray::time). None if p is not on the film,
+    // or if the camera does not support it: realistic cameras, and the environment camera, whose film wraps around.
+    virtual std::optional<CameraView> view(const Vec3& p, const Vec2& uLens, float time) const;
+    // CameraView::pixelsPerArea of the point at that distance along one of the camera's own rays; 0 if view() would
+    // give none.
+    virtual float pixelsPerArea(const Ray& ray, float distance) const;
+    // World-space position, for camera frames and bounds. For a moving camera, that in the middle of the exposure.
+    virtual Vec3 position() const = 0;
+    // The same camera for a film of another size. The screen window follows from the new aspect ratio by pbrt's rule.
+    virtual std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const = 0;
+    // The same camera, but for a film of another size, at another place, where it stands still.
+    virtual std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const = 0;
+    // For a moving camera, that in the middle of the exposure.
+    virtual Transform worldToCamera() const = 0;
+    // The camera's "up" direction, unit, world space.
+    virtual Vec3 up() const = 0;
+    virtual const Shutter& shutter() const = 0;
+};
+
+// Parameters of the perspective and the orthographic camera.
+struct ProjectiveCameraParams {
+    AnimatedTransform worldToCamera;
+    float fov = 90;  // field of view of the shorter axis, degrees; perspective only
+    float lensRadius = 0;
+    float focalDistance = 1e6f;
+    Shutter shutter{};
+    float frameAspectRatio = 0;  // 0: that of the film
+    bool hasScreenWindow = false;
+    float screenWindow[4] = {-1, 1, -1, 1};  // xmin, xmax, ymin, ymax
+};
+std::unique_ptr<Camera> makePerspectiveCamera(const ProjectiveCameraParams& params, const FilmGeometry& film);
+std::unique_ptr<Camera> makeOrthographicCamera(const ProjectiveCameraParams& params, const FilmGeometry& film);
+
+// All directions around a point: the film's width spans 360 degrees, its height runs from the camera's +y to its -y.
+struct EnvironmentCameraParams {
+    AnimatedTransform worldToCamera;
+    Shutter shutter{};
+};
+std::unique_ptr<Camera> makeEnvironmentCamera(const EnvironmentCameraParams& params, const FilmGeometry& film);
+
+// A surface of a lens, or the aperture stop. Lengths are in metres, which must then be the unit of the scene.
+struct LensElement {
+    float radius = 0;     // of curvature; positive if the centre is on the film's side; 0 for the flat stop
+    float thickness = 0;  // distance along the axis to the next element, or from the last element to the film
+    float eta = 1;        // index of refraction between this element and the next one towards the film
+    float aperture = 0;   // half the element's diameter
+};
+struct RealisticCameraParams {
+    AnimatedTransform worldToCamera;
+    std::vector<LensElement> lens;  // in order from the scene to the film; not empty
+    float focusDistance = 10;       // distance in focus, measured from the film
+    // true: the weights of rays are relative to the film's centre, so that brightness does not depend on the aperture.
+    // false: pixels are the irradiance on the film times the exposure time.
+    bool simpleWeighting = true;
+    Shutter shutter{};
+};
+// Throws Error if the lens cannot focus at the distance.
+std::unique_ptr<Camera> makeRealisticCamera(const RealisticCameraParams& params, const FilmGeometry& film);
+
+}  // namespace drc

@@ -1,0 +1,44 @@
+// Rough glass: reflection and refraction by the same microfacets in one lobe, which chooses between them at each facet
+// by the light that each carries (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007; PBR
+// 4e, section 9.7). Two lobes would have to be chosen before the facet is known, and take the wrong one often: inside
+// glass, most facets of some directions reflect totally while the others hardly reflect at all.
+#pragma once
+#include "scene/lobes/microfacet_reflection.h"
+#include "scene/lobes/microfacet_transmission.h"
+
+namespace drc {
+
+class MicrofacetDielectric {
+  public:
+    // etaB: index of refraction on the side away from the shading normal, relative to that on its side; not 1, see
+    // MicrofacetTransmission.
+    MicrofacetDielectric(const Rgb& reflectance, const Rgb& transmittance, const TrowbridgeReitz& distribution,
+                         float etaB)
+        : MicrofacetDielectric(reflectance, transmittance, distribution, etaB, Fresnel::dielectric(1, etaB)) {}
+    // fresnel: of the reflection; it may be tinted.
+    MicrofacetDielectric(const Rgb& reflectance, const Rgb& transmittance, const TrowbridgeReitz& distribution,
+                         float etaB, const Fresnel& fresnel);
+
+    static constexpr LobeFlags flags() { return LobeFlags::Reflection | LobeFlags::Transmission | LobeFlags::Glossy; }
+    float alpha() const { return distribution_.largestAlpha(); }
+    Rgb f(const Vec3& wo, const Vec3& wi) const { return f(wo, wi, TransportMode::Radiance); }
+    Rgb f(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+    float pdf(const Vec3& wo, const Vec3& wi) const;
+    LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
+    // That of the smooth surface.
+    Rgb albedo(const Vec3& wo) const { return reflection_.albedo(wo) + transmission_.albedo(wo); }
+
+  private:
+    // The probability of reflection at a facet; cosine: between wo and the facet's normal on the side of the shading
+    // normal.
+    float reflects(float cosine) const;
+
+    TrowbridgeReitz distribution_;
+    Rgb reflectance_, transmittance_;
+    Fresnel fresnel_;
+    IndexRatio boundary_;
+    MicrofacetReflection reflection_;
+    MicrofacetTransmission transmission_;
+};
+
+}  // namespace drc

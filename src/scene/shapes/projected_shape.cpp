@@ -1,0 +1,66 @@
+#include "scene/shapes/projected_shape.h"
+
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+
+namespace drc {
+namespace {
+
+// A silhouette of 256 edges departs from a circle by less than a ten-thousandth of its radius.
+constexpr uint32_t kAround = 256, kAlong = 128;
+
+double wOf(const Transform& t, const Vec3& p) {
+    return double(t.at(3, 0)) * p.x + double(t.at(3, 1)) * p.y + double(t.at(3, 2)) * p.z + t.at(3, 3);
+}
+
+// A plane as the four numbers (n, -dot(n, p)) is transformed by the inverse transpose of the whole matrix.
+Vec3 normalThrough(const Transform& t, const Transform& inverse, const ShapeSpot& spot) {
+    const float plane[4] = {spot.ng.x, spot.ng.y, spot.ng.z, -dot(spot.ng, spot.p)};
+    Vec3 n(0.f);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 4; ++j) n[i] += inverse.at(j, i) * plane[j];
+    // Where w is negative, what is outside of the plane becomes what is inside.
+    return normalize(wOf(t, spot.p) < 0 ? -n : n);
+}
+
+}  // namespace
+
+bool isAffine(const Transform& t) {
+    // The inverse of an affine transformation may have rounding errors there.
+    constexpr float kRounding = 1e-9f;
+    return std::abs(t.at(3, 0)) < kRounding && std::abs(t.at(3, 1)) < kRounding && std::abs(t.at(3, 2)) < kRounding &&
+           std::abs(t.at(3, 3) - 1) < 1e-5f;
+}
+
+TriangleMesh projectedShape(const Shape& shape, const Transform& toWorld) {
+    TriangleMesh mesh;
+    const Transform inverse = toWorld.inverse();
+    std::vector<bool> exists;
+    std::optional<bool> isInFront;
+    for (uint32_t j = 0; j <= kAlong; ++j)
+        for (uint32_t i = 0; i <= kAround; ++i) {
+            const Vec2 uv(float(i) / kAround, float(j) / kAlong);
+            const std::optional<ShapeSpot> spot = shape.spotAt(uv);
+            if (!spot) throw Error("such a shape cannot have a transformation with perspective");
+            const double w = wOf(toWorld, spot->p);
+            if (w == 0 || isInFront.value_or(w > 0) != (w > 0))
+                throw Error("its transformation has perspective and moves a part of it to infinity");
+            isInFront = w > 0;
+            mesh.positions.push_back(toWorld.point(spot->p));
+            mesh.normals.push_back(normalThrough(toWorld, inverse, *spot));
+            mesh.uvs.push_back(uv);
+            // At a pole, the area is zero although the surface goes on.
+            exists.push_back(spot->area > 0 || j == 0 || j == kAlong);
+        }
+    for (uint32_t j = 0; j < kAlong; ++j)
+        for (uint32_t i = 0; i < kAround; ++i) {
+            const uint32_t a = j * (kAround + 1) + i, b = a + 1, c = a + kAround + 1, d = c + 1;
+            if (!exists[a] || !exists[b] || !exists[c] || !exists[d]) continue;
+            mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
+        }
+    return mesh;
+}
+
+}  // namespace drc
