@@ -220,7 +220,7 @@ class SceneRender {
 
     // Renders o.outputs. frame: of an animation.
     RenderEnd render(const std::optional<FramePosition>& frame) {
-        PictureWriter writer(scene_->settings, o_.outputs, o_.aovs, o_.display, o_.scene);
+        PictureWriter writer(scene_->settings, o_.outputs, hasAovs(), o_.display, o_.scene);
         PictureFinisher finisher(filtersFor(params_, denoiser_), writer, stats_, o_.noiseThreshold.has_value());
         const auto rendering = Clock::now();
         setSomethingToSave(false);
@@ -293,9 +293,11 @@ class SceneRender {
     }
 
   private:
+    bool hasAovs() const { return o_.aovs || scene_->settings.auxiliaryLayers; }
+
     RenderParams paramsFor(const CLI::App& command) {
         if (o_.spacing) o_.params.firstSpacing = *o_.spacing / float(scene_->settings.film.height);
-        if (o_.aovs) o_.params.gBuffer = o_.params.parts = o_.params.variance = true;
+        if (hasAovs()) o_.params.gBuffer = o_.params.parts = o_.params.variance = true;
         if (o_.noiseThreshold) estimateErrors(o_.params, *o_.noiseThreshold);
         RenderParams params = asUsage([&] { return resolved(o_.params, *scene_); });
         if (o_.noiseThreshold && !hasHalves(params.integrator))

@@ -232,6 +232,20 @@ TEST_F(RenderCommandTest, ShowsWhatDenoisersWantAndChangesNothingElse) {
     }
 }
 
+TEST_F(RenderCommandTest, FilmsOfTypeGbufferHaveTheLayersOfAovs) {
+    const std::string world = "WorldBegin LightSource \"infinite\" Shape \"sphere\" \"float radius\" 5";
+    const std::string size = " \"integer xresolution\" 24 \"integer yresolution\" 16 ";
+    const auto channels = [&](const std::string& film) {
+        folder_.write("scene.pbrt", "Film \"" + film + "\"" + size + world);
+        run({"--integrator", "path", "--denoise", "off"});
+        return readImage(path("out.exr")).channelNames();
+    };
+    EXPECT_THAT(channels("gbuffer"),
+                testing::IsSupersetOf({"R", "Denoising Albedo.R", "Denoising Normal.X", "Denoising Depth.Z",
+                                       "Denoising Variance.R", "Debug Sample Count.X"}));
+    EXPECT_THAT(channels("rgb"), testing::UnorderedElementsAre("R", "G", "B"));
+}
+
 TEST_F(RenderCommandTest, ExposureAndViewAreThePngsAlone) {
     const auto png = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"--integrator", "path", "--denoise", "off", "-o", path("out.png")});

@@ -19,7 +19,8 @@ bool sameBalance(const std::optional<RgbMatrix>& a, const std::optional<RgbMatri
 bool sameFilm(const RenderSettings& a, const RenderSettings& b) {
     return std::ranges::equal(a.cropWindow, b.cropWindow) && a.pixelBounds == b.pixelBounds &&
            a.filmScale == b.filmScale && sameBalance(a.whiteBalance, b.whiteBalance) &&
-           a.maxSampleLuminance == b.maxSampleLuminance && a.transparentFilm == b.transparentFilm;
+           a.maxSampleLuminance == b.maxSampleLuminance && a.transparentFilm == b.transparentFilm &&
+           a.auxiliaryLayers == b.auxiliaryLayers;
 }
 
 }  // namespace

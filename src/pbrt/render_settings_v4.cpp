@@ -31,9 +31,9 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
         warn(params.pos(), "film 'spectral' is not supported yet; the picture is written as film 'rgb' has it");
     if (type == "gbuffer")
         warn(params.pos(),
-             "the picture of film 'gbuffer' is that of film 'rgb'; --aovs adds albedo, normal and depth to EXR files, "
-             "and "
-             "its other channels are not supported yet");
+             "of film 'gbuffer' EXR files get albedo, normal, depth and variance, under the names of --aovs; its other "
+             "channels are not supported yet");
+    settings.auxiliaryLayers = type == "gbuffer";
     applyFrame(params, settings);
     applyPixelBounds(params, settings);
     // pbrt also multiplies by the exposure time, see exposureTimeV4(). In its first versions it was a parameter of the

@@ -75,6 +75,8 @@ struct RenderSettings {
     // Whether the camera sees nothing in place of lights at infinity, and the picture says how much of each pixel
     // surfaces cover: its alpha.
     bool transparentFilm = false;
+    // Whether EXR files are to have the layers of `drc render --aovs`, as pbrt-v4's film "gbuffer" asks.
+    bool auxiliaryLayers = false;
     std::optional<RgbMatrix> whiteBalance;  // of the finished picture
     float maxSampleLuminance = kInfinity;
     FilterPtr filter;  // not null
