@@ -1,0 +1,46 @@
+// What a radiance cell sums up over its deposits, and the statistics of these sums. The sums are integers: the same
+// deposits give the same bits in any order.
+#pragma once
+#include "cells/cell_table.h"
+
+namespace drc {
+
+class CellStatistics {
+  public:
+    // Halves all sums when there are so many deposits, before 32 bits overflow.
+    static constexpr uint32_t kMostDeposits = (1 << 17) - 1;
+
+    // lightScale: by which radiance is multiplied for display; it sets the unit of the sums.
+    explicit CellStatistics(float lightScale);
+
+    // Adds a deposit to a cell of this level, whose cube it lies in.
+    void add(const CacheDeposit& deposit, const CellGrid& grid, int level, CellSums& sums) const;
+
+    // The mean of the deposits' light, divided by the mean of their view factors.
+    Rgb perFactor(const CellSums& sums) const;
+    // Its luminance.
+    double mean(const CellSums& sums) const { return double(luminance(perFactor(sums))); }
+    // The variance of the deposits' luminance divided by that of their view factors, about the cell's mean.
+    double variance(const CellSums& sums, double mean) const;
+    // The squares of the same deviations, summed up over the deposits, in the unit of CellSums::square.
+    int64_t squaredDeviations(const CellSums& sums) const;
+    // The variance of the deposits about the means of the smaller cells within this one, times the square of their
+    // number.
+    double summedVarianceWithin(const CellSums& sums) const;
+
+    // Luminance in a coarser unit, whose sums over all deposits do not overflow.
+    double perCoarseUnit() const { return perUnit_ * 0x1p-16; }
+    static int64_t unitsOf(double value, double perUnit);
+
+    // The luminance of a deposit's light, divided by that of its view factor.
+    static double relativeLuminance(const CacheDeposit& d);
+
+  private:
+    double perSquare() const { return perUnit_ * perUnit_ * 0x1p-32; }
+    double perUnit_;
+};
+
+// Positions and normals are summed up in units of these.
+inline constexpr float kCellPositionUnits = 512, kCellNormalUnits = 127;
+
+}  // namespace drc

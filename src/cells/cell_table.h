@@ -1,0 +1,81 @@
+// The hash table of radiance cells: what each has summed up, and what it answers. A key may lie in any cell of one
+// bucket, two cache lines. The memory is bounded: where a bucket is full, the cell that has not been used for longest
+// gives way to a new one.
+#pragma once
+#include <cstdint>
+
+#include "base/huge_array.h"
+#include "cells/cell_grid.h"
+
+namespace drc {
+
+// What look-ups read: half a cache line.
+struct alignas(32) CellAnswer {
+    uint64_t key = 0;  // as CellGrid::keyOf gives it; 0: there is no cell
+    float perFactor[3]{};
+    int8_t normal[3]{};  // of the surface, in units of 1/127
+    bool known = false;
+    float plane = 0;       // distance of the surface from the world's origin along the normal, world units
+    uint16_t lastUse = 0;  // number of the commit, modulo 2^16
+    uint8_t points = 0;    // whose cell it is, see CellGrid::pointsOf
+};
+
+// Sums over a cell's deposits: integers, so that their order does not matter.
+struct CellSums {
+    int64_t light[3]{};
+    int64_t square = 0;  // of the light's luminance divided by the view factor's
+    // As square, but about the means of the cells of the next smaller size, summed up over them.
+    int64_t within = 0;
+    uint32_t viewFactor[3]{};  // in steps of kViewFactorSteps
+    int32_t position[3]{};     // relative to the cell's corner
+    int32_t normal[3]{};
+    GridCube cube;
+    uint32_t countWithin = 0;  // deposits in the cells of the next smaller size
+    uint32_t count : 22 = 0;
+    uint32_t generation : 5 = 0;  // of the cell's size, see CellGrid::generationOf
+    uint32_t facing : 5 = 0;
+};
+static_assert(sizeof(CellAnswer) == 32 && sizeof(CellSums) == 96);
+
+class CellTable {
+  public:
+    // Cells in a bucket.
+    static constexpr size_t kWays = 4;
+    static constexpr size_t kNone = ~size_t(0);
+
+    // cells: a power of two, at least kWays.
+    explicit CellTable(size_t cells) : answers_(cells), sums_(cells) {}
+
+    size_t size() const { return answers_.size(); }
+    size_t buckets() const { return size() / kWays; }
+    size_t bucketOf(uint64_t key) const { return (size_t(key) & (size() - kWays)) / kWays; }
+
+    CellAnswer& answer(size_t cell) { return answers_[cell]; }
+    const CellAnswer& answer(size_t cell) const { return answers_[cell]; }
+    CellSums& sums(size_t cell) { return sums_[cell]; }
+    const CellSums& sums(size_t cell) const { return sums_[cell]; }
+
+    // The cell's index, or kNone.
+    size_t find(uint64_t key) const {
+        const size_t first = bucketOf(key) * kWays;
+        for (size_t cell = first; cell < first + kWays; ++cell)
+            if (answers_[cell].key == key) return cell;
+        return kNone;
+    }
+    void prefetch(uint64_t key) const {
+        const auto* bucket = reinterpret_cast<const char*>(&answers_[bucketOf(key) * kWays]);
+        __builtin_prefetch(bucket);
+        __builtin_prefetch(bucket + 64);
+    }
+    // The cell of the key, else one for it, which still has another key: an empty one, or the one that has not been
+    // used for longest. kNone: all have been used in the commit `now` or in the one before.
+    size_t claim(uint64_t key, uint32_t now) const;
+    // Grows to so many cells, more than there are.
+    void grow(size_t cells);
+
+  private:
+    HugeArray<CellAnswer> answers_;
+    HugeArray<CellSums> sums_;  // by the same indices
+};
+
+}  // namespace drc

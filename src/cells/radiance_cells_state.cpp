@@ -1,0 +1,78 @@
+// Radiance cells in checkpoints.
+#include <bit>
+
+#include "cells/radiance_cells.h"
+
+namespace drc {
+
+// Only what renewAnswers() does not find by itself. Cells come in their order in the table, so that those of a bucket
+// have the same order again.
+void RadianceCells::save(StateWriter& to) const {
+    size_t cells = 0;
+    for (size_t i = 0; i < table_.size(); ++i) cells += table_.answer(i).key != 0;
+    to.value(int32_t(grid_.refined()));
+    to.value(now_);
+    to.value(deposits_);
+    to.value(uint64_t(table_.size()));
+    to.value(uint64_t(cells));
+    for (size_t i = 0; i < table_.size(); ++i) {
+        const CellAnswer& answer = table_.answer(i);
+        if (answer.key == 0) continue;
+        const CellSums& sums = table_.sums(i);
+        to.value(uint8_t(sums.generation));
+        to.value(uint8_t(sums.facing));
+        to.value(answer.points);
+        to.value(answer.lastUse);
+        to.value(uint32_t(sums.count));
+        to.values(std::span(sums.cube.at));
+        to.values(std::span(sums.light));
+        to.value(sums.square);
+        to.values(std::span(sums.viewFactor));
+        to.values(std::span(sums.position));
+        to.values(std::span(sums.normal));
+    }
+}
+
+void RadianceCells::load(StateReader& from) {
+    const auto refined = from.value<int32_t>();
+    now_ = from.value<uint32_t>();
+    deposits_ = from.value<uint64_t>();
+    const auto size = from.value<uint64_t>(), cells = from.value<uint64_t>();
+    if (refined < 0 || refined >= CellGrid::kMostRefined || !std::has_single_bit(size) || size < CellTable::kWays ||
+        size > settings_.capacity || cells > size)
+        from.fail("there cannot be such a table of radiance cells");
+    while (grid_.refined() < refined) refine();
+    table_ = CellTable(size);
+    for (uint64_t k = 0; k < cells; ++k) {
+        const auto generation = from.value<uint8_t>(), facing = from.value<uint8_t>(), points = from.value<uint8_t>();
+        CellAnswer answer;
+        CellSums sums;
+        answer.lastUse = from.value<uint16_t>();
+        const auto count = from.value<uint32_t>();
+        from.values(std::span(sums.cube.at));
+        from.values(std::span(sums.light));
+        from.values(std::span(&sums.square, 1));
+        from.values(std::span(sums.viewFactor));
+        from.values(std::span(sums.position));
+        from.values(std::span(sums.normal));
+        if (grid_.levelOf(generation) < 0 || grid_.levelOf(generation) >= grid_.levels() + grid_.refined() ||
+            facing >= CellGrid::kFacings || count == 0 || count >= CellStatistics::kMostDeposits)
+            from.fail("there cannot be such a radiance cell");
+        sums.generation = generation;
+        sums.facing = facing;
+        sums.count = count;
+        answer.points = points;
+        answer.key = CellGrid::keyOf(sums.cube, facing, generation, points);
+        const size_t bucket = table_.bucketOf(answer.key) * CellTable::kWays;
+        size_t at = bucket;
+        while (at < bucket + CellTable::kWays && table_.answer(at).key != 0 && table_.answer(at).key != answer.key)
+            ++at;
+        if (at == bucket + CellTable::kWays || table_.answer(at).key != 0)
+            from.fail("it has a radiance cell more than once");
+        table_.answer(at) = answer;
+        table_.sums(at) = sums;
+    }
+    renewAnswers();
+}
+
+}  // namespace drc
