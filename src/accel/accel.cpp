@@ -17,6 +17,8 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/memory_use.h"
+#include "base/parallel.h"
+#include "base/parallel_time.h"
 #include "math/sampler.h"
 #include "scene/tracing_memory.h"
 
@@ -328,10 +330,10 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
     if (impl_->device == nullptr) throw Error("Embree could not be started");
     rtcSetDeviceMemoryMonitorFunction(impl_->device, noteMemoryOfEmbree, nullptr);
     impl_->objects.resize(scene.objects.size());
-    for (size_t i = 0; i < scene.objects.size(); ++i) {
-        impl_->fill(impl_->objects[i], scene.objects[i].primitives);
-        rtcCommitScene(impl_->objects[i].scene);
-    }
+    for (size_t i = 0; i < scene.objects.size(); ++i) impl_->fill(impl_->objects[i], scene.objects[i].primitives);
+    parallelFor(0, int(scene.objects.size()), 1, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) rtcCommitScene(impl_->objects[size_t(i)].scene);
+    });
     impl_->fill(impl_->world, scene.primitives);
     impl_->instances.resize(scene.primitives.size(), nullptr);
     impl_->firstInstance = scene.instances.data();
@@ -349,7 +351,10 @@ Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
         rtcReleaseGeometry(geometry);
         impl_->instances.push_back(&instance);
     }
-    rtcCommitScene(impl_->world.scene);
+    {
+        const ParallelSection section;
+        rtcCommitScene(impl_->world.scene);
+    }
     if (!scene.media.empty()) {
         const Bounds bounds = scene.bounds();
         if (!bounds.empty()) impl_->reachOfMedia = length(bounds.max - bounds.min);

@@ -21,6 +21,7 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/parallel_time.h"
 #include "base/progress.h"
 #include "maps/network_map_denoiser.h"
 #include "pbrt/scene_file.h"
@@ -288,6 +289,10 @@ class SceneRender {
     void report() {
         if (!o_.timing.empty()) writeTiming(o_.timing, stats_);
         if (!o_.stats) return;
+        // All cores but one wait then: what more of them cannot shorten.
+        const double serial = processSeconds() - parallelSeconds();
+        stats_.timer("serial").add(std::chrono::duration_cast<std::chrono::nanoseconds>(
+            std::chrono::duration<double>(std::max(0.0, serial))));
         memory_.report(stats_);
         fmt::print("{}", stats_.report());
     }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/parallel_time.h"
 
 namespace drc {
 namespace {
@@ -90,7 +91,9 @@ void parallelFor(int begin, int end, int grain, const std::function<void(int, in
             tbb::simple_partitioner());
     };
     // To enter the arena again would end an isolation.
-    InArena::here() ? loop() : threads()->arena.execute(loop);
+    if (InArena::here()) return loop();
+    const ParallelSection section;
+    threads()->arena.execute(loop);
 }
 
 struct BackgroundTasks::Impl {
@@ -115,6 +118,7 @@ void BackgroundTasks::start(std::function<void()> task) {
 }
 
 void BackgroundTasks::wait() {
+    const ParallelSection section;
     threads()->arena.execute([&] { impl_->group.wait(); });
 }
 

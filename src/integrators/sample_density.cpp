@@ -22,6 +22,8 @@ constexpr double kPower = 0.35, kPowerOfContrast = 0.5, kLeastContrast = 1e-6;
 // The squared difference of a cell's halves counts at most as so large, relative to the squared radiance around it: a
 // few more samples do not average a firefly away.
 constexpr float kMostDifference = 4;
+// Rows of cells that a thread adds up at a time.
+constexpr int kRowsAtATime = 4;
 
 float square(float v) { return v * v; }
 
@@ -56,12 +58,14 @@ void SampleDensity::add(int x, int y, int half, float value, const GBufferSample
 
 void SampleDensity::addRows() {
     const auto width = size_t(cellColumns());
-    for (int row = 0; row < region_.height(); ++row)
-        for (size_t column = 0; column < width; ++column) {
-            Sums& sums = rows_[size_t(row) * width + column];
-            cells_[size_t(row / kCell) * width + column].add(sums);
-            sums = {};
-        }
+    parallelFor(0, cellRows(), kRowsAtATime, [&](int begin, int end) {
+        for (int row = begin * kCell; row < std::min(end * kCell, region_.height()); ++row)
+            for (size_t column = 0; column < width; ++column) {
+                Sums& sums = rows_[size_t(row) * width + column];
+                cells_[size_t(row / kCell) * width + column].add(sums);
+                sums = {};
+            }
+    });
 }
 
 void SampleDensity::update(int samples) {
@@ -70,21 +74,24 @@ void SampleDensity::update(int samples) {
     // After every sample at first, later when there are a quarter more.
     nextUpdate_ = samples + 1 + samples / 4;
     const std::vector<Estimate> cells = estimates();
-    std::vector<Estimate> sums(densities_.size());
-    std::vector<double> counts(densities_.size()), errors(densities_.size());
+    std::vector<double> errors(densities_.size());
     constexpr int kCells = kBlock / kCell;
-    for (int row = 0; row < cellRows(); ++row)
-        for (int column = 0; column < cellColumns(); ++column) {
-            const Estimate& cell = cells[size_t(row) * size_t(cellColumns()) + size_t(column)];
-            Estimate& sum = sums[size_t(row / kCells) * size_t(columns()) + size_t(column / kCells)];
-            sum.noise += cell.noise;
-            sum.contrast += cell.contrast;
-            ++counts[size_t(row / kCells) * size_t(columns()) + size_t(column / kCells)];
+    parallelFor(0, int(errors.size()), columns(), [&](int begin, int end) {
+        for (int block = begin; block < end; ++block) {
+            const int row0 = block / columns() * kCells, column0 = block % columns() * kCells;
+            Estimate sum;
+            double count = 0;
+            for (int row = row0; row < std::min(row0 + kCells, cellRows()); ++row)
+                for (int column = column0; column < std::min(column0 + kCells, cellColumns()); ++column) {
+                    const Estimate& cell = cells[size_t(row) * size_t(cellColumns()) + size_t(column)];
+                    sum.noise += cell.noise;
+                    sum.contrast += cell.contrast;
+                    ++count;
+                }
+            const double noise = sum.noise / count, contrast = sum.contrast / count;
+            errors[size_t(block)] = std::pow(noise * std::pow(contrast + kLeastContrast, kPowerOfContrast), kPower);
         }
-    for (size_t i = 0; i < sums.size(); ++i) {
-        const double noise = sums[i].noise / counts[i], contrast = sums[i].contrast / counts[i];
-        errors[i] = std::pow(noise * std::pow(contrast + kLeastContrast, kPowerOfContrast), kPower);
-    }
+    });
     decide(errors);
 }
 
@@ -100,18 +107,21 @@ std::vector<SampleDensity::Estimate> SampleDensity::estimates() const {
     };
     const int width = cellColumns(), height = cellRows();
     std::vector<Cell> cells(cells_.size());
-    for (size_t i = 0; i < cells.size(); ++i) {
-        const Sums& sums = cells_[i];
-        Cell& cell = cells[i];
-        cell.valid = sums.samples[0] > 0 && sums.samples[1] > 0;
-        if (!cell.valid) continue;
-        cell.samples = sums.count() / (kCell * kCell);
-        cell.albedo = sums.albedo * (1 / sums.count());
-        cell.normal = sums.normal * (1 / sums.count());
-        const float halves[] = {scale_ * sums.value[0] / sums.samples[0], scale_ * sums.value[1] / sums.samples[1]};
-        cell.mean = 0.5f * (halves[0] + halves[1]);
-        cell.difference = 0.5f * (halves[0] - halves[1]);
-    }
+    parallelFor(0, int(cells.size()), width, [&](int begin, int end) {
+        for (auto i = size_t(begin); i < size_t(end); ++i) {
+            const Sums& sums = cells_[i];
+            Cell& cell = cells[i];
+            cell.valid = sums.samples[0] > 0 && sums.samples[1] > 0;
+            if (!cell.valid) continue;
+            cell.samples = sums.count() / (kCell * kCell);
+            cell.albedo = sums.albedo * (1 / sums.count());
+            cell.normal = sums.normal * (1 / sums.count());
+            const float halves[] = {scale_ * sums.value[0] / sums.samples[0],
+                                    scale_ * sums.value[1] / sums.samples[1]};
+            cell.mean = 0.5f * (halves[0] + halves[1]);
+            cell.difference = 0.5f * (halves[0] - halves[1]);
+        }
+    });
     // Calls f(cell) for the valid cells within a radius around a cell.
     const auto around = [&](int row, int column, int radius, const auto& f) {
         for (int y = std::max(0, row - radius); y <= std::min(height - 1, row + radius); ++y)

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "base/parallel_time.h"
 
 namespace drc {
 namespace {
@@ -131,6 +132,7 @@ struct OpenImageDenoise::Library {
         const auto goesOn = [](void* token, double) { return !static_cast<const CancelToken*>(token)->cancelled(); };
         if (cancel) setProgressMonitor(filter.get(), goesOn, const_cast<CancelToken*>(cancel));
         commitFilter(filter.get());
+        const ParallelSection section;
         executeFilter(filter.get());
         check();
     }
