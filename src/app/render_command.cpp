@@ -291,8 +291,8 @@ class SceneRender {
         if (!o_.stats) return;
         // All cores but one wait then: what more of them cannot shorten.
         const double serial = processSeconds() - parallelSeconds();
-        stats_.timer("serial").add(std::chrono::duration_cast<std::chrono::nanoseconds>(
-            std::chrono::duration<double>(std::max(0.0, serial))));
+        stats_.timer("serial").add(
+            std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(std::max(0.0, serial))));
         memory_.report(stats_);
         fmt::print("{}", stats_.report());
     }

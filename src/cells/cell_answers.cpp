@@ -32,9 +32,6 @@ class Renewal {
           pieces_((table.size() + kPiece - 1) / kPiece) {}
 
     CellTotals totals() {
-        forEachPiece([&](Piece&, size_t begin, size_t end) {
-            for (size_t cell = begin; cell < end; ++cell) table_.sums(cell).within = table_.sums(cell).countWithin = 0;
-        });
         forEachPiece([&](Piece& piece, size_t begin, size_t end) { findLarger(piece, begin, end); });
         CellTotals all;
         int64_t light = 0, count = 0;
@@ -50,8 +47,10 @@ class Renewal {
         forEachPiece([&](Piece&, size_t begin, size_t end) {
             for (size_t cell = begin; cell < end; ++cell) {
                 if (table_.answer(cell).key == 0) continue;
+                CellSums& sums = table_.sums(cell);
                 links_[cell].enough = knowsEnough(cell);
-                links_[cell].divides = links_[cell].enough && divides(table_.sums(cell));
+                links_[cell].divides = links_[cell].enough && divides(sums);
+                sums.within = sums.countWithin = 0;  // for the next time
             }
         });
         forEachPiece([&](Piece& piece, size_t begin, size_t end) { answer(piece, begin, end); });

@@ -21,58 +21,52 @@ constexpr size_t kParts = 256;
 // Chunks that are placed before any is added. They bound the memory, to about 10 MB, and keep many threads busy.
 constexpr size_t kChunksAtATime = 128;
 
-// What a chunk adds to the table, sorted by part.
-class PlacedChunk {
-  public:
-    struct Addition {
-        uint64_t key;
-        const CacheDeposit* deposit;
-        uint32_t level;
-        uint8_t points;
-    };
-
-    void clear() { found_.clear(); }
-    void add(const Addition& addition, size_t part) { found_.push_back({addition, uint32_t(part)}); }
-    void sort(size_t parts) {
-        begins_.assign(parts + 1, 0);
-        for (const Found& found : found_) ++begins_[found.part + 1];
-        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-        sorted_.resize(found_.size());
-        std::vector<uint32_t> next(begins_.begin(), begins_.end() - 1);
-        for (const Found& found : found_) sorted_[next[found.part]++] = found.addition;
-    }
-    std::span<const Addition> part(size_t part) const {
-        return std::span(sorted_).subspan(begins_[part], begins_[part + 1] - begins_[part]);
-    }
-
-  private:
-    struct Found {
-        Addition addition;
-        uint32_t part;
-    };
-    std::vector<Found> found_;
-    std::vector<Addition> sorted_;
-    std::vector<uint32_t> begins_;
-};
-
-void addToCell(const PlacedChunk::Addition& a, CellTable& table, const CellGrid& grid, const CellStatistics& statistics,
-               uint32_t now) {
+// The index of the cell that an addition goes to, which is made if need be; or CellTable::kNone.
+size_t cellFor(const PlacedDeposits::Addition& a, CellTable& table, const CellGrid& grid, uint32_t now) {
     const size_t cell = table.claim(a.key, now);
-    if (cell == CellTable::kNone) return;
+    if (cell == CellTable::kNone) return cell;
     CellAnswer& answer = table.answer(cell);
-    CellSums& sums = table.sums(cell);
     if (answer.key != a.key) {
         answer = CellAnswer{.key = a.key, .points = a.points};
+        CellSums& sums = table.sums(cell);
         sums = CellSums{};
         sums.cube = grid.cubeOf(a.deposit->at.p, int(a.level));
         sums.generation = uint32_t(grid.generationOf(int(a.level)));
         sums.facing = uint32_t(CellGrid::facing(a.deposit->at.n));
     }
     answer.lastUse = uint16_t(now);
-    statistics.add(*a.deposit, grid, int(a.level), sums);
+    return cell;
+}
+
+// Nearly all of the time would be spent waiting for memory, so that it is asked for a batch ahead.
+void addAll(std::span<const PlacedDeposits::Addition> additions, CellTable& table, const CellGrid& grid,
+            const CellStatistics& statistics, uint32_t now) {
+    std::array<size_t, kBatch> cells;
+    for (; !additions.empty(); additions = additions.subspan(std::min(kBatch, additions.size()))) {
+        const auto batch = additions.first(std::min(kBatch, additions.size()));
+        for (const auto& addition : batch) table.prefetch(addition.key);
+        for (size_t k = 0; k < batch.size(); ++k) {
+            cells[k] = cellFor(batch[k], table, grid, now);
+            if (cells[k] != CellTable::kNone) table.prefetchSums(cells[k]);
+        }
+        for (size_t k = 0; k < batch.size(); ++k)
+            if (cells[k] != CellTable::kNone)
+                statistics.add(*batch[k].deposit, grid, int(batch[k].level), table.sums(cells[k]));
+    }
 }
 
 }  // namespace
+
+void PlacedDeposits::add(const Addition& addition, size_t part) { found_.push_back({addition, uint32_t(part)}); }
+
+void PlacedDeposits::sort(size_t parts) {
+    begins_.assign(parts + 1, 0);
+    for (const Found& found : found_) ++begins_[found.part + 1];
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    sorted_.resize(found_.size());
+    next_.assign(begins_.begin(), begins_.end() - 1);
+    for (const Found& found : found_) sorted_[next_[found.part]++] = found.addition;
+}
 
 CellDeposits::CellDeposits(std::span<std::vector<CacheDeposit>* const> lists) : lists_(lists), begins_{0} {
     for (const auto* list : lists) begins_.push_back(begins_.back() + list->size());
@@ -138,14 +132,15 @@ void CellDeposits::bound(const CellTable& table, const CellGrid& grid, const Cel
     });
 }
 
-void CellDeposits::addTo(CellTable& table, const CellGrid& grid, const CellStatistics& statistics, uint32_t now) const {
+void CellDeposits::addTo(CellTable& table, const CellGrid& grid, const CellStatistics& statistics, uint32_t now,
+                         std::vector<PlacedDeposits>& placed) const {
     const size_t parts = std::min(kParts, table.buckets());
-    std::vector<PlacedChunk> placed(std::min(chunks(), kChunksAtATime));
+    placed.resize(kChunksAtATime);
     for (size_t first = 0; first < chunks(); first += placed.size()) {
         const size_t here = std::min(placed.size(), chunks() - first);
         parallelFor(0, int(here), 1, [&](int begin, int end) {
             for (auto k = size_t(begin); k < size_t(end); ++k) {
-                PlacedChunk& chunk = placed[k];
+                PlacedDeposits& chunk = placed[k];
                 chunk.clear();
                 forEach(first + k, [&](const CacheDeposit& d) {
                     const int largest = grid.largestLevel(d.at);
@@ -160,11 +155,7 @@ void CellDeposits::addTo(CellTable& table, const CellGrid& grid, const CellStati
         });
         parallelFor(0, int(parts), 1, [&](int begin, int end) {
             for (auto part = size_t(begin); part < size_t(end); ++part)
-                for (size_t k = 0; k < here; ++k) {
-                    const auto additions = placed[k].part(part);
-                    for (const auto& addition : additions) table.prefetch(addition.key);
-                    for (const auto& addition : additions) addToCell(addition, table, grid, statistics, now);
-                }
+                for (size_t k = 0; k < here; ++k) addAll(placed[k].part(part), table, grid, statistics, now);
         });
     }
 }

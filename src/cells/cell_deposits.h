@@ -9,6 +9,33 @@
 
 namespace drc {
 
+// What a chunk of deposits adds to the table, sorted by the part of the table. Its memory can be used again.
+class PlacedDeposits {
+  public:
+    struct Addition {
+        uint64_t key;
+        const CacheDeposit* deposit;
+        uint32_t level;
+        uint8_t points;
+    };
+    void clear() { found_.clear(); }
+    void add(const Addition& addition, size_t part);
+    void sort(size_t parts);
+    // After sort(), in the order of add().
+    std::span<const Addition> part(size_t part) const {
+        return std::span(sorted_).subspan(begins_[part], begins_[part + 1] - begins_[part]);
+    }
+
+  private:
+    struct Found {
+        Addition addition;
+        uint32_t part;
+    };
+    std::vector<Found> found_;
+    std::vector<Addition> sorted_;
+    std::vector<uint32_t> begins_, next_;
+};
+
 class CellDeposits {
   public:
     // The lists must not change meanwhile.
@@ -25,8 +52,10 @@ class CellDeposits {
     // of earlier commits, so that the bias vanishes.
     void bound(const CellTable& table, const CellGrid& grid, const CellStatistics& statistics, double meanOfAll,
                uint64_t depositsBefore);
-    // Adds each deposit to its cell of each size. now: the number of the commit.
-    void addTo(CellTable& table, const CellGrid& grid, const CellStatistics& statistics, uint32_t now) const;
+    // Adds each deposit to its cell of each size. now: the number of the commit. placed: memory that is kept from one
+    // commit to the next.
+    void addTo(CellTable& table, const CellGrid& grid, const CellStatistics& statistics, uint32_t now,
+               std::vector<PlacedDeposits>& placed) const;
 
   private:
     static constexpr size_t kChunk = 1024;

@@ -24,13 +24,14 @@ struct alignas(32) CellAnswer {
 struct CellSums {
     int64_t light[3]{};
     int64_t square = 0;  // of the light's luminance divided by the view factor's
-    // As square, but about the means of the cells of the next smaller size, summed up over them.
+    // As square, but about the means of the cells of the next smaller size, summed up over them. 0 but while answers
+    // are renewed.
     int64_t within = 0;
     uint32_t viewFactor[3]{};  // in steps of kViewFactorSteps
     int32_t position[3]{};     // relative to the cell's corner
     int32_t normal[3]{};
     GridCube cube;
-    uint32_t countWithin = 0;  // deposits in the cells of the next smaller size
+    uint32_t countWithin = 0;  // deposits in the cells of the next smaller size; 0 as `within`
     uint32_t count : 22 = 0;
     uint32_t generation : 5 = 0;  // of the cell's size, see CellGrid::generationOf
     uint32_t facing : 5 = 0;
@@ -66,6 +67,11 @@ class CellTable {
         const auto* bucket = reinterpret_cast<const char*>(&answers_[bucketOf(key) * kWays]);
         __builtin_prefetch(bucket);
         __builtin_prefetch(bucket + 64);
+    }
+    void prefetchSums(size_t cell) const {
+        const auto* sums = reinterpret_cast<const char*>(&sums_[cell]);
+        __builtin_prefetch(sums, 1);
+        __builtin_prefetch(sums + 64, 1);
     }
     // The cell of the key, else one for it, which still has another key: an empty one, or the one that has not been
     // used for longest. kNone: all have been used in the commit `now` or in the one before.

@@ -5,8 +5,6 @@
 #include <bit>
 #include <cmath>
 
-#include "cells/cell_deposits.h"
-
 namespace drc {
 namespace {
 
@@ -75,7 +73,7 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     if (cells > table_.size()) table_.grow(cells);
     deposits.bound(table_, grid_, statistics_, totals_.mean == 0 ? deposits.robustMean() : totals_.mean, deposits_);
     deposits_ += count;
-    deposits.addTo(table_, grid_, statistics_, now_);
+    deposits.addTo(table_, grid_, statistics_, now_, placed_);
     for (auto* list : lists) list->clear();
     renewAnswers();
     return count;

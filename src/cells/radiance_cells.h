@@ -11,6 +11,7 @@
 
 #include "base/state_file.h"
 #include "cells/cell_answers.h"
+#include "cells/cell_deposits.h"
 
 namespace drc {
 
@@ -61,6 +62,7 @@ class RadianceCells final : public RadianceCache {
     CellStatistics statistics_;
     CellTable table_;
     CellTotals totals_;
+    std::vector<PlacedDeposits> placed_;
     uint32_t now_ = 1;       // counts commits
     uint64_t deposits_ = 0;  // so far
     float training_ = 1;     // CacheAnswer::training of what is known

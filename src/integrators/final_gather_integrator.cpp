@@ -21,6 +21,9 @@ constexpr double kRefineAt = 1 << 26, kRefineFactor = 16;
 // a camera that moves it is put off, until each pixel has a sample, if the cells answer this share of what they are
 // asked, as in a room that they know already.
 constexpr double kMostlyKnown = 2. / 3;
+// In small pictures a commit takes the deposits of several samples of each pixel: of so many camera samples in all, but
+// at most of a quarter of those that the pixels have had, because the first ones teach most, and of so many of a pixel.
+constexpr double kSamplesPerCommit = 1 << 19, kMostSamplesPerCommit = 4;
 
 class FinalGatherIntegrator final : public SampledIntegrator {
   public:
@@ -38,9 +41,10 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         plan();
     }
 
-    // The cells are not of the camera. Deposits that have not been committed are lost.
+    // Cells live in world space and survive camera moves.
     bool cameraMoved() override {
         if (!cells_) return false;
+        commit();
         region_ = context_.scene.settings.region();
         rows_.clear();
         plan();
@@ -60,7 +64,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
             cells_->refine();
             refineAt_ *= kRefineFactor;
         }
-        commit();
+        if (samples % samplesPerCommit(samples) == 0) commit();
     }
 
     void focusPassesDone() override {
@@ -138,6 +142,13 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         planner_->add(place.x, place.y, half, luminance(value), surface);
         if (sinks.gBuffer) *sinks.gBuffer = surface;
         return value;
+    }
+
+    // The power of two of samples a pixel between commits, after so many.
+    int samplesPerCommit(int samples) const {
+        const double wanted =
+            std::min({kSamplesPerCommit / double(region_.count()), samples / 4.0, kMostSamplesPerCommit});
+        return int(std::bit_floor(unsigned(std::max(1.0, wanted))));
     }
 
     FinalGather::Counts counts() const {

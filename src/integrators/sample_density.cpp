@@ -116,8 +116,7 @@ std::vector<SampleDensity::Estimate> SampleDensity::estimates() const {
             cell.samples = sums.count() / (kCell * kCell);
             cell.albedo = sums.albedo * (1 / sums.count());
             cell.normal = sums.normal * (1 / sums.count());
-            const float halves[] = {scale_ * sums.value[0] / sums.samples[0],
-                                    scale_ * sums.value[1] / sums.samples[1]};
+            const float halves[] = {scale_ * sums.value[0] / sums.samples[0], scale_ * sums.value[1] / sums.samples[1]};
             cell.mean = 0.5f * (halves[0] + halves[1]);
             cell.difference = 0.5f * (halves[0] - halves[1]);
         }

@@ -196,9 +196,11 @@ bool Session::step(const CancelToken* cancel, const CancelToken* abandon) {
     const auto took = Schedule::Clock::now() - start;
     schedule_.finished(*work, took, whole);
     if (stats_) stats_->timer(work->kind == Schedule::Work::Kind::Maps ? "map passes" : "sample passes").add(took);
+    const auto learning = Schedule::Clock::now();
     if (whole && work->kind == Schedule::Work::Kind::Samples) integrator_->samplePassDone(samplesDone());
     if (guide_ && whole && (work->kind == Schedule::Work::Kind::Maps || SamplePass{work->index}.endsSample()))
         guide_->update();
+    if (stats_) stats_->timer("learning between passes").add(Schedule::Clock::now() - learning);
     return whole;
 }
 
