@@ -101,7 +101,9 @@ CLI::Validator secondsOfWork() {
 }
 
 CLI::Option* addThreadsOption(CLI::App& command, int& threads) {
-    return command.add_option("--nthreads", threads, "Number of threads; 0: one for each core")
+    return command
+        .add_option("--nthreads", threads,
+                    "Number of threads; 0: one for each core that the affinity mask and the control group give")
         ->capture_default_str()
         ->check(wholeNumberIn(0, mostThreads()));
 }

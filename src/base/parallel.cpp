@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -12,6 +11,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/available_cores.h"
 #include "base/error.h"
 #include "base/parallel_time.h"
 
@@ -29,7 +29,7 @@ struct Threads {
 };
 
 std::unique_ptr<Threads>& threads() {
-    static auto instance = std::make_unique<Threads>(tbb::info::default_concurrency());
+    static auto instance = std::make_unique<Threads>(availableCores());
     return instance;
 }
 
@@ -60,7 +60,7 @@ bool& isAlone() {
 
 void setThreadCount(int count) {
     if (count < 0) throw Error(fmt::format("the number of threads is {}: it must be 0 (all) or more", count));
-    const int n = count == 0 ? tbb::info::default_concurrency() : count;
+    const int n = count == 0 ? availableCores() : count;
     if (n == threads()->count) return;
     threads().reset();  // the strictest of the limits alive rules, so the old one has to go first
     threads() = std::make_unique<Threads>(n);
