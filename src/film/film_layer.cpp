@@ -61,8 +61,13 @@ void FilmLayer::add(int x, int y, int group, std::span<const float> values, floa
 
 void FilmLayer::splat(int x, int y, const Rgb& value) {
     int64_t* r = &exact_[record(x, y, 0)];
-    for (int c = 0; c < 3; ++c)
-        std::atomic_ref(r[c]).fetch_add(quanta(double(value[c]), perQuantum_), std::memory_order_relaxed);
+    for (int c = 0; c < 3; ++c) {
+        const int64_t more = quanta(double(value[c]), perQuantum_);
+        const std::atomic_ref sum(r[c]);
+        int64_t before = sum.load(std::memory_order_relaxed);
+        while (!sum.compare_exchange_weak(before, saturatingSum(before, more), std::memory_order_relaxed)) {
+        }
+    }
 }
 
 double FilmLayer::value(int x, int y, int group, size_t i) const {

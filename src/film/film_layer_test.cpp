@@ -109,6 +109,14 @@ TEST(FilmLayer, TheQuantumFollowsTheScale) {
     EXPECT_GT(radianceQuantum(0), 0);
 }
 
+TEST(FilmLayer, SplatsSaturate) {
+    FilmLayer l({0, 0, 8, 8}, {.name = "splats", .weighted = false});
+    for (int i = 0; i < 5; ++i) l.splat(4, 4, Rgb(1e30f, -1e30f, 1));
+    EXPECT_NEAR(l.sum(4, 4, 0), 0x1p39, 1);  // 2^63 quanta of 2^-24
+    EXPECT_NEAR(l.sum(4, 4, 1), -0x1p39, 1);
+    EXPECT_EQ(l.sum(4, 4, 2), 5);
+}
+
 TEST(FilmLayer, SplatsMayComeFromAnyThread) {
     FilmLayer l(kRegion, {.name = "l", .weighted = false});
     parallelFor(0, 10000, 10, [&](int begin, int end) {
