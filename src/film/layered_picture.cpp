@@ -96,8 +96,11 @@ void addGBufferSpec(std::vector<FilmLayerSpec>& layers, int groups) {
 }
 
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, float filterWeight, int group) {
-    const float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x,
-                            s.normal.y, s.normal.z, s.depth,    lengthSquared(s.albedo) + lengthSquared(s.normal)};
+    float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x,
+                      s.normal.y, s.normal.z, s.depth,    lengthSquared(s.albedo) + lengthSquared(s.normal)};
+    // One sample with a broken texture must not take the pixel's guide from all others.
+    for (float& value : values)
+        if (!std::isfinite(value)) value = 0;
     layer.add(x, y, group, values, filterWeight);
 }
 

@@ -50,6 +50,21 @@ TEST(GBuffer, KnowsHowNoisyItIs) {
     EXPECT_EQ(gBufferOf(sharp, "", 1).noise, 1);  // nothing is known
 }
 
+TEST(GBuffer, KeepsItsOtherSamplesBesideABrokenOne) {
+    std::vector<FilmLayerSpec> specs;
+    addGBufferSpec(specs, 1);
+    FilmLayer layer({0, 0, 1, 1}, specs[0]);
+    GBufferSample good{.albedo = Rgb(0.5f), .normal = Vec3(0, 0, 1), .depth = 2}, broken = good;
+    broken.albedo.y = std::numeric_limits<float>::quiet_NaN();
+    broken.depth = kInfinity;
+    addGBufferSample(layer, 0, 0, good, 1, 0);
+    addGBufferSample(layer, 0, 0, broken, 1, 0);
+    EXPECT_NEAR(layer.sum(0, 0, 0), 1, 1e-6);
+    EXPECT_NEAR(layer.sum(0, 0, 1), 0.5, 1e-6);
+    EXPECT_NEAR(layer.sum(0, 0, 5), 2, 1e-6);
+    EXPECT_NEAR(layer.sum(0, 0, 6), 2, 1e-6);
+}
+
 TEST(LayeredPicture, ColoursOfAllLayersAreBalanced) {
     LayeredPicture picture;
     picture.layers.push_back({"a", "direct", Image(1, 1), Image(1, 1)});
