@@ -2,7 +2,9 @@
 
 #include <immintrin.h>
 
+#include <algorithm>
 #include <bit>
+#include <functional>
 
 #include "base/parallel.h"
 #include "math/rng.h"
@@ -34,6 +36,11 @@ struct Cell {
     float local;  // position within the chosen interval, in [0, 1)
     int mass;     // probability, in units of 2^-16
 };
+
+template <size_t N>
+bool isCumulative(const std::array<uint16_t, N>& numbers) {
+    return numbers[0] == 0 && std::ranges::adjacent_find(numbers, std::greater_equal<>()) == numbers.end();
+}
 
 template <size_t N>
 int massOf(const std::array<uint16_t, N>& cumulative, int i) {
@@ -171,6 +178,9 @@ std::function<void()> EnvironmentGuide::load(StateReader& from) {
     state->passes = from.value<int32_t>();
     state->tables.resize(tables_.size());
     from.bytes(std::as_writable_bytes(std::span(state->tables)));
+    for (const Table& table : state->tables)
+        if (!isCumulative(table.rows) || !std::ranges::all_of(table.columns, isCumulative<kColumns>))
+            from.fail("there cannot be such a table of where light comes from");
     const bool learning = state->passes < kPassesToLearn;
     if (learning) {
         state->counts.resize(size_t(kGroups) * kBlocks);

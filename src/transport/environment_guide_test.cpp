@@ -1,7 +1,9 @@
 #include "transport/environment_guide.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/folder_testing.h"
 #include "math/rng.h"
 #include "scene/lobes/lobe_testing.h"
 
@@ -138,6 +140,32 @@ TEST_F(Guide, NorDoManyPasses) {
     for (int b = 24; b < 32; ++b) (b % 2 ? odd : even) += densityOf(b) / 4;
     EXPECT_GT(even + odd, 18);  // of 24
     EXPECT_NEAR((even - 0.25) / (odd - 0.25), 4, 0.4);
+}
+
+// With a checksum that is right: someone has made the file.
+TEST_F(Guide, TablesThatAreNoneAreRefused) {
+    TemporaryFolder folder;
+    const auto loads = [&](size_t at, uint16_t number) {
+        constexpr size_t kTables = 1 << 14, kNumbers = EnvironmentGuide::kRows + EnvironmentGuide::kBlocks;
+        const auto uniform = [](size_t i, size_t n) { return uint16_t((i * (1 << 16)) / n); };
+        std::vector<uint16_t> numbers;
+        for (size_t t = 0; t < kTables; ++t) {
+            for (size_t i = 0; i < EnvironmentGuide::kRows; ++i) numbers.push_back(uniform(i, EnvironmentGuide::kRows));
+            for (size_t i = 0; i < EnvironmentGuide::kBlocks; ++i)
+                numbers.push_back(uniform(i % EnvironmentGuide::kColumns, EnvironmentGuide::kColumns));
+        }
+        EXPECT_EQ(numbers.size(), kTables * kNumbers);
+        numbers[at] = number;
+        StateWriter file(folder.path("guide"), "guide");
+        file.value(int32_t(64));
+        file.values(std::span<const uint16_t>(numbers));
+        file.commit();
+        StateReader reader(folder.path("guide"), "guide", "guide");
+        return errorOf([&] { guide.load(reader); });
+    };
+    EXPECT_EQ(loads(3, uint16_t(3 << 13)), "");  // as it was
+    for (const auto& [at, number] : {std::pair<size_t, uint16_t>(0, 1), {3, 2 << 13}, {5, 0}, {1000, 65535}})
+        EXPECT_THAT(loads(at, number), testing::HasSubstr("there cannot be such a table")) << at;
 }
 
 TEST_F(Guide, GroupsArePointsNearEachOther) {
