@@ -16,7 +16,7 @@ Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, i
     Rgb sum(0.f);
     const Bsdf& bsdf = view.bsdf();
     const auto s = view.sample(u.lobe, u.direction);
-    if (!s) return sum;
+    if (!s || !(s->pdf > 0)) return sum;
     const Rgb scale = throughput * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     Ray next = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
     SurfaceInteraction hit;
