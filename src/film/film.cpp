@@ -53,7 +53,7 @@ Film::Film(const Film& other, const PixelRegion& part) : region_(part) {
         for (size_t i = 0; i < layers_.size(); ++i) layers_[i].copyRow(other.layers_[i], y);
         setRowPasses(y, other.rowPasses(y));
     }
-    mapPasses = other.mapPasses;
+    setMapPasses(other.mapPasses());
 }
 
 FilmLayer& Film::layer(std::string_view name) {
@@ -72,7 +72,11 @@ size_t Film::bytesPerPixel() const {
     return bytes;
 }
 
-int Film::passes() const { return *std::min_element(rowPasses_.begin(), rowPasses_.end()); }
+int Film::passes() const {
+    int least = std::numeric_limits<int>::max();
+    for (int y = region_.y0; y < region_.y1; ++y) least = std::min(least, rowPasses(y));
+    return least;
+}
 
 void Film::clear() {
     for (int y = region_.y0; y < region_.y1; ++y) {
@@ -80,7 +84,7 @@ void Film::clear() {
         for (FilmLayer& layer : layers_) std::ranges::fill(layer.row(y), std::byte{});
         setRowPasses(y, 0);
     }
-    mapPasses = 0;
+    setMapPasses(0);
 }
 
 std::shared_ptr<const Film> Film::snapshot(const PixelRegion& part) const {
@@ -96,7 +100,7 @@ void Film::add(const Film& other) {
     for (size_t i = 0; i < rowPasses_.size(); ++i)
         rowPasses_[i] = SamplePass::passesFor(SamplePass::wholeSamples(rowPasses_[i]) +
                                               SamplePass::wholeSamples(other.rowPasses_[i]));
-    mapPasses += other.mapPasses;
+    setMapPasses(mapPasses() + other.mapPasses());
 }
 
 std::string Film::description(const std::string& identity) const {
@@ -114,7 +118,7 @@ std::string Film::description(const std::string& identity) const {
 void Film::save(StateWriter& to) const {
     const std::shared_ptr<const Film> still = snapshot();
     to.values(std::span(still->rowPasses_));
-    to.value(int32_t(still->mapPasses));
+    to.value(int32_t(still->mapPasses()));
     for (const FilmLayer& layer : still->layers_)
         for (int y = region_.y0; y < region_.y1; ++y) to.bytes(layer.row(y));
 }
@@ -124,7 +128,7 @@ void Film::load(StateReader& from) {
     if (from.remaining() != size)
         from.fail(fmt::format("it has {} bytes for the film, {} were expected", from.remaining(), size));
     from.values(std::span(rowPasses_));
-    mapPasses = from.value<int32_t>();
+    setMapPasses(from.value<int32_t>());
     for (FilmLayer& layer : layers_)
         for (int y = region_.y0; y < region_.y1; ++y) from.bytes(layer.row(y));
 }

@@ -3,6 +3,7 @@
 // film of all of them (exact layers to the bit, others to rounding), and a film that was saved and loaded continues
 // where it was.
 #pragma once
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -33,13 +34,16 @@ class Film {
     // Must be held while adding to a row of pixels, or while reading it when others may add. Not needed for splats.
     std::unique_lock<std::mutex> lockRow(int y) const { return std::unique_lock(rowMutexes_[size_t(y - region_.y0)]); }
 
-    // The number of sample passes (SamplePass) that a row has had.
-    int rowPasses(int y) const { return rowPasses_[size_t(y - region_.y0)]; }
-    void setRowPasses(int y, int passes) { rowPasses_[size_t(y - region_.y0)] = passes; }
+    // The number of sample passes (SamplePass) that a row has had. These counts may be read while others change them.
+    int rowPasses(int y) const { return shared(rowPasses_[size_t(y - region_.y0)]).load(std::memory_order_relaxed); }
+    void setRowPasses(int y, int passes) {
+        shared(rowPasses_[size_t(y - region_.y0)]).store(passes, std::memory_order_relaxed);
+    }
     // The number of passes that every row has had.
     int passes() const;
     // The number of complete map passes.
-    int mapPasses = 0;
+    int mapPasses() const { return shared(mapPasses_).load(std::memory_order_relaxed); }
+    void setMapPasses(int passes) { shared(mapPasses_).store(passes, std::memory_order_relaxed); }
 
     // Removes all samples.
     void clear();
@@ -64,11 +68,15 @@ class Film {
 
   private:
     Film(const Film& other, const PixelRegion& part);
+    static std::atomic_ref<int32_t> shared(const int32_t& count) {
+        return std::atomic_ref(const_cast<int32_t&>(count));
+    }
 
     PixelRegion region_;
     std::vector<FilmLayer> layers_;
     std::vector<int32_t> rowPasses_;
     std::unique_ptr<std::mutex[]> rowMutexes_;
+    int32_t mapPasses_ = 0;
 };
 
 }  // namespace drc

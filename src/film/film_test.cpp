@@ -41,7 +41,7 @@ bool sameBits(const Film& a, const Film& b) {
     for (size_t i = 0; i < a.layerCount(); ++i)
         for (int y = a.region().y0; y < a.region().y1; ++y)
             if (!std::ranges::equal(a.layer(i).row(y), b.layer(i).row(y))) return false;
-    return a.passes() == b.passes() && a.mapPasses == b.mapPasses;
+    return a.passes() == b.passes() && a.mapPasses() == b.mapPasses();
 }
 
 struct TestFilm : Film {
@@ -117,7 +117,7 @@ class FilmFile : public FolderTest {};
 TEST_F(FilmFile, ComesBackAsItWas) {
     TestFilm film, other;
     for (int i = 0; i < 3; ++i) sample(film, i);
-    film.mapPasses = 7;
+    film.setMapPasses(7);
     film.save(path("a.film"), "scene");
     other.load(path("a.film"), "scene");
     EXPECT_TRUE(sameBits(film, other));

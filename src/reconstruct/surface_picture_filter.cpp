@@ -13,7 +13,7 @@ void SurfacePictureFilter::apply(LayeredPicture& picture) const {
         picture.layer(name).mean = std::move(mean);
     };
     if (smooth_) set("lit", LayerFilter(surfaces, LobeKind::All).smooth(film.layer("lit")));
-    const bool correct = correct_ && film.mapPasses > 0;
+    const bool correct = correct_ && film.mapPasses() > 0;
     if (smooth_ || correct) {
         const LayerFilter broad(surfaces, LobeKind::Broad);
         const FilmLayer& maps = film.layer("maps");

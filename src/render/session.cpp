@@ -180,7 +180,7 @@ void Session::startGuide() {
 bool Session::step(const CancelToken* cancel, const CancelToken* abandon) {
     if (cancel && cancel->cancelled()) return false;
     if (focus_ && samplesDone() > 0) return focusPass(cancel, abandon);
-    const std::optional<Schedule::Work> work = schedule_.next(film_->passes(), film_->mapPasses);
+    const std::optional<Schedule::Work> work = schedule_.next(film_->passes(), film_->mapPasses());
     if (!work) return false;
     std::optional<DeadlineToken> inTime;
     if (const auto deadline = schedule_.deadline(); deadline && hasPicture())
@@ -189,7 +189,7 @@ bool Session::step(const CancelToken* cancel, const CancelToken* abandon) {
     bool whole = false;
     if (work->kind == Schedule::Work::Kind::Maps) {
         whole = integrator_->mapPass(work->index, work->spacing, work->stride, *film_, cancel);
-        film_->mapPasses += whole;
+        film_->setMapPasses(film_->mapPasses() + whole);
     } else {
         whole = samplePass(work->index, cancel, abandon);
     }
@@ -300,7 +300,7 @@ std::string Session::status() const {
                                     ? fmt::format("{} spp", samplesDone())
                                     : fmt::format("1 of {} pixels sampled", film_->passes() == 1 ? 16 : 4);
     if (!integrator_->hasMapPasses()) return samples;
-    return fmt::format("direct {}, indirect pass {}", samples, film_->mapPasses);
+    return fmt::format("direct {}, indirect pass {}", samples, film_->mapPasses());
 }
 
 }  // namespace drc

@@ -24,7 +24,7 @@ class Session {
     // what comes next.
     bool step(const CancelToken* cancel = nullptr, const CancelToken* abandon = nullptr);
     // Whether every layer of the picture has some light already.
-    bool hasPicture() const { return schedule_.hasPicture(film_->passes(), film_->mapPasses); }
+    bool hasPicture() const { return schedule_.hasPicture(film_->passes(), film_->mapPasses()); }
     // The picture so far, unfiltered. Safe while step runs, from any thread. part: of the film's region.
     LayeredPicture snapshot() const { return integrator_->picture(film_->snapshot()); }
     LayeredPicture snapshot(const PixelRegion& part) const { return integrator_->picture(film_->snapshot(part)); }
@@ -69,9 +69,9 @@ class Session {
     const RenderParams& params() const { return params_; }
     // Complete samples a pixel, and complete map passes.
     int samplesDone() const;
-    int mapPassesDone() const { return film_->mapPasses; }
+    int mapPassesDone() const { return film_->mapPasses(); }
     // The share of the work, or of the time, that is done, in [0, 1].
-    double progress() const { return schedule_.progress(film_->passes(), film_->mapPasses); }
+    double progress() const { return schedule_.progress(film_->passes(), film_->mapPasses()); }
     // A line for progress displays, as "direct 12 spp, indirect pass 5".
     std::string status() const;
     const PathTracer& tracer() const { return tracer_; }
