@@ -62,7 +62,7 @@ set(DRC_FIRST_TEST_PROGRAM "" CACHE INTERNAL "")
 # drc_library(NAME): the sources in src/NAME and its folders, linked to the libraries declared before it.
 function(drc_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main|/processor_check)\\.cpp$")
   file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*_test.cpp)
   if(sources)
     add_library(drc_${name} STATIC ${sources})
