@@ -1,6 +1,5 @@
 // `drc view`: renders a scene and shows it in a browser while it refines.
 #include <fmt/ranges.h>
-#include <spawn.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,12 +8,14 @@
 
 #include "app/command.h"
 #include "app/display_options.h"
+#include "app/open_in_browser.h"
 #include "app/option_checks.h"
 #include "app/option_choice.h"
 #include "app/picture_filters.h"
 #include "app/picture_writer.h"
 #include "app/scene_overrides.h"
 #include "app/usage_error.h"
+#include "base/error.h"
 #include "base/limits.h"
 #include "base/log.h"
 #include "integrators/integrator.h"
@@ -88,14 +89,15 @@ std::string encodeFrame(RenderSettings settings, const LiveFrame& frame, const R
                                          {"drc:spp", std::to_string(frame.samples)}})[0];
 }
 
-// Lets the desktop open the address; says so if it cannot.
-void openBrowser(const std::string& address) {
-    std::string program = "xdg-open", argument = address;
-    char* arguments[] = {program.data(), argument.data(), nullptr};
-    pid_t child = 0;
-    if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments, environ) != 0)
-        logWarning("--open: there is no xdg-open; open the address by hand");
+// "[::1]:80" for addresses of version 6.
+std::string hostAndPort(const std::string& address, int port) {
+    const bool isV6 = address.find(':') != std::string::npos;
+    return fmt::format("{}{}{}:{}", isV6 ? "[" : "", address, isV6 ? "]" : "", port);
 }
+
+bool isLoopback(const std::string& address) { return address == "127.0.0.1" || address == "::1"; }
+// That a server listens on to all addresses of the machine.
+bool isAny(const std::string& address) { return address == "0.0.0.0" || address == "::"; }
 
 void view(ViewOptions o) {
     setLogLevel(o.verbose ? LogLevel::Verbose : LogLevel::Normal);
@@ -142,17 +144,23 @@ void view(ViewOptions o) {
     HttpSettings http;
     http.address = o.address;
     http.port = uint16_t(o.port);
-    if (o.address != "127.0.0.1") http.hosts.push_back(o.address);
+    http.admit = [&](const HttpRequest& header) { return service.admit(header); };
     HttpServer server(http, [&](const HttpRequest& request) { return service.answer(request); });
     source = &service;
     listener = &server;
-    const std::string address = fmt::format("http://{}:{}/{}/", o.address, server.port(), service.token());
-    if (o.address != "127.0.0.1")
+    const std::string own = isAny(o.address) ? (o.address == "::" ? "::1" : "127.0.0.1") : o.address;
+    const std::string address = fmt::format("http://{}/{}/", hostAndPort(own, server.port()), service.token());
+    if (!isLoopback(o.address))
         logWarning("--listen " + o.address +
-                   ": everybody who can reach this address and knows the whole line below can watch and steer");
+                   ": everybody who can reach this machine and knows the whole line below can watch and steer" +
+                   (isAny(o.address) ? "; other machines put its address in place of " + own : ""));
     fmt::print("{}\n", address);
     std::fflush(stdout);
-    if (o.open) openBrowser(address);
+    try {
+        if (o.open) openInBrowser(address);
+    } catch (const Error& error) {
+        logWarning(fmt::format("--open: {}; open the address by hand", error.what()));
+    }
     // There is nothing to save: Ctrl-C ends the program.
     for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
 }

@@ -36,6 +36,9 @@ constexpr int kHandlers = 2;
 constexpr int kMostUnsent = 128 << 10;
 // So often a line is sent to streams of events that have nothing else, which finds out that a client has gone.
 constexpr std::chrono::seconds kHeartbeat{5};
+// After so long it is tried again to accept a connection, where there was no file descriptor for it.
+constexpr std::chrono::milliseconds kAcceptAgain{100};
+constexpr uint16_t kDefaultPort = 80;
 
 }  // namespace
 
@@ -105,6 +108,7 @@ struct HttpServer::Impl : std::enable_shared_from_this<HttpServer::Impl> {
     Handler handler;
     asio::io_context context{1};
     tcp::acceptor acceptor;
+    asio::steady_timer acceptTimer{context};
     asio::thread_pool handlers{kHandlers};
     std::list<std::shared_ptr<Connection>> connections;  // the one that has been idle longest comes first
     std::atomic<size_t> count{0};
@@ -123,6 +127,8 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     }
     // Whether it waits for a request, or for an event.
     bool isIdle() const { return idle_; }
+    // Whether it waits for the rest of a request.
+    bool isReading() const { return reading_; }
     bool isStream() const { return isStream_; }
     void close() {
         if (closed_) return;
@@ -169,7 +175,23 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         if (message.method() != http::verb::get && message.method() != http::verb::post &&
             message.method() != http::verb::head)
             return refuse(405, "GET and POST are answered alone");
+        request_ = {};
+        request_.method = message.method() == http::verb::post ? "POST" : "GET";
+        isHead_ = message.method() == http::verb::head;
+        keepAlive_ = message.keep_alive();
+        if (!parseTarget(message.target(), request_)) return refuse(400, "the request's target is malformed");
+        if (server_.settings.admit) {
+            HttpAdmission admission = server_.settings.admit(request_);
+            if (admission.refusal) {
+                keepAlive_ = false;
+                return respond(std::move(*admission.refusal));
+            }
+            const size_t most = std::min(admission.mostBody, server_.settings.mostBody);
+            if (parser_->content_length().value_or(0) > most) return refuse(413, "the request is too large");
+            parser_->body_limit(most);
+        }
         progress_ = 0;
+        reading_ = true;
         stream_.expires_after(server_.settings.stalled);
         parser_->eager(true);
         readBody();
@@ -194,19 +216,14 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     }
 
     void requestRead(beast::error_code error) {
+        reading_ = false;
         if (closed_) return;
         if (error == http::error::body_limit) return refuse(413, "the request is too large");
         if (error == beast::error::timeout) return close();
         if (error) return refuse(400, "the request is malformed or cut short");
-        const auto& message = parser_->get();
-        HttpRequest request;
-        request.method = message.method() == http::verb::post ? "POST" : "GET";
-        isHead_ = message.method() == http::verb::head;
-        keepAlive_ = message.keep_alive();
-        if (!parseTarget(message.target(), request)) return refuse(400, "the request's target is malformed");
-        request.body = std::move(parser_->get().body());
+        request_.body = std::move(parser_->get().body());
         stream_.expires_never();
-        asio::post(server_.handlers, [self = shared_from_this(), request = std::move(request)] {
+        asio::post(server_.handlers, [self = shared_from_this(), request = std::move(request_)] {
             HttpResponse response;
             try {
                 response = self->server_.handler(request);
@@ -219,9 +236,27 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     }
 
     bool hostAllowed(std::string_view host) const {
-        for (const std::string& name : server_.settings.hosts)
-            if (host == name + ":" + std::to_string(server_.port)) return true;
-        return false;
+        // Browsers leave out the port 80.
+        const std::string port = ":" + std::to_string(server_.port);
+        if (host.ends_with(port))
+            host.remove_suffix(port.size());
+        else if (server_.port != kDefaultPort)
+            return false;
+        return std::ranges::find(server_.settings.hosts, host) != server_.settings.hosts.end() || isOwnAddress(host);
+    }
+    // Whether it is the number of the address that the client has connected to.
+    bool isOwnAddress(std::string_view host) const {
+        if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+        beast::error_code error;
+        const asio::ip::address named = asio::ip::make_address(std::string(host), error);
+        if (error) return false;
+        const tcp::endpoint end = stream_.socket().local_endpoint(error);
+        if (error) return false;
+        // Sockets of version 6 have addresses of version 4 mapped into theirs.
+        const asio::ip::address own = end.address();
+        if (named == own) return true;
+        return own.is_v6() && own.to_v6().is_v4_mapped() && named.is_v4() &&
+               asio::ip::make_address_v4(asio::ip::v4_mapped, own.to_v6()) == named.to_v4();
     }
     bool originAllowed(std::string_view origin) const {
         constexpr std::string_view kScheme = "http://";
@@ -334,6 +369,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     std::list<std::shared_ptr<Connection>>::iterator at_;
     beast::flat_buffer buffer_{kMostHeader};
     std::optional<http::request_parser<http::string_body>> parser_;
+    HttpRequest request_;
     std::optional<http::response<http::string_body>> response_;
     std::optional<http::response_serializer<http::string_body>> serializer_;
     std::optional<http::response<http::empty_body>> eventHeader_;
@@ -343,7 +379,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     std::string next_, written_;
     std::chrono::steady_clock::time_point writingSince_{};
     size_t progress_ = 0;  // bytes of a body, since the deadline was set
-    bool idle_ = true, closed_ = false, keepAlive_ = false, isHead_ = false;
+    bool idle_ = true, reading_ = false, closed_ = false, keepAlive_ = false, isHead_ = false;
     bool isStream_ = false, listening_ = false, writing_ = false;
 };
 
@@ -364,7 +400,16 @@ void HttpServer::Impl::listen() {
 void HttpServer::Impl::accept() {
     acceptor.async_accept([self = shared_from_this()](beast::error_code error, tcp::socket socket) {
         if (error == asio::error::operation_aborted) return;
-        if (!error) {
+        if (error) {
+            // It would fail at once again.
+            self->closeIdlest();
+            self->acceptTimer.expires_after(kAcceptAgain);
+            self->acceptTimer.async_wait([self](beast::error_code cancelled) {
+                if (!cancelled) self->accept();
+            });
+            return;
+        }
+        {
             if (self->connections.size() >= self->settings.mostConnections) self->closeIdlest();
             if (self->connections.size() < self->settings.mostConnections) {
                 beast::error_code ignored;
@@ -383,6 +428,8 @@ void HttpServer::Impl::accept() {
 void HttpServer::Impl::closeIdlest() {
     for (const auto& connection : connections)
         if (connection->isIdle() && !connection->isStream()) return connection->close();
+    for (const auto& connection : connections)
+        if (connection->isReading()) return connection->close();
 }
 
 HttpServer::HttpServer(const HttpSettings& settings, Handler handler)
@@ -404,6 +451,7 @@ HttpServer::~HttpServer() {
     asio::post(impl_->context, [impl = impl_] {
         beast::error_code ignored;
         impl->acceptor.close(ignored);
+        impl->acceptTimer.cancel();
         while (!impl->connections.empty()) impl->connections.front()->close();
         impl->context.stop();
     });

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,14 +30,24 @@ struct HttpResponse {
     bool events = false;  // the connection becomes a stream of server-sent events: see HttpServer::send
 };
 
+// Whether a request is read any further.
+struct HttpAdmission {
+    size_t mostBody = 0;                  // bytes that its body may have
+    std::optional<HttpResponse> refusal;  // the answer if it is not
+};
+
 struct HttpSettings {
     std::string address = "127.0.0.1";
     uint16_t port = 0;  // 0: any that is free
-    // Requests are answered only if their Host header is one of these names with the port, or the address: a page of
-    // another site that has made its name point here (DNS rebinding) is refused.
+    // Requests are answered only if their Host header is one of these names, or the address that the client has
+    // connected to, with the port: a page of another site that has made its name point here (DNS rebinding) is refused.
     std::vector<std::string> hosts{"127.0.0.1", "localhost"};
-    size_t mostBody = 64 << 20;              // bytes
-    size_t mostConnections = 128;            // more make the server close the one that has been idle longest
+    // Asked when the header of a request is there, before its body is read, on the thread that serves all connections.
+    // None: all are admitted.
+    std::function<HttpAdmission(const HttpRequest& header)> admit;
+    size_t mostBody = 64 << 20;  // bytes
+    // More make the server close the one that has been idle longest or, if none is, that has sent a body for longest.
+    size_t mostConnections = 128;
     size_t mostEventStreams = 32;            // more are refused
     std::chrono::milliseconds idle{10'000};  // until a connection whose request's header is not complete is closed
     // Until a connection is closed that has taken or given less than `leastProgress` bytes of a body, or less than the

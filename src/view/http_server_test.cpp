@@ -1,6 +1,7 @@
 #include "view/http_server.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -53,10 +54,11 @@ TEST(ParseTarget, SplitsPathAndQuery) {
 class Client {
   public:
     // receives: bytes that its system takes for it before it reads them; 0: as many as usual.
-    explicit Client(uint16_t port, int receives = 0) : socket_(context_) {
-        socket_.open(tcp::v4());
+    explicit Client(uint16_t port, int receives = 0, const std::string& address = "127.0.0.1") : socket_(context_) {
+        const tcp::endpoint end(asio::ip::make_address(address), port);
+        socket_.open(end.protocol());
         if (receives > 0) socket_.set_option(asio::socket_base::receive_buffer_size(receives));
-        socket_.connect(tcp::endpoint(asio::ip::make_address("127.0.0.1"), port));
+        socket_.connect(end);
     }
     void send(const std::string& text) { asio::write(socket_, asio::buffer(text)); }
     // Up to and with `end`.
@@ -152,6 +154,90 @@ TEST(HttpServer, LimitsBodiesAndConnections) {
     Client slow(server.port());
     slow.send("GET / HT");
     EXPECT_EQ(slow.readAll(), "");
+}
+
+TEST(HttpServer, AnswersToTheAddressThatTheClientHasConnectedTo) {
+    const auto status = [](const std::string& listen, const std::string& connect, const std::string& host) {
+        HttpSettings settings;
+        settings.address = listen;
+        HttpServer server(settings, [](const HttpRequest&) { return HttpResponse{}; });
+        Client client(server.port(), 0, connect);
+        client.send("GET / HTTP/1.1\r\nHost: " + host + ":" + std::to_string(server.port()) +
+                    "\r\nConnection: close\r\n\r\n");
+        return client.readAll().substr(9, 3);
+    };
+    EXPECT_EQ(status("0.0.0.0", "127.0.0.2", "127.0.0.2"), "200");
+    EXPECT_EQ(status("0.0.0.0", "127.0.0.2", "127.0.0.3"), "403");
+    EXPECT_EQ(status("0.0.0.0", "127.0.0.2", "example.org"), "403");
+    try {
+        EXPECT_EQ(status("::1", "::1", "[::1]"), "200");
+        EXPECT_EQ(status("::1", "::1", "[::2]"), "403");
+        EXPECT_EQ(status("::", "127.0.0.2", "127.0.0.2"), "200");
+    } catch (const std::exception& noV6) {
+        GTEST_SKIP() << "there is no IPv6: " << noV6.what();
+    }
+}
+
+// Whoever may not ask is told so before anything of the body is read or kept.
+TEST(HttpServer, AdmitsByTheHeader) {
+    HttpSettings settings;
+    settings.admit = [](const HttpRequest& header) {
+        if (header.path != "/known") return HttpAdmission{0, HttpResponse{403, "text/plain", "who?", {}}};
+        return HttpAdmission{10, {}};
+    };
+    HttpServer server(settings, [](const HttpRequest& r) { return HttpResponse{200, "text/plain", r.body, {}}; });
+    const auto answer = [&](const std::string& path, const std::string& rest) {
+        Client client(server.port());
+        client.send("POST " + path + " HTTP/1.1\r\n" + hostOf(server) + rest);
+        return client.readAll();
+    };
+    EXPECT_THAT(answer("/other", "Content-Length: 1000000\r\n\r\n"),
+                testing::AllOf(testing::StartsWith("HTTP/1.1 403"), testing::EndsWith("who?")));
+    EXPECT_THAT(answer("/known", "Content-Length: 11\r\n\r\n"), testing::StartsWith("HTTP/1.1 413"));
+    EXPECT_THAT(answer("/known", "Transfer-Encoding: chunked\r\n\r\nb\r\n0123456789a\r\n0\r\n\r\n"),
+                testing::StartsWith("HTTP/1.1 413"));
+    EXPECT_THAT(answer("/known", "Connection: close\r\nContent-Length: 10\r\n\r\n0123456789"),
+                testing::AllOf(testing::StartsWith("HTTP/1.1 200"), testing::EndsWith("0123456789")));
+}
+
+TEST(HttpServer, ConnectionsThatNeverEndTheirBodiesMakeRoom) {
+    HttpSettings settings;
+    settings.mostConnections = 4;
+    HttpServer server(settings, [](const HttpRequest&) { return HttpResponse{}; });
+    std::vector<std::unique_ptr<Client>> clients;
+    for (int i = 0; i < 4; ++i) {
+        clients.push_back(std::make_unique<Client>(server.port()));
+        clients.back()->send("POST / HTTP/1.1\r\n" + hostOf(server) + "Content-Length: 1000\r\n\r\nabc");
+    }
+    while (server.connections() < 4) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));  // until their headers are read
+    Client other(server.port());
+    other.send("GET / HTTP/1.1\r\n" + hostOf(server) + "Connection: close\r\n\r\n");
+    EXPECT_THAT(other.readAll(), testing::StartsWith("HTTP/1.1 200"));
+}
+
+// Without a file descriptor for it, accepting fails at once, again and again.
+TEST(HttpServer, WaitsForFileDescriptors) {
+    HttpServer server({}, [](const HttpRequest&) { return HttpResponse{}; });
+    std::vector<int> files;
+    asio::io_context context;
+    tcp::socket socket(context, tcp::v4());
+    for (int file; (file = open("/dev/null", O_RDONLY)) >= 0;) files.push_back(file);
+    const auto cpuSeconds = [] {
+        timespec now{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+        return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+    };
+    const double before = cpuSeconds();
+    socket.connect(tcp::endpoint(asio::ip::make_address("127.0.0.1"), server.port()));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_LT(cpuSeconds() - before, 0.1);
+    for (const int file : files) close(file);
+    asio::write(socket, asio::buffer("GET / HTTP/1.1\r\n" + hostOf(server) + "Connection: close\r\n\r\n"));
+    std::string answer;
+    boost::system::error_code end;
+    asio::read(socket, asio::dynamic_buffer(answer), end);
+    EXPECT_THAT(answer, testing::StartsWith("HTTP/1.1 200"));
 }
 
 // A deadline of 400 ms, and peers that take three times as long for all of it: progress is what counts.

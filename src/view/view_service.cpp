@@ -21,6 +21,8 @@ namespace {
 using Json = nlohmann::json;
 
 // Sizes of film that a page may ask for.
+// Bytes of a picture that is sent, and of any other request's body.
+constexpr size_t kMostPicture = 64 << 20, kMostOther = 4 << 10;
 constexpr int kLeastSide = 16, kMostSide = 4096;
 // Pixels of a picture to compare with.
 constexpr int64_t kMostCompared = int64_t(kMostSide) * kMostSide;
@@ -201,20 +203,28 @@ ViewService::ViewService(const Scene& scene, const Accel& accel, LiveRender& ren
       run_(randomToken()),
       camera_(home_) {}
 
-HttpResponse ViewService::answer(const HttpRequest& request) {
+HttpAdmission ViewService::admit(const HttpRequest& header) const {
     // Compared in constant time: how long it takes tells nothing of the token.
     const std::string prefix = "/" + settings_.token + "/";
-    unsigned difference = request.path.size() < prefix.size();
-    for (size_t i = 0; i < std::min(prefix.size(), request.path.size()); ++i)
-        difference |= unsigned(prefix[i] ^ request.path[i]);
-    if (difference != 0) return {403, "text/plain; charset=utf-8", "open the address that drc view printed\n", {}};
-    const std::string what = request.path.substr(prefix.size());
-    const bool isPost = request.method == "POST";
+    unsigned difference = header.path.size() < prefix.size();
+    for (size_t i = 0; i < std::min(prefix.size(), header.path.size()); ++i)
+        difference |= unsigned(prefix[i] ^ header.path[i]);
+    if (difference != 0)
+        return {0, HttpResponse{403, "text/plain; charset=utf-8", "open the address that drc view printed\n", {}}};
+    const std::string what = header.path.substr(prefix.size());
+    const bool isPost = header.method == "POST";
     if (what == "camera" || what == "focus" || what == "pause" || what == "compare") {
-        if (!isPost) return {405, "text/plain; charset=utf-8", "this is for POST\n", {{"Allow", "POST"}}};
+        if (!isPost)
+            return {0, HttpResponse{405, "text/plain; charset=utf-8", "this is for POST\n", {{"Allow", "POST"}}}};
     } else if (isPost) {
-        return missing("there is nothing of this name to post to");
+        return {0, missing("there is nothing of this name to post to")};
     }
+    return {what == "compare" ? kMostPicture : kMostOther, {}};
+}
+
+HttpResponse ViewService::answer(const HttpRequest& request) {
+    if (HttpAdmission admission = admit(request); admission.refusal) return std::move(*admission.refusal);
+    const std::string what = request.path.substr(settings_.token.size() + 2);
     if (what.empty()) return page();
     if (what == "state") return state();
     if (what == "events") {

@@ -28,7 +28,10 @@ class ViewService {
     // All must outlive the service.
     ViewService(const Scene& scene, const Accel& accel, LiveRender& render, Settings settings);
 
-    // Safe from any thread.
+    // Whether a request's body is to be read: not without the token, and only pictures may be large. Safe from any
+    // thread, and quick.
+    HttpAdmission admit(const HttpRequest& header) const;
+    // Of a request that was admitted. Safe from any thread.
     HttpResponse answer(const HttpRequest& request);
     // The data of an event "frame": what has changed. Its serial rises, so that a page can tell which of an event and
     // an answer is older.
