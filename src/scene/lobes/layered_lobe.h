@@ -7,11 +7,11 @@
 namespace drc {
 
 // A rotation about the normal, from the shading frame to that of the lobe.
-class Turn {
+class LobeTurn {
   public:
-    Turn() = default;
+    LobeTurn() = default;
     // Counterclockwise, in turns.
-    explicit Turn(float turns) : cosine_(std::cos(2 * kPi * turns)), sine_(std::sin(2 * kPi * turns)) {}
+    explicit LobeTurn(float turns) : cosine_(std::cos(2 * kPi * turns)), sine_(std::sin(2 * kPi * turns)) {}
     Vec3 toLobe(const Vec3& w) const { return {cosine_ * w.x + sine_ * w.y, cosine_ * w.y - sine_ * w.x, w.z}; }
     Vec3 fromLobe(const Vec3& w) const { return {cosine_ * w.x - sine_ * w.y, cosine_ * w.y + sine_ * w.x, w.z}; }
 
@@ -24,7 +24,7 @@ template <class Inner>
 class LayeredLobe {
   public:
     LayeredLobe(const Inner& inner, const LayersAbove& above, const MultipleScattering& rest = {},
-                const Turn& turn = {})
+                const LobeTurn& turn = {})
         : inner_(inner), above_(above), rest_(rest), turn_(turn) {}
 
     LobeFlags flags() const { return inner_.flags(); }
@@ -62,7 +62,7 @@ class LayeredLobe {
     Inner inner_;
     LayersAbove above_;
     MultipleScattering rest_;
-    Turn turn_;
+    LobeTurn turn_;
 };
 
 }  // namespace drc

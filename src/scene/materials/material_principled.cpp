@@ -166,7 +166,7 @@ class Principled final : public Material {
         if (isBlack(weight)) return;
         const Fresnel fresnel = Fresnel::metalWithEdge(point.baseColor, point.specularTint);
         addReflection(distributionOf(point.roughness, point.anisotropic), fresnel, fresnel.meanOfMetalWithEdge(),
-                      Turn(point.rotation), above, weight, bsdf);
+                      LobeTurn(point.rotation), above, weight, bsdf);
     }
 
     void addGlass(const Point& point, const Rgb& weight, Bsdf& bsdf, const LayersAbove& above) const {
@@ -221,7 +221,7 @@ class Principled final : public Material {
             const float eta = indexOf(atNormal);
             const auto distribution = distributionOf(point.roughness, point.anisotropic);
             addReflection(distribution, Fresnel::tinted(tinted, eta, Fresnel::Of::Coat),
-                          meanDielectricFresnel(eta, tinted), Turn(point.rotation), above, weight, bsdf);
+                          meanDielectricFresnel(eta, tinted), LobeTurn(point.rotation), above, weight, bsdf);
             above.add(
                 rest(dielectricAlbedo(distribution ? distribution->meanAlpha() : 0, eta, maxComponent(tinted)), 1));
         }
@@ -237,7 +237,7 @@ class Principled final : public Material {
     }
 
     static void addReflection(const std::optional<TrowbridgeReitz>& distribution, const Fresnel& fresnel,
-                              const Rgb& meanFresnel, const Turn& turn, const LayersAbove& above, const Rgb& weight,
+                              const Rgb& meanFresnel, const LobeTurn& turn, const LayersAbove& above, const Rgb& weight,
                               Bsdf& bsdf) {
         if (distribution)
             bsdf.add(LayeredLobe(MicrofacetReflection(Rgb(1.f), *distribution, fresnel), above,
