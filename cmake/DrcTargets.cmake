@@ -60,12 +60,19 @@ set(DRC_FIRST_LIBRARY "" CACHE INTERNAL "")
 set(DRC_FIRST_TEST_PROGRAM "" CACHE INTERNAL "")
 
 # drc_library(NAME): the sources in src/NAME and its folders, linked to the libraries declared before it.
+# SEPARATE: files are not compiled together where DRC_UNITY is on, because names of their unnamed namespaces are the same.
 function(drc_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SEPARATE" "" "")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "(_test|/main|/processor_check)\\.cpp$")
   file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*_test.cpp)
   if(sources)
     add_library(drc_${name} STATIC ${sources})
+    if(DRC_UNITY AND NOT arg_SEPARATE)
+      set_target_properties(drc_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+      # Types of unnamed namespaces in a named type are as good as in a file of their own.
+      target_compile_options(drc_${name} PRIVATE -Wno-subobject-linkage)
+    endif()
     target_link_libraries(drc_${name} PUBLIC drc_options ${DRC_LIBRARIES_SO_FAR})
     if(DRC_FIRST_LIBRARY)
       target_precompile_headers(drc_${name} REUSE_FROM ${DRC_FIRST_LIBRARY})

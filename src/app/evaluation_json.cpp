@@ -6,41 +6,42 @@
 namespace drc {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // JSON has no NaN: it becomes null.
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+OrderedJson finiteOrNull(double x) { return std::isfinite(x) ? OrderedJson(x) : OrderedJson(nullptr); }
 
-Json pValue(double p) {
+OrderedJson pValue(double p) {
     if (p < kSmallestP) return {{"p", kSmallestP}, {"p_is_bound", true}};
-    return {{"p", number(p)}};
+    return {{"p", finiteOrNull(p)}};
 }
 
-Json toJson(const Summary& s) {
-    return {{"mean", number(s.mean)}, {"median", number(s.median)}, {"q1", number(s.q1)},
-            {"q3", number(s.q3)},     {"p5", number(s.p5)},         {"p95", number(s.p95)}};
+OrderedJson toJson(const Summary& s) {
+    return {{"mean", finiteOrNull(s.mean)}, {"median", finiteOrNull(s.median)}, {"q1", finiteOrNull(s.q1)},
+            {"q3", finiteOrNull(s.q3)},     {"p5", finiteOrNull(s.p5)},         {"p95", finiteOrNull(s.p95)}};
 }
 
-Json toJson(const KruskalWallis& k) {
-    Json json{{"h", number(k.h)}, {"degrees_of_freedom", k.degreesOfFreedom}};
+OrderedJson toJson(const KruskalWallis& k) {
+    OrderedJson json{{"h", finiteOrNull(k.h)}, {"degrees_of_freedom", k.degreesOfFreedom}};
     json.update(pValue(k.p));
     return json;
 }
 
 // {"as_rendered": {"l1": of(0), ...}, "equal_energy": ...}
 template <typename F>
-Json perMeasure(const F& of) {
-    Json json;
+OrderedJson perMeasure(const F& of) {
+    OrderedJson json;
     for (size_t m = 0; m < kMeasureCount; ++m) json[kMeasures[m].group][kMeasures[m].key] = of(m);
     return json;
 }
 
-Json toJson(const PairReport& pair, bool withMeans) {
-    Json json{{"first", pair.first}, {"second", pair.second}};
+OrderedJson toJson(const PairReport& pair, bool withMeans) {
+    OrderedJson json{{"first", pair.first}, {"second", pair.second}};
     json.update(perMeasure([&](size_t m) {
-        Json cell;
-        if (withMeans) cell = {{"first_mean", number(pair.firstMean[m])}, {"second_mean", number(pair.secondMean[m])}};
-        cell["first_better"] = number(pair.paired[m].better);
+        OrderedJson cell;
+        if (withMeans)
+            cell = {{"first_mean", finiteOrNull(pair.firstMean[m])}, {"second_mean", finiteOrNull(pair.secondMean[m])}};
+        cell["first_better"] = finiteOrNull(pair.paired[m].better);
         cell["wilcoxon"] = pValue(pair.paired[m].p);
         cell["kruskal_wallis"] = toJson(pair.kruskalWallis[m]);
         return cell;
@@ -48,11 +49,11 @@ Json toJson(const PairReport& pair, bool withMeans) {
     return json;
 }
 
-Json toJson(const EvaluatedGroup& group, const GroupReport& report) {
-    Json json{{"projection", projectionName(group.layout.projection())},
-              {"map_size", group.layout.size()},
-              {"examples", group.examples.size()},
-              {"files", Json::array()}};
+OrderedJson toJson(const EvaluatedGroup& group, const GroupReport& report) {
+    OrderedJson json{{"projection", projectionName(group.layout.projection())},
+                     {"map_size", group.layout.size()},
+                     {"examples", group.examples.size()},
+                     {"files", OrderedJson::array()}};
     for (const EvaluatedFile& file : group.files)
         json["files"].push_back({{"path", file.source->path()},
                                  {"scene", file.source->scene()},
@@ -61,7 +62,7 @@ Json toJson(const EvaluatedGroup& group, const GroupReport& report) {
     for (const MethodReport& method : report.methods)
         json["methods"][method.name] = perMeasure([&](size_t m) { return toJson(method.summary[m]); });
     json["all_methods"]["kruskal_wallis"] = perMeasure([&](size_t m) { return toJson(report.all[m]); });
-    json["comparisons"] = Json::array();
+    json["comparisons"] = OrderedJson::array();
     for (const PairReport& pair : report.pairs) json["comparisons"].push_back(toJson(pair, false));
     return json;
 }
@@ -69,26 +70,27 @@ Json toJson(const EvaluatedGroup& group, const GroupReport& report) {
 }  // namespace
 
 std::string evaluationJson(const Evaluation& evaluation, const EvaluationReport& report) {
-    Json json{{"examples", evaluation.examples}, {"files", evaluation.files}, {"skipped_files", evaluation.skipped}};
-    json["networks"] = Json::array();
+    OrderedJson json{
+        {"examples", evaluation.examples}, {"files", evaluation.files}, {"skipped_files", evaluation.skipped}};
+    json["networks"] = OrderedJson::array();
     for (const EvaluatedNetwork& network : evaluation.networks)
         json["networks"].push_back({{"name", network.name},
                                     {"path", network.path},
                                     {"content", network.weights->hash()},
                                     {"metadata", network.weights->metadata()}});
-    json["projections"] = Json::array();
+    json["projections"] = OrderedJson::array();
     for (size_t g = 0; g < evaluation.groups.size(); ++g)
         json["projections"].push_back(toJson(evaluation.groups[g], report.groups[g]));
-    json["across_projections"] = Json::array();
+    json["across_projections"] = OrderedJson::array();
     for (const AcrossReport& across : report.across) {
-        Json& entry = json["across_projections"].emplace_back();
+        OrderedJson& entry = json["across_projections"].emplace_back();
         entry["first"] = evaluation.groups[across.first].name();
         entry["second"] = evaluation.groups[across.second].name();
         entry["viewpoints"] = across.viewpoints;
         for (const PairReport& pair : across.pairs) entry["comparisons"].push_back(toJson(pair, true));
     }
     // File names may be in any encoding.
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace drc

@@ -12,6 +12,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/regular_file.h"
 #include "base/write_probe.h"
 #include "image/image_layers.h"
 #include "image/premultiply.h"
@@ -20,11 +21,6 @@ namespace drc {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isRegularFile(const std::string& path) {
-    std::error_code ignored;
-    return fs::is_regular_file(path, ignored);
-}
 
 // Samples a pixel of a picture that this program wrote; -1: unknown.
 int samplesOf(const std::string& path) {

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "base/regular_file.h"
 #include "pbrt/world_key.h"
 
 namespace drc {
 namespace {
-
-bool isRegularFile(const std::string& path) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(path, ignored);
-}
 
 bool sameBalance(const std::optional<RgbMatrix>& a, const std::optional<RgbMatrix>& b) {
     return a && b ? a->rows == b->rows : !a && !b;

@@ -15,8 +15,6 @@ namespace {
 constexpr uint32_t kNearby = 16;
 // The least luminance that an answer's error is related to, as a share of the mean over all cells.
 constexpr double kDimmest = 0.25;
-// The number of cells whose memory is asked for at a time.
-constexpr size_t kBatch = 32;
 // Cells that a thread works on at a time.
 constexpr int kPiece = 1 << 12;
 
@@ -93,7 +91,7 @@ class Renewal {
             uint64_t key;
             size_t cell;
         };
-        std::array<Around, kBatch> batch;
+        std::array<Around, CellTable::kBatch> batch;
         size_t waiting = 0;
         const auto addToLarger = [&] {
             for (size_t k = 0; k < waiting; ++k) {
@@ -124,7 +122,7 @@ class Renewal {
                 grid_.keyAround(sums.cube, int(sums.facing), int(sums.generation), table_.answer(cell).points);
             if (key != 0) table_.prefetch(key);
             batch[waiting++] = {key, cell};
-            if (waiting == kBatch) addToLarger();
+            if (waiting == CellTable::kBatch) addToLarger();
         }
         addToLarger();
     }
@@ -167,7 +165,7 @@ class Renewal {
             uint32_t source;
             size_t cell;
         };
-        std::array<Source, kBatch> batch;
+        std::array<Source, CellTable::kBatch> batch;
         size_t waiting = 0;
         const auto answerAll = [&] {
             for (size_t k = 0; k < waiting; ++k) {
@@ -189,7 +187,7 @@ class Renewal {
                 __builtin_prefetch(sums + 64);
             }
             batch[waiting++] = {source, cell};
-            if (waiting == kBatch) answerAll();
+            if (waiting == CellTable::kBatch) answerAll();
         }
         answerAll();
     }

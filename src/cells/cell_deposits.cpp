@@ -14,8 +14,6 @@ namespace {
 // largest size if that has kLeastForBound deposits, and at least kLeastMean times the mean of all.
 constexpr double kMostPerDeposits = 0x1p-10, kLeastBound = 1024, kLeastMean = 1 / 16.0;
 constexpr uint32_t kLeastForBound = 64;
-// The number of cells whose memory is asked for at a time.
-constexpr size_t kBatch = 32;
 // The table is divided in so many parts, so that many threads have several each.
 constexpr size_t kParts = 256;
 // Chunks that are placed before any is added. They bound the memory, to about 10 MB, and keep many threads busy.
@@ -41,9 +39,9 @@ size_t cellFor(const PlacedDeposits::Addition& a, CellTable& table, const CellGr
 // Nearly all of the time would be spent waiting for memory, so that it is asked for a batch ahead.
 void addAll(std::span<const PlacedDeposits::Addition> additions, CellTable& table, const CellGrid& grid,
             const CellStatistics& statistics, uint32_t now) {
-    std::array<size_t, kBatch> cells;
-    for (; !additions.empty(); additions = additions.subspan(std::min(kBatch, additions.size()))) {
-        const auto batch = additions.first(std::min(kBatch, additions.size()));
+    std::array<size_t, CellTable::kBatch> cells;
+    for (; !additions.empty(); additions = additions.subspan(std::min(CellTable::kBatch, additions.size()))) {
+        const auto batch = additions.first(std::min(CellTable::kBatch, additions.size()));
         for (const auto& addition : batch) table.prefetch(addition.key);
         for (size_t k = 0; k < batch.size(); ++k) {
             cells[k] = cellFor(batch[k], table, grid, now);
@@ -114,7 +112,7 @@ void CellDeposits::bound(const CellTable& table, const CellGrid& grid, const Cel
         if (y > most) d.light *= float(most / y);
     };
     parallelFor(0, int(chunks()), 8, [&](int begin, int end) {
-        std::array<std::pair<CacheDeposit*, uint64_t>, kBatch> batch;
+        std::array<std::pair<CacheDeposit*, uint64_t>, CellTable::kBatch> batch;
         size_t waiting = 0;
         const auto boundAll = [&] {
             for (size_t k = 0; k < waiting; ++k) boundOne(*batch[k].first, batch[k].second);
@@ -126,7 +124,7 @@ void CellDeposits::bound(const CellTable& table, const CellGrid& grid, const Cel
                 const uint64_t key = grid.keyOf(d.at, largest, grid.pointsOf(largest));
                 table.prefetch(key);
                 batch[waiting++] = {&d, key};
-                if (waiting == kBatch) boundAll();
+                if (waiting == CellTable::kBatch) boundAll();
             });
         boundAll();
     });

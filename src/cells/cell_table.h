@@ -43,6 +43,9 @@ class CellTable {
     // Cells in a bucket.
     static constexpr size_t kWays = 4;
     static constexpr size_t kNone = ~size_t(0);
+    // Nearly all of the time of a walk over cells would be spent waiting for memory: that of so many is asked for at a
+    // time.
+    static constexpr size_t kBatch = 32;
 
     // cells: a power of two, at least kWays.
     explicit CellTable(size_t cells) : answers_(cells), sums_(cells) {}

@@ -28,9 +28,9 @@
 namespace drc {
 namespace {
 
-class MemoryStream final : public Imf::IStream {
+class MemoryInput final : public Imf::IStream {
   public:
-    explicit MemoryStream(const EncodedImage& encoded) : IStream(encoded.path.c_str()), bytes_(encoded.bytes) {}
+    explicit MemoryInput(const EncodedImage& encoded) : IStream(encoded.path.c_str()), bytes_(encoded.bytes) {}
     bool isMemoryMapped() const override { return true; }
     char* readMemoryMapped(int n) override {
         if (n < 0 || uint64_t(n) > bytes_.size() - at_) throw Iex::InputExc("Unexpected end of file.");
@@ -244,7 +244,7 @@ void setThreads() {
 ImageFile decodeExr(const EncodedImage& encoded) {
     const std::vector<ExrAttributes> attributes = requireSoundExrHeaders(encoded);
     setThreads();
-    MemoryStream stream(encoded);
+    MemoryInput stream(encoded);
     Imf::MultiPartInputFile input(stream);
     const std::vector<FlatPart> parts = flatParts(encoded, input, attributes);
     const ExrChannels channels = channelsOf(parts);
@@ -274,7 +274,7 @@ ImageFile decodeExr(const EncodedImage& encoded) {
 
 ExrMetadata decodeExrMetadata(const EncodedImage& encoded) {
     const std::vector<ExrAttributes> attributes = requireSoundExrHeaders(encoded);
-    MemoryStream stream(encoded);
+    MemoryInput stream(encoded);
     const Imf::MultiPartInputFile input(stream);
     std::vector<FlatPart> parts;
     for (int i = 0; i < input.parts(); ++i) parts.push_back({i, &input.header(i), &attributes.at(size_t(i))});

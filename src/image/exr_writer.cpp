@@ -25,9 +25,9 @@ namespace drc {
 namespace {
 
 // The file is made in memory first: then a failing disk shows in one place, with the system's own reason.
-class MemoryStream final : public Imf::OStream {
+class MemoryOutput final : public Imf::OStream {
   public:
-    MemoryStream() : OStream("memory") {}
+    MemoryOutput() : OStream("memory") {}
     void write(const char c[], int n) override {
         const size_t count = static_cast<size_t>(n);
         if (at_ + count > bytes_.size()) bytes_.resize(at_ + count);
@@ -148,7 +148,7 @@ std::string encodeLayers(const std::vector<ExrLayer>& layers, const ExrMetadata&
                 insert(image.data().data() + c, channels * sizeof(float));
         }
     }
-    MemoryStream stream;
+    MemoryOutput stream;
     {
         if (Imf::globalThreadCount() != threadCount()) Imf::setGlobalThreadCount(threadCount());
         Imf::OutputFile file(stream, header, threadCount());

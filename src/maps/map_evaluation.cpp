@@ -12,7 +12,7 @@
 namespace drc {
 namespace {
 
-constexpr int kBatch = 8;
+constexpr int kMapsAtATime = 8;
 constexpr int kNormalsAside = 8;
 constexpr double kWhitePercentile = 0.99;
 constexpr double kIrradianceEpsilon = 0.01;
@@ -117,7 +117,7 @@ std::vector<EvaluatedExample> evaluateMapDenoisers(const ExampleSource& examples
     std::vector<EvaluatedExample> result(size_t(examples.count()));
     // [example][input][method]
     std::vector<ExampleScores> all(result.size() * size_t(inputs) * methods);
-    parallelFor(0, examples.count() * inputs, kBatch, [&](int begin, int end) {
+    parallelFor(0, examples.count() * inputs, kMapsAtATime, [&](int begin, int end) {
         std::vector<CapturedMap> captured;
         std::vector<std::vector<float>> targets;
         TrainingExample example;

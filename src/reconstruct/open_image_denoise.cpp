@@ -16,8 +16,8 @@ namespace drc {
 namespace {
 
 // The part of its C interface that is used here.
-using Device = void*;
-using Filter = void*;
+using OidnDevice = void*;
+using OidnFilter = void*;
 constexpr int kCpu = 1, kFloat3 = 3, kCancelled = 6;
 // The memory that a filter may take: so many bytes for each pixel, and at least kLeastMemory MB. With less, pictures
 // are denoised in parts that overlap. At 1280x720, version 2.5 takes 310 MB (high with clean auxiliaries: 380, fast:
@@ -116,7 +116,7 @@ struct OpenImageDenoise::Library {
              bool hdr, bool cleanAuxiliaries, const CancelToken* cancel) const {
         if (cancel && cancel->cancelled()) return;
         const auto width = size_t(image.width()), height = size_t(image.height());
-        const std::unique_ptr<void, void (*)(Filter)> filter(newFilter(device, "RT"), releaseFilter);
+        const std::unique_ptr<void, void (*)(OidnFilter)> filter(newFilter(device, "RT"), releaseFilter);
         const auto bind = [&](const char* as, const Image& bound) {
             setImage(filter.get(), as, const_cast<float*>(bound.data().data()), kFloat3, width, height, 0, 0, 0);
         };
@@ -139,23 +139,23 @@ struct OpenImageDenoise::Library {
 
     void* handle = nullptr;
     std::string file;
-    Device device = nullptr;
+    OidnDevice device = nullptr;
     int version = 0;
-    Device (*newDevice)(int type) = nullptr;
-    void (*commitDevice)(Device) = nullptr;
-    int (*getDeviceError)(Device, const char** message) = nullptr;
-    void (*releaseDevice)(Device) = nullptr;
-    void (*setDeviceInt)(Device, const char* name, int value) = nullptr;
-    int (*getDeviceInt)(Device, const char* name) = nullptr;
-    Filter (*newFilter)(Device, const char* type) = nullptr;
-    void (*setImage)(Filter, const char* name, void* data, int format, size_t width, size_t height, size_t offset,
+    OidnDevice (*newDevice)(int type) = nullptr;
+    void (*commitDevice)(OidnDevice) = nullptr;
+    int (*getDeviceError)(OidnDevice, const char** message) = nullptr;
+    void (*releaseDevice)(OidnDevice) = nullptr;
+    void (*setDeviceInt)(OidnDevice, const char* name, int value) = nullptr;
+    int (*getDeviceInt)(OidnDevice, const char* name) = nullptr;
+    OidnFilter (*newFilter)(OidnDevice, const char* type) = nullptr;
+    void (*setImage)(OidnFilter, const char* name, void* data, int format, size_t width, size_t height, size_t offset,
                      size_t pixelStride, size_t rowStride) = nullptr;
-    void (*setBool)(Filter, const char* name, bool value) = nullptr;
-    void (*setInt)(Filter, const char* name, int value) = nullptr;
-    void (*setProgressMonitor)(Filter, bool (*goesOn)(void* user, double progress), void* user) = nullptr;
-    void (*commitFilter)(Filter) = nullptr;
-    void (*executeFilter)(Filter) = nullptr;
-    void (*releaseFilter)(Filter) = nullptr;
+    void (*setBool)(OidnFilter, const char* name, bool value) = nullptr;
+    void (*setInt)(OidnFilter, const char* name, int value) = nullptr;
+    void (*setProgressMonitor)(OidnFilter, bool (*goesOn)(void* user, double progress), void* user) = nullptr;
+    void (*commitFilter)(OidnFilter) = nullptr;
+    void (*executeFilter)(OidnFilter) = nullptr;
+    void (*releaseFilter)(OidnFilter) = nullptr;
 };
 
 OpenImageDenoise::OpenImageDenoise(const OidnLibraries& libraries) {

@@ -7,8 +7,6 @@ namespace {
 // eight times as many gained no more.
 constexpr float kGlossyPaths = 4;
 
-constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
-
 }  // namespace
 
 Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, int group, const Rgb& throughput,

@@ -7,8 +7,6 @@
 namespace drc {
 namespace {
 
-constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
-
 // Clamped to [0, 1], because lobes only estimate their albedos.
 Rgb unitAlbedo(const Bsdf& bsdf, const Vec3& wo) {
     Rgb albedo = bsdf.albedo(wo);

@@ -10,7 +10,7 @@ namespace drc {
 namespace {
 
 // The largest deviation of a corner's angle, as a cosine; that of pbrt-v4.
-constexpr float kTolerance = 1e-3f;
+constexpr float kPlaneTolerance = 1e-3f;
 
 // atan2(x, z) / pi + 1/2, for z > 0.
 float rectified(float x, float z) {
@@ -49,13 +49,13 @@ std::string Portal::flawOf(const std::array<Vec3, 4>& corners) {
     }
     for (size_t i = 0; i < 4; ++i) {
         const float cosine = dot(sides[(i + 3) % 4] * -1.f, sides[i]);
-        if (std::abs(cosine) > kTolerance)
+        if (std::abs(cosine) > kPlaneTolerance)
             return fmt::format("the angle at corner {} is {:.4g} degrees, not 90", i + 1,
                                std::acos(std::clamp(cosine, -1.f, 1.f)) * 180 / kPi);
     }
     // Right angles at all corners and opposite sides in opposite directions: flat, and not crossed.
     for (size_t i = 0; i < 2; ++i)
-        if (std::abs(dot(sides[i], sides[i + 2]) + 1) > kTolerance)
+        if (std::abs(dot(sides[i], sides[i + 2]) + 1) > kPlaneTolerance)
             return fmt::format("the side from corner {} to corner {} is not parallel to the opposite one", i + 1,
                                i + 2);
     return "";

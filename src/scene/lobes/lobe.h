@@ -42,6 +42,8 @@ enum class LobeFlags : uint8_t {
 };
 constexpr LobeFlags operator|(LobeFlags a, LobeFlags b) { return LobeFlags(uint8_t(a) | uint8_t(b)); }
 constexpr LobeFlags operator&(LobeFlags a, LobeFlags b) { return LobeFlags(uint8_t(a) & uint8_t(b)); }
+// Mirrors and smooth glass.
+inline constexpr LobeFlags kSpecularLobes = LobeFlags::Specular | LobeFlags::Reflection | LobeFlags::Transmission;
 constexpr bool any(LobeFlags f) { return f != LobeFlags::None; }
 
 // A set of lobes of a Bsdf: bit i stands for the lobe of index i.

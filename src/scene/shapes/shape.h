@@ -5,6 +5,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "math/transform.h"
@@ -12,6 +13,9 @@
 #include "scene/ray.h"
 
 namespace drc {
+
+// Shapes are intersected in double precision.
+inline constexpr double kPiD = std::numbers::pi;
 
 struct Bounds {
     Vec3 min{kInfinity, kInfinity, kInfinity};

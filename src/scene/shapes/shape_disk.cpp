@@ -6,7 +6,6 @@
 namespace drc {
 namespace {
 
-constexpr double kPiD = std::numbers::pi;
 const Vec3d kObjectNormal(0, 0, 1);
 
 class Disk final : public Shape {

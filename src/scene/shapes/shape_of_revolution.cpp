@@ -6,8 +6,6 @@
 namespace drc {
 namespace {
 
-constexpr double kPiD = std::numbers::pi;
-
 // Integral of the area element over [a, b], by Gauss-Legendre quadrature with five points.
 double integralOfArea(const RevolutionProfile& profile, double a, double b) {
     constexpr double node[3] = {0, 0.5384693101056831, 0.9061798459386640};

@@ -6,8 +6,6 @@
 namespace drc {
 namespace {
 
-constexpr double kPiD = std::numbers::pi;
-
 class Sphere final : public Shape {
   public:
     explicit Sphere(const SphereParams& p)
