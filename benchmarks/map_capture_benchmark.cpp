@@ -55,7 +55,7 @@ void capture(const PathTracer& tracer, const Site& site, CapturedMap& map) {
     captureMap(tracer, CaptureSettings{}, site.from, site.frame, site.stream, map);
 }
 
-// What nearly free shading comes to at a hit: no material, texture, distribution or weight.
+// Nearly free shading at a hit: no material, texture, distribution or weight.
 float shadeFreely(const RTCRayHit& q, Pcg32& rng) {
     const Vec3 d(q.ray.dir_x, q.ray.dir_y, q.ray.dir_z);
     const Vec3 p = Vec3(q.ray.org_x, q.ray.org_y, q.ray.org_z) + d * q.ray.tfar;
@@ -65,7 +65,7 @@ float shadeFreely(const RTCRayHit& q, Pcg32& rng) {
     return dot(next, n) + std::max(0.f, dot(light, n));
 }
 
-// What one of the contestants needed for all maps.
+// Seconds that one of the contestants needed for the maps.
 struct Times {
     explicit Times(size_t maps) : best(maps, 1e30) {}
     void add(size_t map, double seconds) {

@@ -108,7 +108,7 @@ bool dnnlMayUse(dnnl::cpu_isa isa) {
     return (unsigned(dnnl::get_effective_cpu_isa()) & unsigned(isa)) == unsigned(isa);
 }
 
-// Of the widest instructions for it that the network itself may use.
+// Peak loop with the widest instructions that the network itself may use at this precision; null: there are none.
 PeakLoop peakLoop(Precision precision) {
     if (precision == Precision::Bf16 && dnnlMayUse(dnnl::cpu_isa::avx512_core_amx) && tilesGranted())
         return multiplyAddTiles;
@@ -117,8 +117,8 @@ PeakLoop peakLoop(Precision precision) {
     return __builtin_cpu_supports("fma") ? multiplyAddAvx2 : nullptr;
 }
 
-// What bare oneDNN convolutions of the same shapes reach of the peak of a Zen 5 core with AVX-512 (267 GFLOP/s fp32,
-// 528 bf16; batch 8).
+// Share of the peak of a Zen 5 core with AVX-512 (267 GFLOP/s fp32, 528 bf16) that bare oneDNN convolutions of the same
+// shapes reach, at batch 8.
 double referenceShare(int width, Precision precision) {
     const bool bf16 = precision == Precision::Bf16;
     switch (width) {

@@ -17,10 +17,10 @@ struct RecordedRay {
     bool shadow;
 };
 
-// Of all threads, since the program's start, while only one traces.
+// Rays that all threads have traced since the program's start; valid only while a single thread traces.
 uint64_t raysTraced();
 
-// Appends all rays to `rays` from here on; null: no longer. Only one thread may trace meanwhile.
+// Appends all rays to `rays` from here on; null stops it. Only one thread may trace meanwhile.
 void recordRays(std::vector<RecordedRay>* rays);
 
 // Embree's own functions, and the scene of the last ray that was recorded.

@@ -1,4 +1,4 @@
-// What benchmarks of one scene have in common.
+// Common part of the benchmarks that run on one scene.
 #pragma once
 #include <benchmark/benchmark.h>
 

@@ -24,7 +24,7 @@ struct Gathered {
             worst = std::max(worst, std::sqrt(combine(blocks, pathBlocks, i).variance) / pathBlocks.mean[i]);
         return worst;
     }
-    // The same of the means over the picture.
+    // worstError() for the means over the picture: the worst channel.
     double meanError() const {
         double worst = 0;
         for (size_t c = 0; c < 3; ++c)
@@ -40,7 +40,7 @@ struct Gathered {
         }
         return sum / double(blocks.mean.size());
     }
-    // Of the mean over the picture, as a share of the path tracer's: the worst channel.
+    // Difference of the mean over the picture, as a share of the path tracer's: the worst channel.
     double meanDifference() const {
         double worst = 0;
         for (size_t c = 0; c < 3; ++c) {
@@ -76,7 +76,7 @@ inline void record(const Gathered& g) {
 struct PathPictures {
     Estimate blocks, means;
 };
-// Of other random numbers than the cells' pictures have.
+// Path-traced with other random numbers than the cells' pictures have.
 inline PathPictures pathPictures(Scene& scene, const Comparison& c) {
     const auto paths = pictures(scene, {.integrator = "path",
                                         .count = c.count,

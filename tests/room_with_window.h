@@ -27,7 +27,7 @@ inline std::string roomWithWindow() {
 
 inline const std::string kConstantSky = "LightSource \"infinite\" \"rgb L\" [3 4 5]";
 
-// The same as pbrt-v4 text, under another sky. environment: its directive.
+// roomWithWindow() as pbrt-v4 text, under another sky. environment: its directive.
 inline std::string roomUnder(const std::string& environment) {
     std::string text = respelt(roomWithWindow(), "\"plastic\" \"rgb Kd\" [0.2 0.2 0.2] \"rgb Ks\" [0.5 0.5 0.5]",
                                "\"coateddiffuse\" \"rgb reflectance\" [0.2 0.2 0.2]");

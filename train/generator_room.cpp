@@ -50,7 +50,7 @@ void perforatedWall(const Pen& pen, const std::vector<Opening>& openings, float 
     }
 }
 
-// The same for a ceiling, seen from below.
+// A ceiling with openings, seen from below, as a grid like that of perforatedWall().
 void perforatedCeiling(const Pen& pen, const std::vector<Opening>& openings, float x0, float x1, float y0, float y1,
                        float z, int material) {
     // Treated as a wall lying on its back: z of the opening becomes y.

@@ -19,7 +19,7 @@ class Accel {
 
     // Finds the nearest surface along the ray, with alpha masks applied. False if the ray escapes.
     bool intersect(const Ray& ray, SurfaceInteraction& hit) const;
-    // The same in two steps. find() prefetches what describe() reads, so that work done between the two hides the
+    // intersect() in two steps. find() prefetches what describe() reads, so that work done between the two hides the
     // memory latency.
     struct Found {
         const void* geometry = nullptr;

@@ -47,7 +47,7 @@ struct SurfaceInteraction {
     // the given spread, but at least with that of the arriving ray.
     Ray spawnRay(const Vec3& d, float spread) const;
     Ray spawnRay(const Vec3& d) const { return spawnRay(d, coneSpread); }
-    // The same by a specular lobe.
+    // spawnRay() for a specular lobe: marks the ray as mirrored.
     Ray mirroredRay(const Vec3& d) const {
         Ray ray = spawnRay(d);
         ray.mirrored = true;

@@ -13,9 +13,9 @@ namespace drc {
 
 class Checkpoint {
   public:
-    // What must be the same for a render to go on: a name for messages, and a value.
+    // Inputs that must match for a render to continue: pairs of a name, for messages, and a value.
     using Identity = std::vector<std::pair<std::string, std::string>>;
-    // What the names of files begin with in an identity.
+    // Prefix of file names in an identity.
     static constexpr std::string_view kFile = "file ";
 
     explicit Checkpoint(Identity identity) : identity_(std::move(identity)) {}

@@ -1,6 +1,6 @@
-// What the subcommands share. Each subcommand is a source file that registers itself with CLI11; its callback does the
-// work and throws drc::UsageError for a command line that cannot be meant, and drc::Error for whatever else the user
-// can mend.
+// Code shared by the subcommands. Each subcommand is a source file that registers itself with CLI11. Its callback does
+// the work; it throws drc::UsageError for an invalid command line, and drc::Error for any other fault that the user can
+// fix.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <chrono>

@@ -23,7 +23,7 @@ constexpr const char* kIntroduction =
     "    drc render scene.pbrt -o picture.png --time 30    # the best that 30 seconds give\n"
     "    drc view scene.pbrt --open                        # watch it refine in a browser, move the camera\n";
 
-// What options of other renderers are called here.
+// Options of other renderers, with their names here.
 constexpr std::pair<const char*, const char*> kElsewhere[] = {
     {"--samples", "--spp"},       {"--width", "--resolution"},
     {"--height", "--resolution"}, {"--size", "--resolution"},

@@ -10,8 +10,8 @@ namespace drc {
 // option is never taken for the value of the one before it.
 std::unique_ptr<CLI::App> makeCommandLine();
 
-// What is wrong with the command line that did not parse, in one line that says what would be right: an unknown command
-// or option with the nearest one, else the error's own words. Empty if there is nothing wrong: help was asked for.
+// Explains in one line why the command line did not parse, and what would be right: an unknown command or option with
+// the nearest known one, else the error's own message. Empty if help was asked for, which is no fault.
 std::string usageFault(const CLI::App& app, const CLI::ParseError& error);
 
 // Ends a parse of `app` that threw: prints the help that was asked for, or what is wrong. The exit status: 0, or

@@ -13,7 +13,7 @@ std::string scoreTable(const GroupReport& group);
 // The Kruskal-Wallis test of all methods, then each pair: how often the first is better, and both tests.
 std::string testTable(const GroupReport& group);
 
-// The same pairs across two groups, with the means over the viewpoints that both have.
+// The pairs of testTable() across two groups, with the means over the viewpoints that both groups have.
 std::string acrossTable(const AcrossReport& across, const std::string& firstGroup, const std::string& secondGroup);
 
 }  // namespace drc

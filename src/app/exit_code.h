@@ -3,8 +3,8 @@
 
 namespace drc {
 
-// What main ends with if a command throws nothing; 0 at first. For a command that has done what it could, and said what
-// is wrong, but is no success.
+// The exit code of main if a command throws nothing; 0 at first. A command sets it when it has done what it could and
+// reported the fault, but did not succeed.
 int& exitCode();
 
 }  // namespace drc

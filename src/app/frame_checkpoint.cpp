@@ -17,7 +17,7 @@ constexpr const char *kFrame = "frame", *kLoaded = "frame of its scene";
 
 Checkpoint::Identity frameIdentity(const FramePosition& position, const std::string& file) {
     Checkpoint::Identity identity{{kFrame, std::to_string(position.frame)}, {kLoaded, std::to_string(position.loaded)}};
-    // What is known of the scene's files does not have the one that moved the camera.
+    // The scene's own list of files lacks the file that moved the camera.
     if (position.frame > position.loaded)
         identity.emplace_back(fmt::format("{}{} (frame {})", Checkpoint::kFile,
                                           std::filesystem::path(file).filename().string(), position.frame),

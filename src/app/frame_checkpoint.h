@@ -13,8 +13,8 @@ struct FramePosition {
     int loaded = 1;  // the frame whose scene was loaded; those since then have moved its camera
 };
 
-// What the state of this frame depends on besides its scene. file: the frame's scene file. Throws Error if it cannot be
-// read.
+// Identifies the state of this frame, in addition to its scene. file: the frame's scene file. Throws Error if it cannot
+// be read.
 Checkpoint::Identity frameIdentity(const FramePosition& position, const std::string& file);
 
 // The frame that a checkpoint is of; none if it is not of an animation. Throws Error if the file cannot be read or is

@@ -28,7 +28,7 @@ void placedIn(const std::string& place, const F& f) {
     }
 }
 
-// Of UTF-8, as editors on Windows write it.
+// The UTF-8 byte order mark, which editors on Windows write.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace

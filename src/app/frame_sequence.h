@@ -14,7 +14,7 @@ class FrameSequence {
     explicit FrameSequence(RenderOptions& options);
 
     bool isAnimation() const { return list_.has_value(); }
-    // Of the present frame, counted from 1.
+    // The number of the present frame, counted from 1.
     int number() const { return number_; }
     // Tells on standard output that the pictures of the present frame are there, if this is an animation.
     void finished() const;

@@ -41,7 +41,7 @@ Image findLayer(const PictureFile& picture, const std::string& wanted, const std
     return {};
 }
 
-// What the denoiser goes without, for the metadata and a warning; empty if it has all.
+// Names the guide layers that the denoiser lacks, for the metadata and a warning; empty if it lacks none.
 std::string missingGuides(const Image& albedo, const Image& normal) {
     if (!albedo.empty()) return normal.empty() ? "normal" : "";
     return normal.empty() ? "albedo and normal" : "albedo";

@@ -26,7 +26,7 @@ ChosenDenoiser chooseDenoiser(Denoise wanted, const RenderParams& params,
 
 struct PictureFilters {
     std::vector<std::shared_ptr<const PictureFilter>> filters;
-    // What they may take of a time budget where something cheaper comes after them.
+    // Largest share of a time budget that they may take, if a cheaper set comes after them.
     double mostOfBudget = 0;
     // Whether they were asked for, so that the user is told if cheaper ones replace them.
     bool wanted = true;

@@ -50,8 +50,7 @@ class PictureWriter {
     bool allInPlace_ = true;
 };
 
-// What PNG files keep of a picture's metadata: all but command lines, because PNG files are shown around, and what is
-// empty.
+// The metadata that PNG files keep: all except empty entries and command lines, because PNG files are shown around.
 PngTexts pngTexts(const ExrMetadata& metadata);
 
 }  // namespace drc

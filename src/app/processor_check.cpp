@@ -5,7 +5,7 @@
 
 namespace {
 
-// Of the level x86-64-v3; lzcnt and movbe come with them.
+// Tests for the level x86-64-v3; processors with these instructions also have lzcnt and movbe.
 bool hasInstructions() {
     __builtin_cpu_init();
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&

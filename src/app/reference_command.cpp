@@ -37,7 +37,7 @@ std::string sceneName(const std::string& path) {
 
 uint64_t hashText(const std::string& text) { return hashBytes(text.data(), text.size()); }
 
-// What a run has done so far, all scenes together.
+// Progress of a run over all its scenes.
 class Tally {
   public:
     void add(bool example) { ++(example ? examples_ : none_); }

@@ -82,7 +82,7 @@ DistinctFiles filesOf(const RenderOptions& o) {
     return files;
 }
 
-// The same for the files that a scene has named.
+// Refuses outputs that would replace a file that the scene names.
 void keepFrom(const std::vector<std::string>& filesOfScene, DistinctFiles files) {
     for (const std::string& path : filesOfScene) files.reads("the scene's file", path);
 }
@@ -169,7 +169,7 @@ bool run(Session& session, PictureFinisher& finisher, const RenderOptions& o, Ch
     return whole;
 }
 
-// What else than the parameters of a render its bits depend on.
+// Inputs besides the render parameters that change the bits of the picture.
 Checkpoint::Identity othersOf(const RenderOptions& o, const std::string& weightsHash) {
     Checkpoint::Identity others;
     for (const std::string& replaced : o.overrides.parameters)
@@ -357,7 +357,7 @@ RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& 
     FramePosition position{frames.number(), frames.number()};
     auto scene = std::make_unique<SceneRender>(o, command, processInfo().start);
     if (resumed && resumed->frame > resumed->loaded) {
-        // What has been learnt of the scene is that of a camera that was moved from that frame to this one.
+        // The learnt state is that of a camera moved from the loaded frame to this one, so move it again.
         frames.skipTo(resumed->frame);
         if (!scene->moveCamera(processInfo().start))
             throw Error(fmt::format("--resume {}: frames {} and {} no longer differ in the camera alone", o.resume,

@@ -14,7 +14,7 @@ class SameWorld {
   public:
     // No scene has this world.
     SameWorld() = default;
-    // That of a scene as it was loaded from its file.
+    // The world of a scene as it was loaded from its file.
     explicit SameWorld(const Scene& scene);
 
     // The camera and the settings of a scene file, for the loaded scene. Null if the file has another world than this,

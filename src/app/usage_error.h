@@ -15,8 +15,8 @@ class UsageError : public Error {
     explicit UsageError(const std::string& message) : Error(message) {}
 };
 
-// What f returns. An Error that f throws becomes a UsageError with the same words, for checks that other callers than
-// the command line have, too.
+// Returns f(), and turns an Error that it throws into a UsageError with the same message. For checks shared with
+// callers other than the command line.
 template <class F>
 auto asUsage(F&& f) {
     try {

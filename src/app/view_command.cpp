@@ -59,7 +59,7 @@ class FrameFilters {
     void apply(LayeredPicture& picture, bool moving) const {
         if (const auto& filter = moving ? moving_ : still_) filter->apply(picture);
     }
-    // Of the picture at rest.
+    // Estimates the error after denoising, for the picture at rest.
     DenoisedError errorOf(const LayeredPicture& picture) const {
         return estimateDenoisedError(picture, [&](LayeredPicture& half) { apply(half, false); });
     }
@@ -96,7 +96,7 @@ std::string hostAndPort(const std::string& address, int port) {
 }
 
 bool isLoopback(const std::string& address) { return address == "127.0.0.1" || address == "::1"; }
-// That a server listens on to all addresses of the machine.
+// Whether a server on this address listens on all addresses of the machine.
 bool isAny(const std::string& address) { return address == "0.0.0.0" || address == "::"; }
 
 void view(ViewOptions o) {

@@ -49,7 +49,7 @@ std::string warningText(const SourceLocation& where, const std::string& message)
     return printable((where.empty() ? "" : where.str() + ": ") + "warning: " + message);
 }
 
-// What the WarningBatch keeps back.
+// A warning that a WarningBatch keeps back.
 struct Kept {
     std::string text;  // with the first place
     int more = 0;      // further places

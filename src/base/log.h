@@ -18,8 +18,8 @@ void logInfo(const std::string& message);
 void logDebug(const std::string& message);
 // Prints "file:line:column: warning: message". Safe to call from several threads. Identical warnings are printed once.
 void logWarning(const SourceLocation& where, const std::string& message);
-// The same for what a file may have at thousands of places: only the first is named, with "(said once)" or, while a
-// WarningBatch (warning_batch.h) counts them, with the number of the others.
+// logWarning() for problems that a file may have at thousands of places: only the first is named, with "(said once)"
+// or, while a WarningBatch (warning_batch.h) counts them, with the number of the others.
 void logWarningOnce(const SourceLocation& where, const std::string& message);
 inline void logWarning(const std::string& message) { logWarning({}, message); }
 // Number of different warnings given so far, for tests and `drc info`. Warnings beyond limits::kWarnings are not kept,

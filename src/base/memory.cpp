@@ -53,8 +53,8 @@ uint64_t leftOf(std::optional<uint64_t> limit, std::optional<uint64_t> used) {
     return *limit > *used ? *limit - *used : 0;
 }
 
-// What the limits of the process's control group leave, for control groups of version 2 and version 1. Inside a
-// container the process's own group appears as the root, so both paths are tried.
+// Bytes left below the limits of the process's control group, version 2 or version 1. Inside a container the process's
+// own group appears as the root, so both paths are tried.
 uint64_t leftInControlGroup() {
     std::string line, own;
     std::ifstream groups("/proc/self/cgroup");

@@ -1,5 +1,5 @@
-// What this process holds in memory, and what for. Large owners note what they allocate, so that --stats can say where
-// the memory goes. For checks in advance see memory.h.
+// The memory that this process holds, by use. Large owners note what they allocate, so that --stats can say where the
+// memory goes. For checks in advance see memory.h.
 #pragma once
 #include <cstdint>
 #include <utility>

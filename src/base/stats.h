@@ -69,7 +69,7 @@ class Stats {
 
     // A table with aligned columns, sorted by name, times in seconds. Empty if nothing was counted.
     std::string report() const;
-    // The same as JSON: {"cache": {"maps": {"captured": 12, "time": {"seconds": 0.5, "calls": 12}}}}. A name that is
+    // report() as JSON: {"cache": {"maps": {"captured": 12, "time": {"seconds": 0.5, "calls": 12}}}}. A name that is
     // both a value and a group stores its value under "total" in the group.
     std::string json() const;
 

@@ -74,7 +74,7 @@ std::string budgetFile(const Budget& budget, int repeat) {
     return fmt::format("{}-{}", name, repeat);
 }
 
-// What a program tells of itself.
+// Reads the times and spp that a program reports.
 void readTiming(const std::string& timing, BenchRun& run) {
     try {
         const auto json = nlohmann::json::parse(readFile(timing));
@@ -90,7 +90,7 @@ void readTiming(const std::string& timing, BenchRun& run) {
     }
 }
 
-// What ours tells besides.
+// Reads the metadata in pictures of our own program: spp. If it reports no denoising time, it did not denoise.
 void readOwnMetadata(const std::string& picture, BenchRun& run) {
     if (std::isnan(run.denoiseSeconds) && !std::isnan(run.renderSeconds)) run.denoiseSeconds = 0;
     const ExrMetadata metadata = readExrMetadata(picture);
@@ -139,7 +139,7 @@ class Bench {
   private:
     bool cancelled() const { return cancel_ && cancel_->cancelled(); }
 
-    // What is going to be done, and how long the part takes that has a time.
+    // Logs the number of renders, and the total time of those with a budget in seconds.
     void announce() const {
         double seconds = 0;
         for (const Budget& budget : s_.budgets)
@@ -260,7 +260,7 @@ class Bench {
         report_.runs.push_back(std::move(run));
     }
 
-    // What an earlier call has found out, measured anew if the references have changed since.
+    // The result of an earlier call, measured anew if the references have changed since.
     std::optional<BenchRun> knownRun(const std::string& record, const std::string& key, const std::string& picture,
                                      const BenchScene& scene) {
         if (!fs::exists(record) || !fs::exists(picture)) return {};

@@ -35,7 +35,7 @@ std::string entry(const ExrMetadata& metadata, const char* name) {
     return found == metadata.end() ? "" : found->second;
 }
 
-// Of a file of ours with this key.
+// Metadata of a file that we wrote with this key; none if there is no such file.
 std::optional<ExrMetadata> metadataOf(const fs::path& path, const std::string& key) {
     if (!fs::exists(path)) return {};
     try {

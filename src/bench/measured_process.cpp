@@ -79,7 +79,7 @@ pid_t start(const std::vector<std::string>& argv, int output) {
     return pid;
 }
 
-// What the pipe has now, the end of it kept. False when all who could write have closed it.
+// Reads all that the pipe holds now, and keeps the end of it. False once all writers have closed it.
 bool drain(int fd, std::string& output) {
     char buffer[4096];
     for (;;) {

@@ -80,7 +80,7 @@ std::string sceneBlock(const BenchReport& report, const BenchScene& scene, const
             cells[m] +=
                 fmt::format("<td{}>{}{}</td>", spreads[m].median == best ? " class=\"best\"" : "",
                             shown.isNoisy(spreads[m].median) ? "~" : "",
-                            // Of time and memory the median is enough.
+                            // Time and memory are shown as medians alone, without their spread.
                             measure->better == 0 ? measure->text(spreads[m].median) : spreadText(spreads[m], *measure));
             if (measure == &kError) cells[m] += "<td>" + twoDecimals(spreads[m].median / opponent) + "</td>";
         }
@@ -104,7 +104,7 @@ double medianError(const BenchReport& report, const std::string& scene, const st
     return spreadOver(runsOf(report, scene, method, budget), kError).median;
 }
 
-// What the others are shares of: the opponent, or the first method where it was not run.
+// The method whose error is the unit of relative errors: the opponent, or the first method if that was not run.
 struct Base {
     bool isOpponent;
     std::string method;

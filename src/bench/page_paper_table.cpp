@@ -68,8 +68,8 @@ std::string amountTable(const BenchReport& report, const std::string& scene, con
         spans, titles, rows);
 }
 
-// What the paper says of its method and of bidirectional path tracing, and the same of ours. Pairs that no time is
-// known of are left out.
+// SSIM of the paper's method and of bidirectional path tracing, above the same pairs of our methods. Pairs without an
+// SSIM of the second method at the times compared are left out.
 std::string beside(const BenchReport& report, const std::string& scene, const std::vector<Column>& tasks,
                    const std::vector<Column>& samples) {
     std::string rows;

@@ -59,7 +59,7 @@ class Renewal {
     }
 
   private:
-    // What is found out about a cell before its answer is renewed.
+    // Facts about a cell that are determined before its answer is renewed.
     struct Link {
         uint32_t larger : 30 = kNone;  // index of the cell of the next larger size around it
         uint32_t enough : 1 = 0;       // whether it knows enough to answer

@@ -11,7 +11,7 @@ struct CellAnswerSettings {
     float variance = 0.1f;
 };
 
-// What is known about all cells together.
+// Statistics over all cells together.
 struct CellTotals {
     size_t used = 0;  // cells
     double mean = 0;  // of all deposits' luminance, divided by the view factor's

@@ -9,7 +9,8 @@
 
 namespace drc {
 
-// What a chunk of deposits adds to the table, sorted by the part of the table. Its memory can be used again.
+// The additions of a chunk of deposits to the table, sorted by the part of the table. clear() keeps the memory for
+// reuse.
 class PlacedDeposits {
   public:
     struct Addition {

@@ -1,5 +1,5 @@
-// What a radiance cell sums up over its deposits, and the statistics of these sums. The sums are integers: the same
-// deposits give the same bits in any order.
+// The sums of a radiance cell over its deposits, and their statistics. The sums are integers: the same deposits give
+// the same bits in any order.
 #pragma once
 #include "cells/cell_table.h"
 

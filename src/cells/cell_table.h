@@ -9,7 +9,7 @@
 
 namespace drc {
 
-// What look-ups read: half a cache line.
+// The data that a look-up reads: half a cache line.
 struct alignas(32) CellAnswer {
     uint64_t key = 0;  // as CellGrid::keyOf gives it; 0: there is no cell
     float perFactor[3]{};

@@ -60,7 +60,7 @@ class Film {
     // it is damaged.
     void save(const std::string& path, const std::string& identity) const;
     void load(const std::string& path, const std::string& identity);
-    // The same as the last part of a larger file, whose header must have the description.
+    // Write and read the film as the last part of a larger file, whose header must contain description().
     void save(StateWriter& to) const;
     void load(StateReader& from);
     // Region, layers and identity in words, the latter as a hash.

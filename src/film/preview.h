@@ -1,4 +1,4 @@
-// What a render shows of its picture while it goes on.
+// The picture so far, as shown while a render is running.
 #pragma once
 #include <optional>
 

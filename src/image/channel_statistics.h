@@ -1,4 +1,4 @@
-// What the values of a picture's channels are, in short.
+// Summary statistics of a picture's channels.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace drc {
 
 struct ChannelStatistics {
-    // Of the finite values; zero if there are none.
+    // Taken over the finite values; zero if there are none.
     float min = 0, max = 0;
     double mean = 0;
     int64_t nan = 0, infinite = 0;

@@ -58,7 +58,7 @@ CrossErrors crossErrors(const Image& first, const Image& second, const Image& no
     requireSameSize(first, test);
     requireSameSize(first, norm);
     CrossErrors result;
-    // What is not finite in one picture is so in all: then block means are of the same pixels.
+    // A pixel that is not finite in one picture is set to NaN in all three, so that block means cover the same pixels.
     Image r1 = first.toRgb(), r2 = second.toRgb(), t = test.toRgb();
     std::array<double, 3> sumR{}, sumT{};
     for (int y = 0; y < t.height(); ++y)

@@ -16,11 +16,11 @@ struct CrossErrors {
     // The mean over pixels and channels of (T - R1)(T - R2) / (D^2 + 0.01), with D of relative_norm.h. It is an
     // estimate: for a nearly perfect picture it may be negative.
     Estimate error;
-    // The same without the floor(0.1 %) of the pixels where T is farthest from D, by (T - D)^2 / (D^2 + 0.01), because
-    // a few fireflies of T can dominate `error`. Selecting by the product itself would keep those pixels that the
-    // references' noise makes small, and be biased; D(p) does not depend on this noise.
+    // `error` without the floor(0.1 %) of the pixels with the largest (T - D)^2 / (D^2 + 0.01), because a few fireflies
+    // of T can dominate `error`. Selecting by the product itself would be biased: it would keep those pixels whose
+    // product the references' noise makes small. D(p) does not depend on this noise.
     Estimate trimmed;
-    // The same as `error` for the means of 8x8 pixels, with their own D: errors that neighbours share.
+    // `error` on means of 8x8 pixels, with their own D: measures errors that neighbours share.
     Estimate block;
     // The mean of (R1 - R2)^2 / 2 in the same norm, for pixels and for blocks: the noise of each reference. The mean of
     // both references has half of it.

@@ -19,7 +19,7 @@ struct DisplaySettings {
 // that belongs beside others may be shown with the stops of another one.
 float exposureOf(const DisplaySettings& settings, const Image& linear);
 
-// What a file's metadata says about how its picture is, or with an EXR should be, displayed.
+// Metadata that records how a file's picture is displayed or, for an EXR, should be.
 std::map<std::string, std::string> displayMetadata(View view, float stops);
 
 }  // namespace drc

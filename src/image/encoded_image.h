@@ -41,7 +41,7 @@ class ByteReader {
     uint32_t littleEndian32();
     // The next `count` bytes.
     std::span<const uint8_t> take(size_t count);
-    // The same without moving past them. Fewer at the end of the file.
+    // Like take(), but without moving past the bytes. Returns fewer at the end of the file.
     std::span<const uint8_t> peek(size_t count) const;
     // The bytes up to the next `end`, which is consumed but not returned.
     std::string_view until(char end);

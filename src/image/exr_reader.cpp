@@ -130,7 +130,7 @@ ExrWindow placeOf(const Window& data, const Imath::Box2i& display) {
             bounded(display.min.y, kMost)};
 }
 
-// What OpenEXR keeps beside the picture: a row of tiles, and tiles being unpacked.
+// Memory that OpenEXR holds beside the picture: one row of tiles, plus two tiles per thread while unpacking.
 double tileBytes(const EncodedImage& encoded, const Imf::Header& header) {
     if (!header.hasTileDescription()) return 0;
     int channels = 0;

@@ -1,4 +1,4 @@
-// What an EXR says beside the values of its pixels: where the picture lies, and how it is stored.
+// EXR metadata on the picture's placement and storage.
 #pragma once
 #include <map>
 #include <set>

@@ -21,7 +21,7 @@ struct ExrLayer {
 // says of channels, by their whole names, holds beside what the layers say.
 void writeExr(const std::string& path, const std::vector<ExrLayer>& layers, const ExrMetadata& metadata = {},
               const ExrWindow& window = {}, const ExrStorage& storage = {});
-// The same in memory.
+// Like writeExr(), but returns the bytes of the file.
 std::string encodeExr(const std::vector<ExrLayer>& layers, const ExrMetadata& metadata = {},
                       const ExrWindow& window = {}, const ExrStorage& storage = {});
 // One layer, the beauty.

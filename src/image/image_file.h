@@ -11,10 +11,10 @@ enum class Encoding { UInt8, UInt16, Float };
 struct ImageFile {
     Image image;  // values as stored: integers are neither decoded nor multiplied by alpha
     Encoding encoding = Encoding::Float;
-    // What a PNG without a word on sRGB says of its integers: a displayed intensity to this power is the value in the
-    // file. 0: they are sRGB-encoded.
+    // The gamma of a PNG that does not declare sRGB: stored value = displayed intensity ^ gamma. 0: the integers are
+    // sRGB-encoded.
     float gamma = 0;
-    // Of EXR files.
+    // Set for EXR files only.
     ExrWindow window{};
     ExrStorage storage{};
     std::string beautyPart{};  // of several parts, the one whose channels have no part's name before theirs

@@ -72,7 +72,7 @@ ImageFormat imageFormatOf(std::string_view bytes, std::string_view path) {
     if (bytes.starts_with("#?")) return ImageFormat::RadianceHdr;
     if (isPfm(bytes)) return ImageFormat::Pfm;
     if (hasTgaFooter(bytes)) return ImageFormat::Tga;
-    // What only its name says to be one, and no other format claims, is a damaged one.
+    // A file that is a TGA by its name alone, and that no other format claims, is a damaged TGA.
     if (isNamedTga(path) && (hasTgaHeader(bytes) || foreignFormatOf(bytes).empty())) return ImageFormat::Tga;
     return ImageFormat::Unknown;
 }

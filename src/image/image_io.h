@@ -15,7 +15,7 @@ namespace drc {
 // is read; of an EXR all parts (exr_reader.h), and if it is larger or smaller than its display window, the pixels that
 // are stored.
 ImageFile readImageFile(const std::string& path);
-// The same for a file in memory.
+// Like readImageFile(), but for a file in memory.
 ImageFile decodeImage(const EncodedImage& encoded);
 // The values as stored. `encoding`, if not null, receives how.
 Image readImage(const std::string& path, Encoding* encoding = nullptr);
@@ -24,9 +24,9 @@ Image readImage(const std::string& path, Encoding* encoding = nullptr);
 Image readLinearRgb(const std::string& path);
 Image linearRgbOf(const ImageFile& file);
 float decodedValue(const ImageFile& file, float value);
-// What a texture or a light shows of a file: the beauty, and its alpha if it has one, within the display window. What
-// lies outside of it is cut off; where there are no pixels it is black, with alpha 0. The gamma of a PNG is left out
-// with a warning, as pbrt does not read it.
+// Reads the part of a file that a texture or a light shows: the beauty, and its alpha if it has one, cropped to the
+// display window and padded there with black of alpha 0. The gamma of a PNG is ignored with a warning, as pbrt does not
+// read it.
 ImageFile readTextureFile(const std::string& path);
 // The string attributes (exr_reader.h). Throws Error if the file is not an EXR.
 ExrMetadata readExrMetadata(const std::string& path);

@@ -12,7 +12,7 @@ namespace drc {
 // The layers of `drc render --aovs` that are not means of samples.
 inline constexpr const char* kVarianceLayer = "Denoising Variance";
 inline constexpr const char* kSampleCountLayer = "Debug Sample Count";
-// Of `drc render --noise-threshold`.
+// The layer that `drc render --noise-threshold` writes.
 inline constexpr const char* kErrorLayer = "Estimated Error";
 
 // The part of a channel's name before its last dot, and the part after it.
@@ -23,17 +23,17 @@ std::string suffixOfChannel(const std::string& channel);
 std::vector<std::string> layerNames(const Image& image);
 // For messages: "the beauty, direct, indirect".
 std::string layerList(const Image& image);
-// The same with the channels of each, "the beauty (R, G, B), depth (Z)".
+// Like layerList(), with the channels of each layer: "the beauty (R, G, B), depth (Z)".
 std::string layerAndChannelList(const Image& image);
 
 // The channels of a layer, without its name; nothing if there are none.
 std::optional<Image> layerOf(const Image& image, const std::string& layer);
 // The channels R, G and B, or else Y, that have no layer's name, and A; the whole image if it has neither.
 Image beautyOf(const Image& image);
-// What a layer or a channel of that name is in three channels, linear as the picture is: the channels R, G and B of a
-// layer or, of another layer, its first three or its first one thrice; a channel, "Z" or "depth.Z", thrice. Throws
-// Error that lists the names there are and the nearest, if there is no such layer or channel or, for the beauty, if it
-// has neither R, G and B nor a Y.
+// Three channels of the layer or channel of that name, linear as the picture is: the layer's R, G and B; without them
+// its first three, or its first one thrice; a single channel, "Z" or "depth.Z", thrice. If there is no such layer or
+// channel, or the beauty has neither R, G and B nor a Y, throws Error that lists the existing names and suggests the
+// nearest.
 Image rgbOfLayer(const Image& image, const std::string& layer);
 // Sets the channels that rgbOfLayer() gives for a layer, which must be three. Throws Error if they are not.
 void setRgbOfLayer(Image& image, const std::string& layer, const Image& rgb);

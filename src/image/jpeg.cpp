@@ -124,7 +124,7 @@ class JpegReader {
     char message_[JMSG_LENGTH_MAX] = {};
 };
 
-// Of the coefficients, 16 bits each, that libjpeg keeps of all the picture where it comes in several scans.
+// Size of the 16-bit coefficients that libjpeg keeps for the whole picture when it comes in several scans.
 double coefficientBytes(const jpeg_decompress_struct& info) {
     double bytes = 0;
     for (int i = 0; i < info.num_components; ++i)

@@ -13,7 +13,7 @@ struct PictureFile {
     Image image;
     Encoding encoding = Encoding::Float;  // of the file
     ExrMetadata metadata{};               // the string attributes of an EXR, the notes of a PNG
-    // Of an EXR, as in ImageFile.
+    // Set for EXR files only, as in ImageFile.
     ExrWindow window{};
     ExrStorage storage{};
     std::string beautyPart{};

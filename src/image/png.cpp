@@ -145,7 +145,8 @@ class PngWriter {
         png_set_IHDR(png_, info_, width, height, bits, type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                      PNG_FILTER_TYPE_DEFAULT);
         png_set_compression_level(png_, kCompression);
-        // Of what libpng would choose, sizes differ by a few percent, and reports compare the sizes of pictures.
+        // Fix the strategy: libpng's own choice changes sizes by a few percent, and reports compare the sizes of
+        // pictures.
         png_set_compression_strategy(png_, Z_DEFAULT_STRATEGY);
         png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
         if (!notes_.empty()) png_set_text(png_, info_, notes_.data(), int(notes_.size()));

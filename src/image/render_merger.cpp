@@ -168,7 +168,7 @@ void RenderMerger::add(const PictureFile& render) {
 void RenderMerger::addPixel(size_t pixel, const float* values, double n) {
     const size_t channels = size_t(first_.image.channels());
     for (size_t c = 0; c < channels; ++c) {
-        // What is no number in another layer must not spoil the sum.
+        // NaN or infinity in another layer must not spoil the sum.
         const double value = std::isfinite(values[c]) ? double(values[c]) : 0;
         sums_[pixel * channels + c] += n * value;
         plainSums_[pixel * channels + c] += value;
@@ -213,7 +213,7 @@ PictureFile RenderMerger::merged() const {
     if (allTellSpp_) result.metadata["drc:spp"] = std::to_string(spp_);
     result.metadata.erase("drc:interrupted");
     result.metadata.erase("drc:passes");
-    // What the renders' errors have in common does not average out, and nobody knows how much that is.
+    // Error that the renders share does not average out, and its size is unknown, so the mean has no error estimate.
     result.metadata.erase("drc:error");
     result.image = withoutLayers(result.image, {kErrorLayer});
     return result;

@@ -26,7 +26,7 @@ Image strips(const std::vector<Image>& images, bool rows, int line) {
     const int width = images[0].width(), height = images[0].height(), count = int(images.size());
     const int length = rows ? height : width;
     if (count > length) throw Error(fmt::format("{} strips do not fit on {} pixels", count, length));
-    // Of each pixel along the way: the picture that it shows, or -1 for a line.
+    // For each pixel along the length: the index of the picture that it shows, or -1 for a line.
     std::vector<int> shown(size_t(length), 0);
     for (int i = 0; i < length; ++i) shown[size_t(i)] = int(int64_t(i) * count / length);
     for (int strip = 1; strip < count; ++strip) {

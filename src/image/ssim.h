@@ -8,10 +8,10 @@ namespace drc {
 // The size of the window, and so of the smallest image that has an SSIM.
 inline constexpr int kSsimWindow = 11;
 
-// Of two linear RGB images of one size, each clamped to [0, 1], sRGB-encoded and reduced to luminance (Rec. 709
-// weights). Gaussian window of 11 x 11 pixels with sigma 1.5, K1 = 0.01, K2 = 0.03, L = 1, weighted (not sample)
-// variance; the mean over the pixels whose window lies inside the image. 1 if equal; at least -1. NaN if a side is
-// below 11 pixels. Throws Error if the sizes differ.
+// Mean SSIM of two linear RGB images of one size, each clamped to [0, 1], sRGB-encoded and reduced to luminance (Rec.
+// 709 weights). Gaussian window of 11 x 11 pixels with sigma 1.5, K1 = 0.01, K2 = 0.03, L = 1, weighted (not sample)
+// variance; the mean runs over the pixels whose window lies inside the image. The range is [-1, 1], with 1 for equal
+// images. NaN if a side is below 11 pixels. Throws Error if the sizes differ.
 double ssim(const Image& reference, const Image& test);
 
 }  // namespace drc

@@ -47,7 +47,7 @@ TgaHeader readHeader(ByteReader& in) {
 
 bool isColourDepth(int bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; }
 
-// What of the header is impossible; empty if nothing is.
+// Describes what is impossible in the header; empty if it is valid.
 std::string faultOf(const TgaHeader& h) {
     const int kind = h.kind & 7;
     if (h.kind > 11 || kind < 1 || kind > 3) return fmt::format("there is no TGA of kind {}", h.kind);
@@ -108,7 +108,7 @@ std::vector<Colour> readPalette(ByteReader& in, const TgaHeader& header) {
     return palette;
 }
 
-// That the pixels take. A packet has up to 128 of them.
+// The fewest bytes that the pixels can take. A packet covers up to 128 of them.
 size_t leastBytes(const TgaHeader& header) {
     const size_t pixels = size_t(header.width) * size_t(header.height), size = size_t(header.bytesPerPixel());
     return header.isPacked() ? (pixels + 127) / 128 * (1 + size) : pixels * size;

@@ -29,7 +29,7 @@ class Tiles {
     double sum() const { return sum_; }
     double count() const { return count_; }
 
-    // Of the sum of all values.
+    // Variance of sum(), from the differences between neighbouring tiles.
     double variance() const {
         double variance = 0, weight = 0;
         for (int y = 0; y < ny_; ++y)
@@ -41,7 +41,7 @@ class Tiles {
                     if (x + dx < 0 || x + dx >= nx_ || y + dy < 0 || y + dy >= ny_) continue;
                     const Tile& other = tiles_[index(x + dx, y + dy)];
                     if (tile.count == 0 || other.count == 0) continue;
-                    // Of independent values with variance v the difference of means has v (1 / n + 1 / m).
+                    // For independent values of variance v, Var(difference of means) = v (1 / n + 1 / m).
                     const double n = tile.count, m = other.count;
                     const double difference = tile.sum / n - other.sum / m;
                     ofValue += difference * difference * n * m / (n + m);

@@ -187,13 +187,13 @@ class FinalGatherIntegrator final : public SampledIntegrator {
 
     static constexpr uint64_t kCellStream = 0x3000000000, kHalfStream = 0x3001;
 
-    // What the samples of a row of pixels have found out in a pass. One thread at a time works on a row, and rows are
-    // committed in their order, whichever thread had them.
+    // Deposits and counts of the samples of a row of pixels in a pass. One thread at a time works on a row, and rows
+    // are committed in their order, whichever thread had them.
     struct alignas(64) Row {
         std::vector<CacheDeposit> deposits;
         FinalGather::Counts counts;
     };
-    // What is read from a file before it is put in its place.
+    // State read from a file, before it replaces the integrator's own.
     struct State {
         RadianceCells cells;
         SamplePlanner planner;

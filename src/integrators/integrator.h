@@ -19,7 +19,7 @@
 
 namespace drc {
 
-// What integrators are made from. All of it must outlive them.
+// Inputs of integrators. All of them must outlive the integrator.
 struct RenderContext {
     const Scene& scene;
     const Accel& accel;
@@ -45,10 +45,10 @@ class Integrator {
     // Called when, beside passes over the whole film, about as many samples have been taken of a part of it, while no
     // sample is taken.
     virtual void focusPassesDone() {}
-    // What the integrator has found out that is not in the film, so that a render can go on later as if it had not
-    // stopped, also within a pass. While no sample is taken. loadState reads what saveState of an integrator of the
+    // Save and restore the integrator's state beyond the film, so that a render resumes as if it had not stopped, even
+    // within a pass. Call these only while no sample is taken. loadState reads what saveState of an integrator with the
     // same parameters wrote; it changes nothing, and throws Error if the values contradict each other. The function
-    // that it returns puts the state in its place, without failing.
+    // that it returns installs the state and cannot fail.
     virtual void saveState(StateWriter& /*to*/) const {}
     virtual std::function<void()> loadState(StateReader& /*from*/) {
         return [] {};

@@ -53,7 +53,7 @@ struct RenderParams {
     bool guide = true;   // whether sampling of the environment learns where its light enters (EnvironmentGuide)
 };
 
-// The same parameters with nothing left open: integrator, spp, mapPasses, maxDepth and all others have values. Throws
+// Fills in whatever was left open: integrator, spp, mapPasses, maxDepth and all other parameters have values. Throws
 // Error if parameters contradict each other.
 RenderParams resolved(RenderParams params, const Scene& scene);
 

@@ -27,7 +27,7 @@ constexpr int kRowsAtATime = 4;
 
 float square(float v) { return v * v; }
 
-// What squared differences of displayed radiance are relative to, as in the error that pictures are measured by.
+// Denominator of squared differences of displayed radiance: mean^2 + offset, as in the error measure of pictures.
 float relativeTo(float mean) { return square(mean) + float(kRelativeNormOffset); }
 
 }  // namespace
@@ -96,7 +96,7 @@ void SampleDensity::update(int samples) {
 }
 
 std::vector<SampleDensity::Estimate> SampleDensity::estimates() const {
-    // What of a cell the filter reads.
+    // The means of a cell that the filter reads, and its results.
     struct Cell {
         Rgb albedo{0.f};
         Vec3 normal{0.f};

@@ -50,7 +50,7 @@ class SampleDensity {
     void load(StateReader& from);
 
   private:
-    // Of a cell, or of a row of its pixels.
+    // Sums over a cell, or over a row of its pixels.
     struct Sums {
         float value[2] = {0, 0}, samples[2] = {0, 0};
         Rgb albedo{0.f};
@@ -58,7 +58,7 @@ class SampleDensity {
         void add(const Sums& other);
         float count() const { return samples[0] + samples[1]; }
     };
-    // What a cell adds to the means of its block.
+    // A cell's contribution to the means of its block.
     struct Estimate {
         double noise = 0, contrast = 0;
     };

@@ -20,8 +20,8 @@ class SamplePlanner {
 
     // The camera samples of a pixel in the present pass.
     PixelSamples samples(int x, int y) const { return parts_[density_.blockOf(x, y)].samples; }
-    // By which the probability that a path trains is multiplied: less where a pixel has more camera samples, each of
-    // which then counts less in the picture, so that what it deposits counts as much in the cells.
+    // Training probability is divided by sample density, so that each pixel deposits equally in the cells, just as it
+    // counts equally in the picture. Returns the factor, 1 / density.
     float training(int x, int y) const { return parts_[density_.blockOf(x, y)].training; }
 
     // As SampleDensity::add().

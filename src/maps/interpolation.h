@@ -24,7 +24,7 @@ struct PixelSite {
     bool transmits = false;
 };
 
-// What a map's weight depends on. Distance: the distance on the film alone, to show what the other terms contribute.
+// Terms of a map's weight. Distance: the distance on the film alone, to show what the other terms contribute.
 // Geometry: distance, normals, depth edges and nearby geometry.
 enum class Interpolation { Distance, Geometry };
 
@@ -41,8 +41,8 @@ float presentWeight(const PixelSite& pixel, const MapSite& site);
 // that the pixel needs.
 float geometryWeight(const PixelSite& pixel, const MapSite& site);
 
-// The same for pixels that no map serves well: maps off the tangent plane count as well, the less the farther off they
-// are. A smooth error over a few pixels at an edge is less visible than the noise of a few paths.
+// Like geometryWeight(), but for pixels that no map serves well: maps off the tangent plane also count, the less the
+// farther off they are. A smooth error over a few pixels at an edge is less visible than the noise of a few paths.
 float relaxedWeight(const PixelSite& pixel, const MapSite& site);
 
 }  // namespace drc

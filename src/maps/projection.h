@@ -42,7 +42,7 @@ class MapLayout {
     }
     // Solid angle of the texels of a row, in steradians.
     float solidAngle(int row) const;
-    // Of a texel, on average.
+    // Mean solid angle of a texel, in steradians.
     float meanSolidAngle() const { return 2 * kPi / float(texels()); }
 
   private:

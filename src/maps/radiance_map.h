@@ -25,8 +25,8 @@ class RadianceMap {
     // Radiance arriving at the map's origin from the unit direction d (world space). Directions below the map's horizon
     // give the radiance at the horizon.
     Rgb radiance(const Vec3& d) const;
-    // The same with parallax correction for a point x near the origin: the map's distances are used to find the surface
-    // point that x sees in direction d, and its radiance is looked up in the direction from the origin.
+    // radiance() with parallax correction for a point x near the origin: the map's distances give the surface point
+    // that x sees in direction d, and its radiance is looked up in the direction from the origin.
     Rgb radianceAt(const Vec3& x, const Vec3& d) const;
 
     struct DirectionSample {

@@ -39,9 +39,9 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
 // written.
 void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, ExampleShardWriter& shard,
                    const std::function<void(bool)>& done, const CancelToken* cancel);
-// The same into a folder of PFM files, with the first input of each example. Of several viewpoints in one pixel the
-// first is used. Returns how many examples were there already, for which done is not called; viewpoints without an
-// example are tried again.
+// Writes the examples to a folder of PFM files instead, with the first input of each. If several viewpoints fall into
+// one pixel, only the first is used. Returns how many examples existed already, for which done is not called;
+// viewpoints without an example are tried again.
 int writeExamples(const PathTracer& tracer, const ExampleSettings& settings, const IisptWriter& folder,
                   const std::function<void(bool)>& done, const CancelToken* cancel);
 

@@ -43,7 +43,7 @@ constexpr uint64_t hash(Args... args) {
     return h;
 }
 
-// The same, with 32 bits.
+// The upper 32 bits of hash().
 template <typename... Args>
 constexpr uint32_t hash32(Args... args) {
     return static_cast<uint32_t>(hash(args...) >> 32);

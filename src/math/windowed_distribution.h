@@ -57,7 +57,7 @@ class WindowedDistribution2D {
 
     int width_, height_;
     std::vector<double> sums_;  // at the corners of cells, (width + 1) in a row
-    // Of each column alone, (height + 1) values: a search along it touches few cache lines.
+    // Prefix sums of each column alone, (height + 1) values: a search along it touches few cache lines.
     std::vector<double> columns_;
 };
 

@@ -27,20 +27,21 @@ void* oneDnnLibrary() {
     return ::dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
 }
 
-// A process may have several, each with its own number of threads: a Python program that loads PyTorch has. oneDNN uses
-// the one that it was linked to, unless another was there for all to see when it was loaded.
+// A process may have several OpenMP libraries, each with its own number of threads: a Python program that loads PyTorch
+// has. oneDNN uses the one that it was linked to, unless another was globally visible when oneDNN was loaded.
 OpenMp linkedOpenMp() {
     void* const library = oneDnnLibrary();
     return library ? openMpOf(library) : OpenMp{};
 }
 
-// That other one, or one that came later and is not oneDNN's.
+// The library that is globally visible, if it is not the linked one: oneDNN may use it, or it came later and is not
+// oneDNN's.
 OpenMp visibleOpenMp() {
     const OpenMp visible = openMpOf(RTLD_DEFAULT);
     return visible.setThreads == linkedOpenMp().setThreads ? OpenMp{} : visible;
 }
 
-// oneDNN's is one of them, and to the other one thread for a while does no harm.
+// One of them is oneDNN's; it does no harm to hold the other to one thread for a while.
 const std::array<OpenMp, 2>& openMps() {
     static const std::array<OpenMp, 2> all{linkedOpenMp(), visibleOpenMp()};
     return all;

@@ -1,4 +1,4 @@
-// What every use of oneDNN here needs: the engine, and the promise that a call stays on the calling thread.
+// The engine for every use of oneDNN here, and the promise that a call stays on the calling thread.
 #pragma once
 #include <array>
 #include <dnnl.hpp>

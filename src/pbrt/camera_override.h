@@ -12,7 +12,7 @@ struct TransformSet;
 
 struct LookAt {
     Vec3 eye{0.f}, look{0.f}, up{0, 1, 0};  // the file's coordinates; up need not be perpendicular
-    // What is wrong with it, for a message; empty if it looks somewhere.
+    // The reason, for a message, why it defines no view; empty if it does.
     std::string fault() const;
 };
 

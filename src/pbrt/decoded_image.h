@@ -14,7 +14,7 @@ struct DecodedImage {
 
 // The values in the file; integers are scaled to [0, 1]. Throws Error that names the path.
 DecodedImage readAsStored(const std::string& path);
-// The same, with integers decoded from sRGB.
+// Like readAsStored(), but with integers decoded from sRGB.
 DecodedImage readLinear(const std::string& path);
 
 }  // namespace drc::pbrt

@@ -14,7 +14,8 @@ std::string_view nameOf(Dialect dialect);
 
 // The dialect to which a directive is exclusive; none if both know it, or neither.
 std::optional<Dialect> dialectOfDirective(std::string_view directive);
-// The same for the type of a directive, as in `Film "rgb"`. Types of named materials count as types of Material.
+// The dialect to which a directive's type is exclusive, as in `Film "rgb"`. Types of named materials count as types of
+// Material.
 std::optional<Dialect> dialectOfType(std::string_view directive, std::string_view type);
 
 // A parameter as written in the file.

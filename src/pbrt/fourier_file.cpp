@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "the file is little-en
 
 constexpr std::string_view kMagic("SCATFUN\x01", 8);
 
-// What follows the magic word.
+// Header of 56 bytes that follows the magic word.
 struct Header {
     int32_t flags, cosines, coefficients, mostOrders, channels, bases;
     int32_t metadata, parameters, parameterValues;

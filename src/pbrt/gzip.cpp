@@ -13,8 +13,8 @@ namespace drc::pbrt {
 namespace {
 
 constexpr int kGzipFormat = 16 + MAX_WBITS;  // no bare zlib streams
-// What is unpacked at a time: a few times the packed size, because scenes have thousands of small files, and the pages
-// of a large buffer cost more than they hold.
+// Unpack in chunks of a few times the packed size: scenes have thousands of small files, and touching the pages of a
+// large buffer would cost more than unpacking into it.
 constexpr size_t kLeastChunk = size_t(1) << 12, kMostChunk = size_t(1) << 20;
 constexpr size_t kUsualRatio = 4;
 

@@ -1,5 +1,5 @@
-// What uses names that are defined later. pbrt-v4 looks names up when it has read the last file, so that a material may
-// name a texture, and a shape a material, that comes after it.
+// Defers whatever uses a name until that name is defined. pbrt-v4 looks names up after it has read the last file, so a
+// material may name a texture, and a shape a material, that comes later.
 #pragma once
 #include <functional>
 #include <string>

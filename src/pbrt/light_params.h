@@ -45,7 +45,7 @@ SourceLight lampOf(const ParamSet& params, const Transform& toWorld, const Rgb& 
 
 // DRC's own parameters "bool visibletocamera" and "bool illuminates" of distant and infinite lights.
 LightAudience audienceOf(const ParamSet& params);
-// What DRC's own parameter "float spread" of area lights says.
+// Emission narrowed by DRC's own area light parameter "float spread", in degrees in (0, 180]; 180 if absent.
 EmissionProfile emissionProfile(const ParamSet& params);
 
 }  // namespace drc::pbrt

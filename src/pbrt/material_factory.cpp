@@ -149,9 +149,9 @@ MaterialPtr fourier(const MaterialContext& c) {
     return makeFourier(c.sources.bsdfs.fourier(path, name.valuePos), reliefOf(c.params));
 }
 
-// What the two materials with scattering below the surface have in common.
+// Parameters shared by the two materials with subsurface scattering.
 SubsurfaceParams subsurfaceOf(const TextureParams& p) {
-    // They say how far the light spreads below the surface, which a BSDF does not have.
+    // These set how far light spreads below the surface; a BSDF scatters at the surface point only.
     p.own().ignore({"scale", "mfp"});
     SubsurfaceParams made;
     made.kr = p.colorOrNull("Kr");

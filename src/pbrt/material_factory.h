@@ -22,7 +22,7 @@ struct MaterialInstance {
 };
 using NamedMaterials = NamedMap<MaterialInstance>;
 
-// What the parameters of a material may name.
+// Everything that a material's parameters can refer to by name.
 struct MaterialSources {
     const NamedTextures& textures;
     const NamedMaterials& materials;

@@ -1,4 +1,4 @@
-// What pbrt-v4 makes of a colour image where a texture needs numbers, as masks do.
+// Reduces a colour image to one channel as pbrt-v4 does, for textures that need numbers, such as masks.
 #pragma once
 #include "image/image.h"
 #include "scene/textures/mip_pyramid.h"

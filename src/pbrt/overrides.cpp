@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view kBetween = " \t,";
 
-// What the front end would look up in the parameters of a directive, found by letting it: parameters have no other
-// list.
+// The parameters that the front end looks up for a directive. They are listed nowhere else, so apply the directive to
+// an empty set and note the look-ups.
 ParamSet::Known knownTo(const Overrides::Directive& directive) {
     ParamSet::Known known;
     ParamSet none(directive.params.owner(), directive.params.pos());
@@ -93,7 +93,7 @@ class Reader {
     Param param(size_t directive) const {
         const auto known = known_[directive].types.find(name_);
         Param p;
-        // What has no effect may have any value.
+        // A parameter without effect accepts any value.
         p.type = known != known_[directive].types.end() ? known->second.value_or(ParamType::String) : ParamType::String;
         p.typeName = describe(p.type);
         p.name = name_;

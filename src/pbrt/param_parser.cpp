@@ -199,7 +199,7 @@ class ParamParser {
         return rules_.dialect == Dialect::V4 && isLight ? atUnitLuminance(c) : c;
     }
 
-    // Of spectra that the file gives. An index of refraction of zero would make no sense.
+    // Extends a spectrum given in the file past its end samples. An index of refraction of zero would make no sense.
     Beyond beyond() const {
         const bool isIndex = useOf(param_.name, rules_) == ColorUse::Index;
         return rules_.dialect == Dialect::V4 && !isIndex ? Beyond::Zero : Beyond::Constant;

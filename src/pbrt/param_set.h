@@ -65,11 +65,11 @@ class ParamSet {
 
     // Any number of values; null if there is no such parameter, and with a warning if it has none of these types.
     const Param* find(std::string_view name, std::initializer_list<ParamType> types) const;
-    // The same without a warning, where a parameter of another type may be meant for something else.
+    // Like find(), but without a warning: a parameter of another type may be meant for something else.
     const Param* findIfTyped(std::string_view name, std::initializer_list<ParamType> types) const;
     // The string that names a file; null if there is none, or if it is empty, which names none.
     const Param* findFile(std::string_view name) const;
-    // The same. Throws Error if there is none.
+    // Like findFile(), but throws Error if there is none.
     const Param& needFile(std::string_view name) const;
     bool has(std::string_view name) const;
 

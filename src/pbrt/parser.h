@@ -16,7 +16,7 @@ class Parser {
     explicit Parser(std::shared_ptr<const Source> main, const Vec3& origin = Vec3(0.f));
     // Parses in the dialect of the file. One of the two is to be called, once.
     std::unique_ptr<Scene> parse(const LoadOptions& options);
-    // What comes before WorldBegin alone: camera and settings, of a scene without a world.
+    // Parses up to WorldBegin only: the camera and settings, for a scene without a world.
     std::unique_ptr<Scene> parseCamera(const LoadOptions& options);
 
   private:

@@ -131,9 +131,9 @@ class SceneBuilder {
     // Gives the shape what others define: its masks, its material, and whether it is an area light. Throws
     // UndefinedName if one of them is defined later. params: of the shape; of them pbrt-v4 needs the masks alone.
     void dress(PendingPrimitive& p, const ParamSet& params);
-    // What the primitive's material says of its alpha.
+    // Multiplies the material's opacity into the primitive's alpha.
     void takeFromMaterial(Primitive& primitive) const;
-    // What makes the area light of a shape: that of the graphics state, or that of its material; empty: it does not
+    // The builder of a shape's area light: from the graphics state, else from its material; empty if the shape does not
     // emit.
     AreaLightBuilder areaLightOf(const PendingPrimitive& p);
     // The row of Scene::names for a shape.

@@ -46,7 +46,7 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     const ParamSet masks = params.only({"alpha", "shadowalpha"});
     pending.awaitsMasks = pending.awaitsNames && !masks.all().empty();
     if (!pending.areaLight && placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
-    // What has no name yet may turn out to emit. If it does not, its slot is removed again.
+    // A shape whose names are still undefined may turn out to emit. If it does not, its slot is removed again.
     if (pending.awaitsNames || pending.areaLight) {
         pending.lightSlot = scene_->lights.size();
         scene_->lights.push_back(nullptr);

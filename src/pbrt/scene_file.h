@@ -29,10 +29,10 @@ struct LoadOptions {
 // that the scene needs is read, and all faults are found, before this returns. Throws Error for input that is
 // malformed, missing or unknown. Features of pbrt that DRC does not support give a warning.
 std::unique_ptr<Scene> loadPbrtFile(const std::string& path, const LoadOptions& options = {});
-// What the file says before WorldBegin: the camera and the settings of a scene without a world. origin: that of the
-// scene (Scene::origin) that the camera is for.
+// Loads only what precedes WorldBegin: the camera and the settings, as a scene without a world. origin: Scene::origin
+// of the scene that the camera is for.
 std::unique_ptr<Scene> loadPbrtCamera(const std::string& path, const Vec3& origin, const LoadOptions& options = {});
-// The same as loadPbrtFile for a text. Relative paths start in `directory`; messages call the text `name`.
+// Like loadPbrtFile, but for a text. Relative paths start in `directory`; messages call the text `name`.
 std::unique_ptr<Scene> loadPbrtString(const std::string& text, const std::string& directory = ".",
                                       const LoadOptions& options = {}, const std::string& name = "<string>");
 

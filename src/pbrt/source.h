@@ -77,7 +77,7 @@ auto placedAt(const SourcePos& pos, const F& f) -> decltype(f()) {
 }
 // Logs the warning "file:line:column: warning: message".
 void warn(const SourcePos& pos, const std::string& message);
-// The same, but only at the first of the places that it is true of.
+// Like warn(), but logs each message only at the first place that it applies to.
 void warnOnce(const SourcePos& pos, const std::string& message);
 
 }  // namespace drc::pbrt

@@ -14,15 +14,15 @@ struct SpectrumSample {
     float value;
 };
 
-// What a spectrum is beyond its first and last samples: the same as there (pbrt-v3, and tables that are built in), or
-// zero (pbrt-v4).
+// How a spectrum continues past its first and last samples: with their values (pbrt-v3, and the built-in tables) or
+// with zero (pbrt-v4).
 enum class Beyond { Constant, Zero };
 // Samples in any order; linear between them. A single sample that is zero beyond is a band of a nanometre.
 Rgb spectrumToRgb(std::vector<SpectrumSample> samples, Beyond beyond = Beyond::Constant);
-// The colour of a reflectance under pbrt-v4's white, D65: a spectrum that is 1 everywhere is white. From 0 to 1, as
-// saturated ones would else reflect more red, green or blue than they receive.
+// The colour of a reflectance under pbrt-v4's white, D65: a spectrum that is 1 everywhere is white. Clamped to [0, 1],
+// because a saturated spectrum would otherwise reflect more red, green or blue than it receives.
 Rgb reflectanceToRgb(std::vector<SpectrumSample> samples, Beyond beyond = Beyond::Constant);
-// The same for many spectra with common wavelengths, which ascend: the colour is the sum of these times the values.
+// Weights w_i for reflectances sampled at common, ascending wavelengths: colour = sum_i w_i * value_i.
 std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths);
 // The colour scaled to a luminance of one, as pbrt-v4's lights do with spectra; black stays black. What lies outside
 // the gamut of Rec. 709 is clamped before.

@@ -16,14 +16,14 @@ namespace drc::pbrt {
 inline std::string errorOfScene(const std::string& text, const std::string& directory = ".") {
     return errorOf([&] { loadPbrtString(text, directory, {}, "s.pbrt"); });
 }
-// The same for text between WorldBegin, on line 1, and WorldEnd. The text begins on line 2.
+// Like errorOfScene(), with the text between WorldBegin, on line 1, and WorldEnd. The text begins on line 2.
 inline std::string errorOfWorld(const std::string& text, const std::string& directory = ".") {
     return errorOfScene("WorldBegin\n" + text + "\nWorldEnd\n", directory);
 }
 inline std::unique_ptr<Scene> loadWorld(const std::string& text, const std::string& directory = ".") {
     return loadPbrtString("WorldBegin\n" + text + "\nWorldEnd\n", directory, {}, "s.pbrt");
 }
-// The same for pbrt-v4: between the film and WorldBegin, on line 1, and the end of the file.
+// Like loadWorld(), but for pbrt-v4: the film and WorldBegin are on line 1, and the text runs to the end of the file.
 inline std::unique_ptr<Scene> loadWorldV4(const std::string& text, const std::string& directory = ".") {
     return loadPbrtString("Film \"rgb\" WorldBegin\n" + text + "\n", directory, {}, "s.pbrt");
 }

@@ -37,7 +37,7 @@ class TextureFiles {
 
     // Waits until all files asked for are read. Throws Error, at the position of the first that cannot be.
     void finish();
-    // Of all pyramids, after finish().
+    // The size of all pyramids; valid after finish().
     size_t bytes() const;
 
   private:

@@ -22,7 +22,7 @@ struct Token {
     double number() const;
     // The token for messages: "'Foo'", "string \"x\"", "the end of the file".
     std::string describe() const;
-    // What to add to a message that a number was expected; empty for tokens that could not be meant for one.
+    // Suffix for the message "expected a number"; empty for tokens that cannot have been meant as one.
     std::string whyNoNumber() const;
 };
 

@@ -1,5 +1,5 @@
-// What happens where a name is used that nothing has been defined by so far. Never defined, it is an error in pbrt-v4;
-// in pbrt-v3, which looks names up where they are used, a warning.
+// Use of a name that is not defined yet. If it is never defined, pbrt-v4 fails; pbrt-v3, which looks names up where
+// they are used, warns.
 #pragma once
 #include <string>
 

@@ -19,8 +19,8 @@ struct DenoisedError {
     // channels, with T the denoised picture, I the true one and D the radiance around the pixel (relative_norm.h) in
     // the denoised halves, averaged over the pixels around.
     Image local;
-    // The same averaged over all pixels: the square root of what `drc compare` calls error, or NaN if not a single
-    // pixel has samples in both halves.
+    // The relative error to expect of the whole picture (root mean square): the square root of what `drc compare` calls
+    // error, or NaN if not a single pixel has samples in both halves.
     double whole = 0;
 };
 

@@ -33,7 +33,7 @@ constexpr float kLeastCautionOfCorrection = 1.1f;
 // it, relative to the pixel's variance. With the spline's weights w it is 1 - 2 w0^2 + (sum of w^2)^2.
 constexpr float kNoiseAboveAverage = 0.794f;
 
-// The same for the average of the finest scale itself: (sum of w^2)^2.
+// The variance of the average of the finest scale itself, relative to the pixel's variance: (sum of w^2)^2.
 constexpr float kNoiseOfAverage = 0.0748f;
 
 // Pixels whose light differs by much more than the noise, as on both sides of a shadow's edge, are not averaged with
@@ -63,7 +63,7 @@ void forEachPixel(size_t count, const F& f) {
     });
 }
 
-// The same for the pixels that the filter covers: a filter of edge pixels covers few.
+// Calls f(pixel) for the pixels that the filter covers: a filter of edge pixels covers few.
 template <typename F>
 void forEachCovered(const SurfaceFilter& filter, size_t count, const F& f) {
     forEachPixel(count, [&](size_t i) {

@@ -47,8 +47,8 @@ class LayerFilter {
     // all pixels, also where it will not be used. whole: the result of isWhole for the samples.
     Filtered withoutNoise(const SurfaceFilter& filter, Scales scales, const FilmLayer& samples, bool whole,
                           const Image* base) const;
-    // The same without a base, in two filters: the second does not average pixels whose values, after the first, differ
-    // by more than noise.
+    // withoutNoise() without a base, filtered twice: the second filter does not average pixels whose values, after the
+    // first, differ by more than noise.
     Planes withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales, const FilmLayer& samples, bool whole) const;
 
     // Averages edge pixels with each other, whatever surfaces they show, and partly those that are nearly edge pixels.

@@ -9,7 +9,7 @@ namespace {
 // The next estimate is made where the threshold is expected to be reached, but after so many times the samples at least
 // and at most: estimates take time, and expectations may fail.
 constexpr double kLeastGrowth = 1.15, kMostGrowth = 3;
-// Of error ~ samples^-slope: what denoised pictures usually show, and what two estimates may make of it.
+// Slope in error ~ samples^-slope: the usual one of denoised pictures, and bounds on one computed from two estimates.
 constexpr double kUsualSlope = 0.35, kLeastSlope = 0.15, kMostSlope = 0.6;
 
 }  // namespace

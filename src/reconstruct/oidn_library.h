@@ -7,7 +7,7 @@
 
 namespace drc {
 
-// What the search depends on besides the files.
+// Inputs of the search, besides the files themselves.
 struct OidnSearch {
     std::string option;             // of --oidn-library; empty: not given
     std::string named;              // the variable DRC_OIDN; empty: not set
@@ -16,7 +16,7 @@ struct OidnSearch {
     std::filesystem::path home, virtualEnv;
     std::string path;  // the variable PATH
 
-    // That of this process. option: of --oidn-library.
+    // Inputs taken from this process. option: the value of --oidn-library.
     static OidnSearch ofProcess(const std::string& option);
 };
 
@@ -35,7 +35,7 @@ struct OidnLibraries {
 // if the library that is named does not exist.
 OidnLibraries findOidn(const OidnSearch& search);
 
-// What to do where there is none, to end a message with.
+// Advice for installing the library, which ends the message that none was found.
 inline constexpr const char* kHowToGetOidn =
     "scripts/quickstart fetches it, pip install pyoidn has it, $DRC_OIDN or --oidn-library name it";
 

@@ -166,7 +166,7 @@ OpenImageDenoise::OpenImageDenoise(const OidnLibraries& libraries) {
             return;
         } catch (const Error& error) {
             if (!libraries.namedBy.empty()) throw Error(libraries.namedBy + ": " + error.what());
-            // That the loader does not know a bare name is no fault.
+            // A bare name that the loader does not know is no fault, so only paths are reported.
             if (unusable.empty() && name.find('/') != std::string::npos) unusable = name + ": " + error.what();
         }
     }

@@ -19,9 +19,8 @@ class Planes {
     const float* plane(int c) const { return values_.data() + size_t(c) * stride_; }
 
   private:
-    // The same pixel of all planes is read at once. At most common image sizes, planes would be a multiple of 4096
-    // bytes apart, and their lines would compete for the same eight places of the first-level cache; the offset
-    // prevents that.
+    // All planes are read at one pixel together. At most common image sizes, planes would be a multiple of 4096 bytes
+    // apart, and their lines would compete for the same eight ways of the first-level cache; the offset prevents that.
     static size_t strideOf(size_t pixels) {
         constexpr size_t kPage = 4096 / sizeof(float), kApart = 5 * 64 / sizeof(float);
         return (pixels + kPage - 1) / kPage * kPage + kApart;

@@ -22,7 +22,7 @@ constexpr float kVoxelsInDistance = 8;
 constexpr uint32_t kFirstFocusSample = uint32_t(1) << 31;
 // The square root of the number of camera rays that look for surfaces before rendering.
 constexpr int kProbes = 16;
-// The same for those that look for windows.
+// The square root of the number of camera rays that look for windows.
 constexpr int kViews = 48;
 
 PathSettings pathSettings(const RenderParams& params) {

@@ -40,8 +40,8 @@ class Session {
     // Changes the camera: the film is cleared and may have another size, the prepared scene stays. Not while other
     // calls run.
     void setCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
-    // The same for a camera that looks around in the same room: what has been found out about the scene is kept, such
-    // as radiance cells, and helps the new picture, which therefore depends on where the camera has been.
+    // Like setCamera(), for a camera that looks around in the same room: keeps what was learned about the scene, such
+    // as radiance cells. This helps the new picture, which therefore depends on where the camera has been.
     void moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
 
     // Once every pixel has a sample, all further ones go to this part of the film's region, none: to whole passes,

@@ -33,7 +33,7 @@ struct Primitive {
     MediumInterface media = {};                  // owned by Scene::media
 };
 
-// What pbrt calls an object: primitives in their own space, to be instanced.
+// A pbrt object: primitives in their own space, to be instanced.
 struct ObjectDefinition {
     std::string name;
     std::vector<Primitive> primitives;
@@ -91,9 +91,9 @@ struct Scene {
     std::vector<std::shared_ptr<const Medium>> media;
     const Medium* cameraMedium = nullptr;  // that the camera is in; null: empty space
     RenderSettings settings;
-    // What has been subtracted from the file's world coordinates, because floats are finest near zero.
+    // Offset subtracted from the file's world coordinates, because floats are finest near zero.
     Vec3 origin{0.f};
-    // What the file calls the surfaces, for those who ask; may be empty.
+    // Names that the file gives the surfaces, for those who ask; may be empty.
     SurfaceNames names;
     // The files that it was read from: the one with the scene first, then those that it names, each once.
     std::vector<std::string> files;

@@ -1,4 +1,4 @@
-// What the scene's file calls its surfaces, for people who point at one and ask what it is. No light depends on it.
+// Names of surfaces in the scene's file, for people who point at one and ask what it is. No light depends on them.
 #pragma once
 #include <cstdint>
 #include <map>

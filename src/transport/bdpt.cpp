@@ -316,7 +316,7 @@ void BidirectionalTracer::traceLight(float time, Sampler& sampler, Paths& paths,
         if (toSurface(accel_, step.ray, hit, [](const SurfaceInteraction&) {}) != Arrival::Surface) break;
         if (scattered >= settings_.maxDepth || paths.light.size() == kMostVertices || facesRays(hit)) break;
         const bool first = paths.light.empty();
-        // What stands outside a portal is not lit through it.
+        // A point outside a portal receives no light through it.
         if (first && light.isInfinite() && isBlack(light.escaped(hit.p, -emitted->d))) break;
         if (first)
             paths.end = lightEnd(light, {emitted->p, emitted->ng, emitted->triangle, emitted->uv}, emitted->d, hit.p);

@@ -32,7 +32,7 @@ class EnvironmentGuide {
     EnvironmentGuide(const Light& light, float size) : EnvironmentGuide(EnvironmentWindows(light), size) {}
 
     const Light* light() const { return &windows_.environment(); }
-    // What turns guided random numbers into directions: in place of the light's own sample() and pdf.
+    // Maps guided random numbers to directions, in place of the light's own sample() and pdf.
     const EnvironmentWindows& windows() const { return windows_; }
     // Group of the points near p with normals near n (unit).
     int group(const Vec3& p, const Vec3& n) const;
@@ -59,9 +59,9 @@ class EnvironmentGuide {
     // Takes the counts into use. To be called at the end of each sample pass, while no other thread uses the guide.
     void update();
 
-    // What has been learned, for a render that goes on later. load reads what save wrote for a guide of the same light
-    // and size, and throws Error if there is less; the function that it returns puts that in its place, without
-    // failing. While no other thread uses the guide.
+    // Save and restore the learned state, so that a render can resume. load reads what save wrote for a guide of the
+    // same light and size, and throws Error if data is missing or invalid; the function that it returns installs the
+    // state and cannot fail. Call these only while no other thread uses the guide.
     void save(StateWriter& to) const;
     std::function<void()> load(StateReader& from);
 

@@ -15,8 +15,8 @@ constexpr size_t kMaxDeposits = 4;
 // Lobes only estimate their albedos: the others are followed with at least this probability.
 constexpr float kLeastSurvival = 0.05f;
 
-// Where the throughput of a path that was sampled through all lobes has to be divided between some of them and the
-// others: their share of f, for each channel.
+// f_part / f_all for each channel: divides the throughput of a path that was sampled through all lobes between some of
+// them and the others.
 Rgb shareOf(const Rgb& part, const Rgb& all) {
     Rgb share(0.f);
     for (int c = 0; c < 3; ++c) share[c] = all[c] > 0 ? std::min(1.f, part[c] / all[c]) : 0.f;
@@ -198,7 +198,8 @@ Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
             path.throughput *= 1 / survival;
         }
         const LobeMask sampled = othersAlone ? others : LobeMask(LobeFlags::All);
-        // What part of the light from a direction the separable lobes scatter, where they and the others part ways.
+        // f_separable / f_all for a direction, where one sample of all lobes serves two estimates: the deposit takes
+        // this share; the picture takes the rest if the cache answered for the separable lobes.
         const bool divided = mixed && !othersAlone && (answered || trainsHere);
         const auto separableShare = [&](const Vec3& wi) {
             return divided ? shareOf(bsdf.f(hit.wo, wi, separable), bsdf.f(hit.wo, wi)) : Rgb(1.f);

@@ -28,11 +28,11 @@ class FinalGather {
         }
     };
 
-    // What a sample reads and what it adds to.
+    // Inputs of a camera sample (random numbers, cache) and the outputs that it adds to.
     struct Sample {
         Sampler& sampler;
         const RadianceCache& cache;
-        float training = 1;                   // by which the probability that a path trains is multiplied
+        float training = 1;                   // factor on the probability that a path trains
         uint64_t seed;                        // of the random numbers for look-ups
         std::vector<CacheDeposit>& deposits;  // are appended
         Counts& counts;

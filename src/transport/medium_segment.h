@@ -36,7 +36,7 @@ struct MediumVertex {
 struct MediumSegment {
     // Where the path is scattered, as a distance from the segment's beginning; none: it arrives at the end.
     std::optional<float> scattered;
-    // What the path is to be multiplied by: transmittance, and scattering if there is one, divided by the probability.
+    // Factor on the throughput: T / probability of arriving, or sigma_s T / pdf of the distance if scattered.
     Rgb weight{1.f};
     float passing = 1;  // the probability of arriving at the end
 };

@@ -57,7 +57,7 @@ class PathTracer {
         return walker_.walk(ray, sampler, PathWalker::FirstEmission::Counted, sinks);
     }
 
-    // The same without Le of the first surface itself, or of the environment if the ray escapes: the R of the split.
+    // R of the split: radiance() without Le of the first surface itself, or of the environment if the ray escapes.
     // Emitters seen through a mirror or glass are included. The ray's origin is a vertex of the path, and counts in its
     // depth.
     Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const {
@@ -69,7 +69,7 @@ class PathTracer {
     Rgb direct(const Ray& ray, Sampler& sampler, GBufferSample* gBuffer = nullptr) const {
         return directLayers(ray, sampler, false, false, gBuffer).direct();
     }
-    // The same in layers, with a sample of the indirect light of the glossy lobes and, if traceBroad, of the broad
+    // direct() in layers, plus one sample of the indirect light of the glossy lobes and, if traceBroad, of the broad
     // ones.
     SampleLayers layers(const Ray& ray, Sampler& sampler, bool traceBroad, GBufferSample* gBuffer = nullptr) const {
         return directLayers(ray, sampler, true, traceBroad, gBuffer);

@@ -40,7 +40,7 @@ struct PathState {
     float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
     float etaScale = 1;                     // undoes the scaling of radiance by refraction, for Russian roulette
     float distance = 0;                     // length of the path, world units
-    int depth = 0, chain = 0;               // non-specular vertices; specular ones and surfaces passed through
+    int depth = 0, chain = 0;               // depth: non-specular vertices; chain: specular vertices, in total
     int group = DirectLighting::kNoGroup;   // of the guide, for the vertex that the ray leaves
 };
 
@@ -74,7 +74,7 @@ inline Arrival toSurface(const Accel& accel, Ray& ray, Accel::Found& found, bool
     }
     return Arrival::Lost;
 }
-// The same in empty space, or as if everything were in it.
+// Overload for empty space; ignores any media along the way.
 template <class Met>
 inline Arrival toSurface(const Accel& accel, Ray& ray, SurfaceInteraction& hit, Met&& met) {
     Accel::Found found;

@@ -43,7 +43,7 @@ class RadianceCache {
     virtual bool lookUp(const CachePoint& at, CacheAnswer& answer) const = 0;
 };
 
-// What a path has found out about a point that the cache accepts.
+// A path's estimate of the light scattered at a point that the cache accepts.
 struct CacheDeposit {
     CachePoint at;
     Rgb light;       // scattered by the separable lobes towards the path, an unbiased sample

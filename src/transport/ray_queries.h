@@ -1,13 +1,14 @@
-// Ray queries shared by all path-based integrators: the next surface along a path, the maximum lengths of chains, and
-// visibility between two points.
+// Ray queries shared by all path-based integrators: visibility and transmittance between two points. Also the limits on
+// surfaces that a ray passes through and on specular vertices.
 #pragma once
 #include "accel/accel.h"
 
 namespace drc {
 
-// Maximum number of consecutive surfaces without material, or emitters without material, that a ray passes through.
+// Maximum number of surfaces that one query passes through: those without material, whether they emit or not;
+// transmittance() passes through all surfaces.
 constexpr int kMaxPassThrough = 256;
-// Maximum number of consecutive specular vertices.
+// Maximum number of specular vertices of a path in total: a non-specular vertex does not restart the count.
 constexpr int kMaxSpecularChain = 64;
 
 // Spread of the ray cone after a non-specular bounce. A wider cone would save a little memory traffic, but texture
@@ -21,7 +22,8 @@ inline float spreadAfter(const BsdfSample& s, float spread) {
 // Whether anything blocks the segment from a surface point along d (unit) to `distance`, which is infinity for lights
 // at infinity.
 bool shadowed(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
-// The same for the rays of paths, to which surfaces with holes for shadow rays alone (pbrt's shadowalpha) are whole.
+// Like shadowed(), but for the rays of paths: surfaces that have holes for shadow rays alone (pbrt's shadowalpha) block
+// them everywhere.
 bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
 // screened() between two surface points, of which the one sees the other along d (unit).
 bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, const SpawnPoint& to, float time);

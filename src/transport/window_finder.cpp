@@ -16,7 +16,7 @@ namespace {
 constexpr uint64_t kStream = 0x57494e444f57;  // of random numbers
 // Rays that leave each surface that a view shows, and each surface that these hit.
 constexpr int kFirstRays = 4, kSecondRays = 3;
-// Of all rays. If fewer leave the scene, windows do not matter; if more, it is no room.
+// Bounds on the share of all rays that leave the scene. If fewer do, windows do not matter; if more, it is no room.
 constexpr double kFewestLeave = 0.001, kMostLeave = 0.35;
 constexpr size_t kFewestRays = 30;  // in a window
 // Windows must explain this share of the rays that leave, together, and each at least that one. Many of the others
@@ -25,7 +25,7 @@ constexpr double kExplainedTogether = 0.2, kExplainedByOne = 0.03;
 constexpr size_t kMostWindows = 8;
 // An opening that is larger than this, in squares of the median length of rays, is the sky over what stands outside.
 constexpr float kLargest = 10;
-// Of the light that surfaces would sample in a window, this share must arrive.
+// At least this share of the light that surfaces would sample in a window must arrive unoccluded.
 constexpr double kFewestArrive = 0.1;
 constexpr int kTrials = 512;
 // The efficiency of samples through windows must be this many times that of samples of the whole sky: they take longer,

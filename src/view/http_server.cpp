@@ -341,7 +341,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         heartbeat_.async_wait([self = weak_from_this()](beast::error_code e) {
             const auto still = self.lock();
             if (e || !still || still->closed_) return;
-            // What was begun so long ago and is not written yet never will be.
+            // A write that has been pending for this long will never complete.
             if (still->writing_ &&
                 std::chrono::steady_clock::now() - still->writingSince_ > still->server_.settings.stalled)
                 return still->close();
@@ -458,7 +458,7 @@ HttpServer::~HttpServer() {
     impl_->thread.join();
     impl_->handlers.stop();
     impl_->handlers.join();
-    // What handlers have posted meanwhile holds connections, and they the server.
+    // Run what handlers have posted meanwhile: it holds connections, which refer to the server.
     impl_->context.restart();
     impl_->context.poll();
 }

@@ -11,7 +11,7 @@ namespace {
 
 // Frames take at most this share of the time, after the first sample of the pixels.
 constexpr double kShareOfFrames = 0.2;
-// The same of estimates of the error.
+// Estimates of the error take at most this share of the time.
 constexpr double kShareOfEstimates = 0.1;
 // There is no use in more frames a second than this.
 constexpr std::chrono::milliseconds kLeastInterval{150};
@@ -148,7 +148,7 @@ void LiveRender::work() {
                     calls_.clear();
                     changed_.notify_all();
                 }
-                // What has been sampled is shown before the render rests.
+                // Show all samples taken so far before the render rests.
                 if (!rests() || (!isCurrent_ && session_.hasPicture())) break;
                 changed_.wait(lock, [&] { return stopping_ || move_ || nextFocus_ || !calls_.empty() || !rests(); });
             }

@@ -22,7 +22,7 @@ struct LiveError {
     Image local;       // DenoisedError::local
 };
 
-// What is seen at a time.
+// A picture of the live view, and the state of the render when it was made.
 struct LiveFrame {
     uint64_t number = 0;                     // from 1
     LayeredPicture picture;                  // finished; picture.film has the region alone
@@ -121,13 +121,13 @@ class LiveRender {
     std::optional<std::optional<PicturePart>> nextFocus_;
     std::vector<const std::function<void(const Session&)>*> calls_;
 
-    // Of the render's thread.
+    // Used by the render's thread.
     uint64_t view_ = 0;
     bool moving_ = false, isCurrent_ = false, movedInPause_ = false;
     int framePasses_ = 0;  // of the film, at the last frame
     Clock::time_point began_ = Clock::now(), lastFrame_{};
     Clock::duration frameTook_{};
-    // Of the present view.
+    // Estimates of the error of the present view.
     std::shared_ptr<const LiveError> error_;
     NoiseThreshold errors_{0};
     Clock::time_point lastEstimate_{};

@@ -27,7 +27,7 @@ struct TevSettings {
 
 class TevDisplay {
   public:
-    // What is taken of the picture so far: its beauty, or all of its layers, which take many times as long.
+    // The part of the picture so far to take: its beauty, or all of its layers, which take many times as long.
     enum class Extent { Beauty, All };
 
     // outline: the region, and the layers that there will be, whose images may have any size.
@@ -78,7 +78,7 @@ class TevDisplay {
     Clock::time_point lastSince_;
     bool ending_ = false;
 
-    // Of the thread.
+    // Used by the thread alone.
     std::optional<TcpSender> sender_;
     std::string creation_;  // the packet that made the image that the viewer has; empty: it has none
     PixelRegion region_;    // that the image shows

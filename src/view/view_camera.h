@@ -10,7 +10,7 @@
 
 namespace drc {
 
-// What a camera sees from its place.
+// The projection and focus of a camera, independent of its place.
 struct ViewLens {
     bool orthographic = false;
     // The left, right, bottom and top edge of the picture: on the plane at distance 1 or, if it is orthographic, in

@@ -16,7 +16,7 @@ ViewPicture ViewPicture::of(const Camera& camera, const ViewCamera& at, const Pi
     if (at.mirrored) picture.right = {-1, 0, 0};
     const Transform toAxes = Transform::lookAt(at.eye, at.look, at.up);
     bool isDark = false;
-    // Of the middle: 0, 0; of the right edge: 1, 0; of the top edge: 0, 1.
+    // The camera ray at (x, y): (0, 0) is the middle, (1, 0) the right edge, (0, 1) the top edge.
     const auto ray = [&](float x, float y) {
         const Vec2 film(float(region.x0 + region.x1) / 2 + x * float(region.width()) / 2,
                         float(region.y0 + region.y1) / 2 - y * float(region.height()) / 2);

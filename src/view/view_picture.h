@@ -11,15 +11,16 @@ struct ViewPicture {
     // Perspective: also that of a realistic lens. Parallel: of an orthographic camera. Panorama: of an environment
     // camera.
     enum class Kind { Perspective, Parallel, Panorama } kind = Kind::Perspective;
-    // Of the picture: at distance 1 along the axis; world units, if its rays are parallel; radians, of a panorama.
+    // Width of the picture: on the plane at distance 1 along the axis; world units for parallel rays; radians for a
+    // panorama.
     float width = 2;
-    // Of a picture of parallel rays: as ViewLens::window.
+    // For parallel rays only: edges as in ViewLens::window.
     std::array<float, 4> window{-1, 1, -1, 1};
     // Unit vectors in the axes of LookAt(eye, look, up), x to its right: what the picture shows in its middle (of a
     // perspective, the axis of the camera), and the directions towards its right and its top edge.
     Vec3 ahead{0, 0, 1}, right{1, 0, 0}, top{0, 1, 0};
 
-    // Of what the camera, which stands where `at` says, shows in a region of its film. It is measured by the camera's
+    // The geometry of what the camera, placed as `at` says, shows in a region of its film, measured with the camera's
     // own rays.
     static ViewPicture of(const Camera& camera, const ViewCamera& at, const PixelRegion& region);
 };

@@ -90,7 +90,7 @@ bool read(const Json& object, const char* name, size_t count, Numbers& numbers) 
 }
 bool read(const Json& object, const char* name, Vec3& v) { return read(object, name, 3, v); }
 
-// What a page or an add-on has set; false if it is no lens.
+// Reads a lens that a page or an add-on has set; false if it is not a usable one.
 bool read(const Json& object, ViewLens& lens) {
     float window[4];
     if (!object.is_object() || !read(object, "window", 4, window)) return false;

@@ -1,4 +1,4 @@
-// What the pages of a live view may ask for: the page itself, pictures by layer, events, the camera.
+// Answers the requests of a live view's pages: the page itself, pictures by layer, events, the camera.
 //
 // Every path begins with a token that only who started the view knows, so that other users of the machine, and pages of
 // other sites, can neither see nor change anything. No part of a request is taken for the name of a file.
@@ -31,7 +31,7 @@ class ViewService {
     // Whether a request's body is to be read: not without the token, and only pictures may be large. Safe from any
     // thread, and quick.
     HttpAdmission admit(const HttpRequest& header) const;
-    // Of a request that was admitted. Safe from any thread.
+    // Answers a request that was admitted. Safe from any thread.
     HttpResponse answer(const HttpRequest& request);
     // The data of an event "frame": what has changed. Its serial rises, so that a page can tell which of an event and
     // an answer is older.

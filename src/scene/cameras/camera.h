@@ -44,11 +44,11 @@ class Camera {
     virtual float pixelsPerArea(const Ray& ray, float distance) const;
     // World-space position, for camera frames and bounds. For a moving camera, that in the middle of the exposure.
     virtual Vec3 position() const = 0;
-    // The same camera for a film of another size. The screen window follows from the new aspect ratio by pbrt's rule.
+    // A copy for a film of another size. The screen window follows from the new aspect ratio by pbrt's rule.
     virtual std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const = 0;
-    // The same camera, but for a film of another size, at another place, where it stands still.
+    // A copy for a film of another size, at another place, where it stands still.
     virtual std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const = 0;
-    // For a moving camera, that in the middle of the exposure.
+    // For a moving camera, the transform in the middle of the exposure.
     virtual Transform worldToCamera() const = 0;
     // The camera's "up" direction, unit, world space.
     virtual Vec3 up() const = 0;

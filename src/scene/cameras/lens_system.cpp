@@ -49,7 +49,7 @@ std::optional<LensSystem::Line> LensSystem::trace(const Line& fromFilm) const {
         if (e.radius == 0) {
             o += d * ((z - o.z) / d.z);
         } else {
-            // Of the two intersections with the sphere, the one on the surface's side.
+            // The ray meets the sphere twice: take the intersection on the surface's side.
             const Vec3 fromCenter = o - Vec3(0, 0, z - e.radius);
             const float b = dot(fromCenter, d), c = lengthSquared(fromCenter) - sqr(e.radius);
             const float discriminant = b * b - c;

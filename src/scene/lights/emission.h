@@ -1,5 +1,5 @@
-// What an emissive surface emits: one radiance everywhere, or an image that is looked up by its (u, v), as a screen or
-// a stained-glass window shows one; in all directions alike, or by a profile.
+// Emission of a surface: one radiance everywhere, or an image that is looked up by (u, v), as on a screen or a
+// stained-glass window; in all directions alike, or by a profile.
 #pragma once
 #include <memory>
 #include <vector>
@@ -47,7 +47,7 @@ class Emission {
     // The image times scale.
     Emission(std::shared_ptr<const EmissionImage> image, const Rgb& scale) : image_(std::move(image)), scale_(scale) {}
 
-    // The same light, in other directions.
+    // This emission, distributed over directions by another profile.
     Emission with(const EmissionProfile& profile) const {
         Emission e = *this;
         e.profile_ = profile;

@@ -159,7 +159,7 @@ LightPtr makeGoniometricLight(const Transform& lightToWorld, const Rgb& intensit
 LightPtr makeProjectionLight(const Transform& lightToWorld, const Rgb& intensity, float fovDegrees, LightImage image);
 // direction: from lit points towards the light, world space.
 LightPtr makeDistantLight(const Vec3& direction, const Rgb& radiance);
-// The same, seen as a disk. angle: its diameter, in degrees, in (0, 180]. irradiance: on a surface that faces it.
+// A distant light seen as a disk. angle: its diameter, in degrees, in (0, 180]. irradiance: on a surface that faces it.
 LightPtr makeSunLight(const Vec3& direction, const Rgb& irradiance, float angle,
                       LightAudience audience = LightAudience::All);
 

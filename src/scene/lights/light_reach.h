@@ -29,7 +29,7 @@ LightReach merged(const LightReach& a, const LightReach& b);
 // for positions, in the cost function for building light trees.
 float orientationMeasure(const LightReach& reach);
 
-// The same bounds in a form that is quick to evaluate for a point.
+// A LightReach in a form that is quick to evaluate for a point.
 struct LightBound {
     LightBound() = default;
     explicit LightBound(const LightReach& reach);

@@ -19,7 +19,7 @@ float rectified(float x, float z) {
     return std::clamp(0.5f + std::copysign(half, x), 0.f, 1.f);
 }
 Vec2 rectified(const Vec3& local) { return Vec2(rectified(local.x, local.z), rectified(local.y, local.z)); }
-// Of the angle (u - 1/2) pi.
+// Sine and cosine of the angle (u - 1/2) pi.
 SinCos sinCosOf(float u) { return sinCosOfTurn(u < 0.5f ? 0.5f * u + 0.75f : 0.5f * u - 0.25f); }
 
 // d(omega) / d(rectified) = pi^2 (1 - x^2) (1 - y^2) / z.

@@ -31,7 +31,7 @@ class Portal {
     bool faces(const Vec3& p) const { return dot(corner_ - p, frame_.n) > 0; }
     // Whether a ray from p in direction w passes the portal from the inside.
     bool isPassed(const Vec3& p, const Vec3& w) const;
-    // What p sees through the portal, in rectified coordinates; none from outside.
+    // The window that p sees through the portal, in rectified coordinates; none from outside.
     std::optional<Window> windowFrom(const Vec3& p) const;
 
     // A direction, unit, with the solid angle per unit of rectified coordinates.

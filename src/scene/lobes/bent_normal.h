@@ -10,7 +10,8 @@
 
 namespace drc {
 
-// What has to be above the geometric horizon, or the view above the shading horizon, on the viewer's side.
+// The direction that must stay above a horizon, on the viewer's side: the view above that of the shading normal, or its
+// mirror image above that of the geometric normal.
 enum class KeepAbove { View, MirroredView };
 
 // The sine of the greatest elevation that bending keeps: what is higher needs none.

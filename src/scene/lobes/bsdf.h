@@ -88,7 +88,7 @@ class Bsdf {
     }
     // Whether the frame was bent. If so, all that is scattered here depends on the view, even by diffuse lobes.
     bool bentForView() const { return unbent_.has_value(); }
-    // The same surface as a viewer in direction wo meets it. It borrows the lobes.
+    // This surface as a viewer in direction wo meets it, with the frame bent where wo needs it. Borrows the lobes.
     Bsdf seenFrom(const Vec3& wo) const;
 
     // The albedo towards wo: an estimate for the G-buffer and for choosing lobes.

@@ -87,8 +87,8 @@ LobeValue BsdfView::evaluate(const Vec3& wi) const {
 }
 
 std::optional<BsdfSample> BsdfView::sample(float uLobe, const Vec2& u) const {
-    // What is left of uLobe after the choice is uniform again, for lobes that choose within themselves. Rounding may
-    // carry it past the last lobe, which is then the choice.
+    // After the choice of a lobe, the rest of uLobe is uniform again, for lobes that choose within themselves. Rounding
+    // may carry uLobe past the last lobe, which is then the choice.
     const Choice* chosen = nullptr;
     float below = 0;
     for (const Choice* c = choices_; c != choices_ + count_; ++c) {

@@ -14,8 +14,8 @@ class BsdfView {
     const Bsdf& bsdf() const { return bsdf_; }
     // Sum of the non-specular lobes; wi in world space.
     Rgb f(const Vec3& wi) const { return evaluate(wi).f; }
-    // The same together with the pdf of sample() per solid angle, without its specular lobes. Where f is zero the pdf
-    // may be returned as zero too.
+    // f(wi) and the pdf of sample() per solid angle, both without the specular lobes. Where f is zero the pdf may be
+    // returned as zero too.
     LobeValue evaluate(const Vec3& wi) const;
     // Chooses a lobe in proportion to an estimate of its albedo. None: there is no lobe, or no light. If the sampled
     // lobe is non-specular, f and pdf are those of all non-specular lobes together.

@@ -8,10 +8,11 @@ namespace drc {
 // light per solid angle. diffuse: the share of the light that is scattered diffusely, pi times the smallest ratio of
 // that density to the cosine.
 //
-// What matters for maps and caches is how much of the light comes from how small a solid angle: they blur that, and
-// nothing else. A Trowbridge-Reitz lobe has the largest density 1 / (4 pi alpha^2 cos theta); this is its alpha, with
-// the density of the diffuse part, which no blur changes, left out. So a diffuse base under a faint gloss is broad, and
-// under a sharp one it is glossy although little light is in it: its reflections would be seen to be missing.
+// Maps and caches blur directions: all that matters to them is how much of the light comes from how small a solid
+// angle. A Trowbridge-Reitz lobe has the largest density 1 / (4 pi alpha^2 cos theta). The function solves this for
+// alpha, leaving out the density of the diffuse part, which no blur changes. A diffuse base under a faint gloss then
+// counts as broad. Under a sharp gloss it counts as glossy, although the gloss carries little light: one would see that
+// its reflections are missing.
 inline float equivalentAlpha(float cosTheta, float largest, float diffuse) {
     const float excess = 4 * (kPi * largest * cosTheta - diffuse);
     return excess > 0 ? 1 / std::sqrt(excess) : kDiffuseAlpha;

@@ -35,12 +35,12 @@ double seriesAt(const float* a, uint32_t orders, double cosAzimuth) {
     return orders > 0 ? a[0] + cosAzimuth * b1 - b2 : 0;
 }
 
-// Of the files' channels, which share the luminance.
+// RGB from a file's channels, which are luminance, red and blue; green follows from the luminance.
 Rgb toRgb(float y, float r, float b) { return Rgb(r, (y - 0.212671f * r - 0.072169f * b) / 0.715160f, b); }
 
 }  // namespace
 
-// Of a series over all azimuths.
+// Smallest and largest value of one series over all azimuths.
 struct FourierTable::Extremes {
     float least = 0, largest = 0;
 };
@@ -138,7 +138,8 @@ void FourierTable::findAlpha(const std::vector<Extremes>& extremes) {
 }
 
 void FourierTable::raise(const std::vector<Extremes>& extremes) {
-    // Of the neighbours' means. Where a spline reaches only by its outer two nodes, their share is at most .005.
+    // Raise each series by at least this times the largest mean among its neighbours. Where a spline reaches only by
+    // its outer two nodes, their share is at most .005.
     constexpr float kSpread = 0.005f;
     const int n = nodes_.size();
     raise_.resize(extremes.size());

@@ -19,8 +19,8 @@ namespace drc {
 struct FourierSeries {
     // From -1 to 1, ascending. 0 may be there twice, for the two sides of the surface.
     std::vector<float> cosines;
-    // Of the series of each pair of cosines, [outgoing * cosines.size() + incident]: where its coefficients begin, and
-    // how many there are per channel; channels follow each other.
+    // For each pair of cosines, [outgoing * cosines.size() + incident]: where the coefficients of its series begin, and
+    // how many there are per channel. The channels follow each other.
     std::vector<uint32_t> offsets, orders;
     std::vector<float> coefficients;  // finite
     int channels = 1;                 // 1: luminance. 3: luminance, red, blue (the files' order)

@@ -175,8 +175,8 @@ class Fresnel {
     IndexRatio ratio_{1, 1};
     float metallic_ = 0, transmissive_ = 0;
     DielectricBlend blend_{1};
-    // Of a conductor; for metallic(), tinted() and metalWithEdge(), eta_ is the reflectance at normal incidence, and
-    // for the last k_ is what lacks, over c (1 - c)^6.
+    // Complex index eta_ + i k_ of a conductor. For metallic(), tinted() and metalWithEdge(), eta_ is the reflectance
+    // at normal incidence; for metalWithEdge(), k_ c (1 - c)^6 is subtracted from Schlick's approximation at cosine c.
     Rgb eta_{1.f}, k_{0.f};
 };
 

@@ -91,7 +91,7 @@ struct HairScattering::Outgoing {
         }
         float sum = 0;
         for (int p = 0; p < kLobes; ++p) sum += probability[size_t(p)] = luminance(attenuation[size_t(p)]);
-        // Of a fibre that takes everything (an index of 1, and black), none is chosen.
+        // If the fibre absorbs everything (index 1, and black), all probabilities are 0.
         for (float& p : probability) p = sum > 0 ? p / sum : 0;
     }
 };
@@ -126,7 +126,7 @@ LobeValue HairScattering::evaluate(const Vec3& wo, const Vec3& wi) const {
         const size_t i = size_t(p);
         const float sinO = out.sin * tiltCos_[i] + out.cos * tiltSin_[i];
         const float cosO = std::abs(out.cos * tiltCos_[i] - out.sin * tiltSin_[i]);
-        // What is left after many reflections comes from all around alike.
+        // Light that is left after many reflections leaves evenly over all azimuths.
         const float around =
             p + 1 < kLobes ? aroundFibre(phi - turn(p, out.gammaO, out.gammaT), scale_) : 0.5f * kInvPi;
         const float density = alongFibre(cosI, cosO, sinI, sinO, variance(p)) * around;
@@ -141,7 +141,7 @@ LobeValue HairScattering::evaluate(const Vec3& wo, const Vec3& wi) const {
 LobeSample HairScattering::sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode) const {
     LobeSample s;
     const Outgoing out(*this, wo);
-    // What is left of uLobe after the choice is uniform again.
+    // Choose a lobe; the rest of uLobe is uniform again.
     int p = 0;
     while (p + 1 < kLobes && uLobe >= out.probability[size_t(p)]) uLobe -= out.probability[size_t(p++)];
     if (!(out.probability[size_t(p)] > 0)) return s;

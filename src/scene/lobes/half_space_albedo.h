@@ -29,8 +29,8 @@ class HalfSpaceAlbedo {
     std::vector<float> shares_;
 };
 
-// The same one for the same g and eta, as long as somebody has it: it takes some milliseconds to find. Safe to call
-// from several threads.
+// Finding a table takes some milliseconds, so callers with equal g and eta share one, which lives as long as any of
+// them holds it. Safe to call from several threads.
 std::shared_ptr<const HalfSpaceAlbedo> halfSpaceAlbedo(float g, float eta);
 
 }  // namespace drc

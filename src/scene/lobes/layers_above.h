@@ -6,17 +6,17 @@
 
 namespace drc {
 
-// What a coat that absorbs leaves of the light on its way in and out.
+// Transmittance of an absorbing coat, for light on its way in and out.
 class CoatColour {
   public:
-    // Clear.
+    // A clear coat.
     CoatColour() = default;
     // tint: what is left of light that crosses the coat along the normal, in and out; it absorbs more on a slanted way.
     // eta: index of the coat, which bends the way. share: of the surface that has the coat.
     CoatColour(const Rgb& tint, float eta, float share);
 
     Rgb at(float cosTheta) const { return clear_ ? Rgb(1.f) : absorbed(cosTheta); }
-    // Of one of the two ways: the product over both is bothWays().
+    // Transmittance of one of the two ways; bothWays() is the product of both.
     Rgb oneWay(const Vec3& w) const { return clear_ ? Rgb(1.f) : sqrt(absorbed(w.z)); }
     Rgb bothWays(const Vec3& wo, const Vec3& wi) const {
         return clear_ ? Rgb(1.f) : sqrt(absorbed(wo.z) * absorbed(wi.z));
@@ -42,8 +42,8 @@ struct LayersAbove {
         any = true;
         for (int i = 0; i < CosineCurve::kNodes; ++i) passed[i] *= std::clamp(share[i], 0.f, 1.f);
     }
-    // What passes of light that a lobe near the mirror direction sends from wi to wo. Both directions see nearly the
-    // same layers; the smaller share counts, so that there is no gain of energy.
+    // Share of the light that the layers let pass where a lobe near the mirror direction scatters it from wi to wo.
+    // Both directions meet nearly the same layers; the smaller share counts, so that no energy is gained.
     Rgb bothWays(const Vec3& wo, const Vec3& wi) const {
         const Rgb c = colour.bothWays(wo, wi);
         return any ? c * std::min(passed.at(wo.z), passed.at(wi.z)) : c;

@@ -13,10 +13,11 @@
 
 namespace drc {
 
-// What a file holds. All values are finite, and none is negative.
+// Contents of a file. All values are finite, and none is negative.
 struct MeasuredData {
-    // Of wo, ascending, in radians. With one or two azimuths the surface is isotropic, and phi of a normal counts from
-    // that of wo; with more, the range of phi is all around, or as much as symmetry leaves (a half or a quarter).
+    // Polar angles and azimuths of wo, ascending, in radians. With one or two azimuths the surface is isotropic, and
+    // phi of a normal counts from that of wo. With more, phi covers the full circle, or as much of it as symmetry
+    // leaves (a half or a quarter).
     std::vector<float> theta, phi;
     SquareGrid ndfGrid, sigmaGrid, vndfGrid, lightGrid;
     std::vector<float> ndf;        // distribution of normals

@@ -49,7 +49,7 @@ class TrowbridgeReitz {
     // The geometric mean of both axes, and the larger one.
     float meanAlpha() const { return std::sqrt(alphaX_ * alphaY_); }
     float largestAlpha() const { return std::max(alphaX_, alphaY_); }
-    // The same surface with normals spread further, by independent ones with this alpha.
+    // This surface with normals spread further, by independent ones with this alpha: alpha^2 adds up on both axes.
     TrowbridgeReitz widened(float alpha) const {
         return TrowbridgeReitz(std::sqrt(sqr(alphaX_) + sqr(alpha)), std::sqrt(sqr(alphaY_) + sqr(alpha)), masking_);
     }

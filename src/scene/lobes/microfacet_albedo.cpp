@@ -84,7 +84,7 @@ float blendWeight(int indexNode, float cosTheta) {
     return DielectricBlend(eta).weight(fresnelDielectric(cosTheta, 1, eta));
 }
 
-// What reflects, for one roughness.
+// Albedos of reflecting facets, for one roughness.
 struct Reflection {
     CosineCurve albedo;  // of lossless facets
     float meanAlbedo = 1;
@@ -98,7 +98,7 @@ struct Reflection {
     }
 
   private:
-    // Of a smooth surface.
+    // For a smooth surface: light meets all facets at the surface's own cosine.
     Reflection() {
         for (int k = 0; k < kIndices; ++k)
             for (int i = 0; i < kCosines; ++i) blend[size_t(k)][i] = blendWeight(k, CosineCurve::cosineOf(i));
@@ -123,8 +123,8 @@ struct Reflection {
     }
 };
 
-// What a lossless boundary reflects and refracts, for one roughness and index, by side; side 0 is the one of the lower
-// index.
+// Albedo of a lossless boundary, reflection and refraction together, for one roughness and index. [0] is seen from the
+// side of the lower index, [1] from the other.
 struct Boundary {
     static constexpr int kRough = 40, kEta = 48;
     CosineCurve albedo[2];
@@ -138,7 +138,7 @@ struct Boundary {
     }
 
   private:
-    // Of a smooth surface.
+    // For a smooth surface: no light is lost, so the albedo is 1.
     Boundary() = default;
     Boundary(float alpha, float index) {
         constexpr int kPerAxis = 32;

@@ -25,7 +25,7 @@ class MicrofacetDielectric {
     Rgb f(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
-    // That of the smooth surface.
+    // Albedo of the smooth surface.
     Rgb albedo(const Vec3& wo) const { return reflection_.albedo(wo) + transmission_.albedo(wo); }
 
   private:

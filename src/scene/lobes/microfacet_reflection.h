@@ -18,7 +18,7 @@ class MicrofacetReflection {
     LobeSample sample(const Vec3& wo, float, const Vec2& u, TransportMode) const {
         return sampleByMicrofacet(*this, distribution_, wo, u);
     }
-    // That of the smooth surface: close to the true one, and cheap.
+    // Albedo of the smooth surface: close to the true one, and cheap.
     Rgb albedo(const Vec3& wo) const { return reflectance_ * fresnel_.eval(wo.z); }
 
   private:

@@ -21,11 +21,11 @@ class RoughDiffuse : public DiffuseReflectionLobe<RoughDiffuse> {
     Rgb viewFactor(const Vec3& wo) const { return reflectance_ * separableFactor(absCosTheta(wo)); }
 
   private:
-    // Of white walls, what is scattered once.
+    // Albedo of white walls for light that is scattered once.
     float albedoOnce(float cosTheta) const;
-    // The separable part of what white walls scatter once is `even_` times this of both directions. It is the largest
-    // product below the model, whose grooves take away roughness sin theta_o sin theta_i where the directions are
-    // opposite: (1 - r a^2) (1 - r b^2) <= (1 - r a b)^2.
+    // The separable part of what white walls scatter once is `even_` times this factor for wo, times that for wi. It is
+    // the largest product below the model, whose grooves take away roughness sin theta_o sin theta_i where the azimuths
+    // are opposite. With the roughness r and the sines a and b: (1 - r a^2) (1 - r b^2) <= (1 - r a b)^2.
     float separableFactor(float cosTheta) const { return safeSqrt(1 - roughness_ * (1 - cosTheta * cosTheta)); }
     Rgb separableAlbedo(float cosTheta) const;
 

@@ -8,7 +8,7 @@
 
 namespace drc {
 
-// What makes a surface look uneven that is not: a height field, in world units along the normal, or a normal map.
+// Makes a surface look uneven without displacing it: a height field, in world units along the normal, or a normal map.
 // Either may be null; a normal map has precedence.
 struct Relief {
     Relief() = default;
@@ -29,8 +29,8 @@ class Material {
     virtual const Relief& relief() const { return relief_; }
     void setRelief(Relief relief) { relief_ = std::move(relief); }
 
-    // What the surface does besides scattering light. The front end gives it to the primitives that have the material
-    // themselves, not as a part of a mix.
+    // Properties of the surface besides scattering. The front end applies them to primitives that use this material
+    // directly, not as a part of a mix.
     // The share of rays that hit the surface; the others pass through it. Null: all hit it.
     const FloatTexturePtr& opacity() const { return opacity_; }
     // Radiance that leaves both sides; null: none.

@@ -8,11 +8,11 @@ namespace drc {
 
 // The comments give the defaults for null textures, which are those of pbrt.
 struct SubsurfaceParams {
-    // What is below the surface: a medium, of which the ratio of both matters alone, ...
+    // Medium below the surface, of which only the ratio sigmaS / sigmaA matters, ...
     RgbTexturePtr sigmaA;  // 0.0011, 0.0024, 0.014 (whole milk); absorption
     RgbTexturePtr sigmaS;  // 2.55, 3.21, 3.77; scattering
     float g = 0;           // mean cosine of its phase function
-    // ... or, in place of it, the share of the light that has entered that leaves again.
+    // ... or, in place of it, the share of the light that leaves again after it has entered.
     RgbTexturePtr reflectance;  // none
 
     RgbTexturePtr kr;            // 1; scales the reflection off the surface
@@ -21,7 +21,7 @@ struct SubsurfaceParams {
     FloatTexturePtr roughness;   // 0
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness
-    // What roughness is: alpha, its square (pbrt-v4), or a number in [0, 1] that is mapped to alpha (pbrt-v3).
+    // Meaning of roughness: alpha, its square (pbrt-v4), or a number in [0, 1] that is mapped to alpha (pbrt-v3).
     enum class Roughness { Alpha, Squared, Mapped } scale = Roughness::Alpha;
     Relief relief;  // none
 };

@@ -28,11 +28,11 @@ struct Medium {
     Rgb albedo() const;
 };
 
-// What lies on both sides of a surface; null: empty space.
+// The media on both sides of a surface; null: empty space.
 struct MediumInterface {
     const Medium* inside = nullptr;
     const Medium* outside = nullptr;  // on the side of the geometric normal
-    // Other surfaces have on both sides what a ray that arrives is in.
+    // Whether the surface separates two media. If not, the medium of the arriving ray is on both sides.
     bool changes() const { return inside != outside; }
     bool operator==(const MediumInterface&) const = default;
 };

@@ -16,7 +16,7 @@ TriangleMesh makeHeightField(uint32_t nx, uint32_t ny, std::span<const float> he
     for (uint32_t y = 0; y + 1 < ny; ++y)
         for (uint32_t x = 0; x + 1 < nx; ++x) {
             const uint32_t corner = y * nx + x, above = corner + nx;
-            // The same diagonal as in pbrt.
+            // Split the cell along the same diagonal as pbrt.
             mesh.indices.insert(mesh.indices.end(), {corner, corner + 1, above + 1, corner, above + 1, above});
         }
     return mesh;

@@ -83,7 +83,7 @@ HalfEdgeMesh makeHalfEdges(std::span<const Vec3> positions, std::span<const uint
     return mesh;
 }
 
-// What the rules need to know of a vertex's neighbours.
+// Sums over a vertex's neighbours, as the subdivision rules need them.
 struct Neighbours {
     Vec3 sum{0.f};
     uint32_t count = 0;

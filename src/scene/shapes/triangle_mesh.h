@@ -50,7 +50,7 @@ struct TriangleMesh {
     // shading normals if there are any (PBR 3e, section 3.6.2). Zero for a degenerate triangle.
     Vec3 geometricNormal(uint32_t triangle) const;
     float area(uint32_t triangle) const;
-    // Of the corners; without uvs, pbrt's default: (0,0), (1,0), (1,1).
+    // (u, v) of the corners; without uvs, pbrt's default: (0,0), (1,0), (1,1).
     std::array<Vec2, 3> textureCoordinates(uint32_t triangle) const;
     // Transforms everything to another space, including normals and tangents, and adjusts flipNormal.
     void apply(const Transform& t);

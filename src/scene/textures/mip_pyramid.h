@@ -27,8 +27,8 @@ class MipPyramid {
   public:
     // Empty, to be assigned to before any lookup.
     MipPyramid();
-    // Of the colours that Image::rgb() gives. Builds on all cores, the same for any number of them. Throws Error if the
-    // image is empty.
+    // Pyramid of the colours that Image::rgb() gives. Builds on all cores, with the same result for any number of them.
+    // Throws Error if the image is empty.
     MipPyramid(const Image& image, TexelEncoding encoding);
     MipPyramid(MipPyramid&& other) noexcept;
     MipPyramid& operator=(MipPyramid&& other) noexcept;

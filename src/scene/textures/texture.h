@@ -13,7 +13,7 @@ struct TextureContext {
     Vec2 uv{0.f};
     Vec3 dpdu{0.f}, dpdv{0.f};  // world-space derivatives of position with respect to u and v
     float footprint = 0;        // width of the ray cone where it meets the surface; 0: no filtering
-    // The same in uv units: the footprint divided by the length of a unit of uv.
+    // The footprint in uv units: footprint / (length of a unit of uv).
     float uvFootprint = 0;
     // Axes of the ellipse in which the cone intersects the surface, as full diameters, and the change of uv along each;
     // zero: no filtering. Set by setFootprint().

@@ -14,7 +14,7 @@ template <typename T>
 std::shared_ptr<const Texture<T>> makeCheckerboardTexture(std::shared_ptr<const Texture<T>> a,
                                                           std::shared_ptr<const Texture<T>> b, const Mapping2D& mapping,
                                                           CheckerboardEdges edges);
-// The same with cubes of unit sides in texture space, always point sampled.
+// A checkerboard of cubes with unit sides in texture space, always point sampled.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeSolidCheckerboardTexture(std::shared_ptr<const Texture<T>> a,
                                                                std::shared_ptr<const Texture<T>> b,
