@@ -1,4 +1,5 @@
 // Final gather: path tracing in which paths end in radiance cells, one bounce or more after the surface that is seen.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -41,10 +42,11 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         plan();
     }
 
-    // Cells live in world space and survive camera moves.
+    // Cells live in world space and survive camera moves. Deposits of whole samples are committed first; those of a
+    // coarse picture, which a camera that moves leaves behind many times a second, are dropped.
     bool cameraMoved() override {
         if (!cells_) return false;
-        commit();
+        if (wholeSamplesWait_) commit();
         region_ = context_.scene.settings.region();
         rows_.clear();
         plan();
@@ -64,7 +66,10 @@ class FinalGatherIntegrator final : public SampledIntegrator {
             cells_->refine();
             refineAt_ *= kRefineFactor;
         }
-        if (samples % samplesPerCommit(samples) == 0) commit();
+        if (samples % samplesPerCommit(samples) == 0)
+            commit();
+        else
+            wholeSamplesWait_ = true;
     }
 
     void focusPassesDone() override {
@@ -119,6 +124,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
             *planner_ = std::move(state->planner);
             refineAt_ = state->refineAt;
             for (size_t i = 0; i < rows_.size(); ++i) rows_[i].deposits = std::move(state->deposits[i]);
+            wholeSamplesWait_ = std::ranges::any_of(rows_, [](const Row& row) { return !row.deposits.empty(); });
         };
     }
 
@@ -163,6 +169,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     }
 
     void commit() {
+        wholeSamplesWait_ = false;
         const FinalGather::Counts all = counts();
         std::vector<std::vector<CacheDeposit>*> lists;
         for (Row& row : rows_) {
@@ -209,7 +216,8 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     std::optional<SamplePlanner> planner_;
     std::vector<Row> rows_;
     double refineAt_ = kRefineAt;
-    bool hasMoved_ = false;  // the camera
+    bool hasMoved_ = false;          // the camera
+    bool wholeSamplesWait_ = false;  // deposits of samples of every pixel wait for the next commit
 };
 
 }  // namespace

@@ -230,6 +230,21 @@ TEST(LiveSession, CellsLearnFromAFocus) {
     EXPECT_GT(r.stats.count("cells/deposits"), before);
 }
 
+// In small pictures a commit waits for several samples. A move of the camera does not wait for one, unless it is due.
+TEST(LiveSession, AMoveKeepsWhatWholeSamplesHaveFoundOut) {
+    Rendered r("drc", 9);  // of which the ninth has not been committed
+    const FilmGeometry film = r.scene->settings.film;
+    const auto deposits = [&] { return r.stats.count("cells/deposits"); };
+    const auto move = [&] { r.session.moveCamera(r.scene->camera->withFilm(film), film); };
+    r.finish();
+    const int64_t before = deposits();
+    move();
+    const int64_t after = deposits();
+    EXPECT_GT(after, before);
+    move();
+    EXPECT_EQ(deposits(), after);
+}
+
 TEST(LiveSession, ACameraEndsTheFocus) {
     Rendered r("path", 6), fresh("path", 6);
     const FilmGeometry film = r.scene->settings.film;
