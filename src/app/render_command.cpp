@@ -290,7 +290,8 @@ class SceneRender {
         if (!o_.timing.empty()) writeTiming(o_.timing, stats_);
         if (!o_.stats) return;
         // All cores but one wait then: what more of them cannot shorten.
-        const double serial = processSeconds() - parallelSeconds();
+        const std::chrono::duration<double> life = Clock::now() - processInfo().start;
+        const double serial = life.count() - parallelSeconds();
         stats_.timer("serial").add(
             std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(std::max(0.0, serial))));
         memory_.report(stats_);

@@ -15,7 +15,5 @@ class ParallelSection {
 
 // Seconds in which at least one section was alive. Safe from any thread.
 double parallelSeconds();
-// Seconds since the system started the process, to a hundredth.
-double processSeconds();
 
 }  // namespace drc
