@@ -33,7 +33,7 @@ struct Site {
 
 // Points that the camera sees, well distributed over the film.
 std::vector<Site> findSites(const Scene& scene, const PathTracer& tracer) {
-    const PixelRegion region = scene.settings.region();
+    const PixelRegion region = scene.sensor.settings.region();
     std::vector<Site> sites;
     for (uint32_t i = 0; i < 64 * kMaps && sites.size() < kMaps; ++i) {
         Sampler sampler(kSeed, i);
@@ -42,10 +42,11 @@ std::vector<Site> findSites(const Scene& scene, const PathTracer& tracer) {
                         float(region.y0) + u.y * float(region.height()));
         const Vec2 uLens = sampler.get2D();
         PrimaryHit hit;
-        if (!tracer.primaryHit(scene.camera->generateRay(film, uLens, sampler.get1D()).ray, sampler, hit)) continue;
+        if (!tracer.primaryHit(scene.sensor.camera->generateRay(film, uLens, sampler.get1D()).ray, sampler, hit))
+            continue;
         if (!hit.bsdf.hasNonSpecular()) continue;
         const SurfaceInteraction& at = hit.surface;
-        const Frame frame = mapFrame(faceForward(at.ng, at.wo), scene.camera->up());
+        const Frame frame = mapFrame(faceForward(at.ng, at.wo), scene.sensor.camera->up());
         sites.push_back({at.spawnPoint(), frame, hashCombine(kSeed, i), {}});
     }
     return sites;

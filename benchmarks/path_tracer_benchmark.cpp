@@ -18,7 +18,7 @@ void tracePaths(benchmark::State& state, Scene& scene) {
     RenderParams params;
     params.integrator = "path";
     params.spp = 1 << 30;
-    Session session(scene, params, nullptr, nullptr);
+    Session session(scene, params);
     for (int i = 0; i < kWarmUpPasses; ++i) session.step();
     std::vector<RecordedRay> rays;
     recordRays(&rays);
@@ -38,7 +38,7 @@ void tracePaths(benchmark::State& state, Scene& scene) {
         replaying += t2 - t1;
         state.SetIterationTime(t2 - t0);
     }
-    const double passes = double(state.iterations()), pixels = double(scene.settings.region().count());
+    const double passes = double(state.iterations()), pixels = double(scene.sensor.settings.region().count());
     auto& c = state.counters;
     c["rays/path"] = double(rays.size()) / pixels;
     c["shadow_share"] = shadows / double(rays.size());

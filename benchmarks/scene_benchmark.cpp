@@ -25,7 +25,7 @@ int runOnScene(int argc, char** argv, const char* name, void (*run)(benchmark::S
     try {
         auto scene = pbrt::loadPbrtFile(scenePath());
         if (pixels > 0) {
-            FilmGeometry film = scene->settings.film;
+            FilmGeometry film = scene->sensor.settings.film;
             const double scale = std::sqrt(pixels / (double(film.width) * film.height));
             film.width = std::max(1, int(std::lround(film.width * scale)));
             film.height = std::max(1, int(std::lround(film.height * scale)));

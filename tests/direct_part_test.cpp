@@ -19,7 +19,7 @@ LayeredPicture pictureOf(Scene& scene, const std::string& integrator, bool parts
     params.gBuffer = true;
     // It learns from all vertices, and longer paths have more of them.
     params.guide = false;
-    Session session(scene, params, nullptr, nullptr);
+    Session session(scene, params);
     while (session.step()) {
     }
     return session.snapshot();

@@ -84,11 +84,11 @@ class Traced {
     }
     template <class F>
     void sampled(Gathered& g, int spp, uint64_t seed, const F& radiance) const {
-        const PixelRegion region = scene_->settings.region();
+        const PixelRegion region = scene_->sensor.settings.region();
         for (int y = region.y0; y < region.y1; ++y)
             for (int x = region.x0; x < region.x1; ++x)
                 for (int i = 0; i < spp; ++i) {
-                    CameraSample s = cameraSample(*scene_, x, y, pixelStream(seed, 1, x, y), uint32_t(i));
+                    CameraSample s = cameraSample(scene_->sensor, x, y, pixelStream(seed, 1, x, y), uint32_t(i));
                     g.samples.push_back(radiance(s, region.index(x, y) * size_t(spp) + size_t(i)));
                 }
         const double n = double(g.samples.size());
@@ -307,7 +307,7 @@ TEST(Invariant5, MemoryDoesNotGrowWithPassesOfFinalGather) {
     params.integrator = "drc";
     params.spp = 256;
     Stats stats;
-    Session session(*scene, params, nullptr, &stats);
+    Session session(*scene, params, &stats);
     while (session.samplesDone() < 64) session.step();
     const size_t before = mallinfo2().uordblks;
     const int64_t cells = stats.count("cells/bytes");

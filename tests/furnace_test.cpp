@@ -56,7 +56,7 @@ std::vector<std::vector<Rgb>> gathered(Scene& scene, int count, int spp) {
                                    .stats = &stats});
     const int64_t unknown = stats.count("cells/look-ups/refused: too little is known");
     // Paths of a single bounce end before they could ask.
-    if (scene.settings.maxDepth > 1) {
+    if (scene.sensor.settings.maxDepth > 1) {
         EXPECT_GT(stats.count("cells/look-ups/answered"), unknown / 10);
     }
     return result;

@@ -102,7 +102,7 @@ TEST(HiddenFromCamera, TheSkyLightsTheFloorAlone) {
         RenderParams params;
         params.integrator = integrator;
         params.spp = 16;
-        Session session(*scene, params, nullptr, nullptr);
+        Session session(*scene, params);
         while (session.step()) {
         }
         return session.picture().beauty;

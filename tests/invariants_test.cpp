@@ -45,10 +45,9 @@ TEST_P(Furnace, RadianceIsOneInEveryPixel) {
     settings.capture.layout = MapLayout(c.projection, 16);
     settings.gatherSamples = 16;
     settings.primarySamples = 1;
-    const auto mapDenoiser =
-        std::string(c.mapDenoiser) == "gaussian" ? makeGaussianMapDenoiser(1) : makeIdentityMapDenoiser();
+    if (std::string(c.mapDenoiser) == "gaussian") settings.denoiser = makeGaussianMapDenoiser(1);
     const Estimate direct = pipeline.estimate(&Pipeline::direct, 1024, 16);
-    const auto passes = pipeline.cachedPasses(*mapDenoiser, settings, c.spacing, c.spacing > 1 ? 128 : 48);
+    const auto passes = pipeline.cachedPasses(settings, c.spacing, c.spacing > 1 ? 128 : 48);
     const Estimate sum = direct + test::estimateOf(passes);
     expectSame(sum, constantEstimate(sum.mean.size(), 1), c.name, c.spacing > 1);
     double mean = 0;
@@ -84,7 +83,7 @@ TEST(Invariants2And3, LightsOfEveryShape) {
     IndirectSettings settings;
     settings.gatherSamples = 64;
     settings.primarySamples = 1;
-    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityMapDenoiser(), settings, 1, 16);
+    const Estimate oracle = pipeline.cachedIndirect(settings, 1, 16);
     expectSame(oracle, indirect, "oracle maps");
 }
 
@@ -121,7 +120,7 @@ TEST_P(EveryMaterial, OracleMapsAtEachPixelAreThePathTracer) {
     // and from a small solid angle, which 32x32 texels blur by more than this test tolerates.
     const bool roughGlass = name == "rough_glass";
     if (roughGlass) settings.capture.layout = MapLayout(Projection::EqualArea, 64);
-    const Estimate oracle = pipeline.cachedIndirect(*makeIdentityMapDenoiser(), settings, 1, roughGlass ? 24 : 16);
+    const Estimate oracle = pipeline.cachedIndirect(settings, 1, roughGlass ? 24 : 16);
     const Estimate traced = pipeline.estimate(&Pipeline::tracedIndirect, 8192, 64);
     const Estimate glossy = pipeline.estimate(&Pipeline::glossyIndirect, 4096, 64);
     expectSame(oracle + glossy, traced, name);
@@ -138,11 +137,12 @@ std::vector<float> renderWith(int threads, const std::string& integrator,
     params.spp = 4;
     params.mapPasses = 3;
     params.firstSpacing = 10.f / 30;
-    Session session(*scene, params, mapDenoiser, nullptr);
+    params.indirect.denoiser = mapDenoiser;
+    Session session(*scene, params);
     while (session.step()) {
     }
     LayeredPicture picture = session.picture();
-    if (usesMaps(integrator)) SurfacePictureFilter(true, true).apply(picture);
+    if (traitsOf(integrator).maps) SurfacePictureFilter(true, true).apply(picture);
     const std::vector<float> pixels = picture.beauty.data();
     setThreadCount(0);
     return pixels;
@@ -176,13 +176,12 @@ PassOfSmallMaps passOfSmallMaps(float spacing) {
     IndirectSettings settings;
     settings.capture.layout = MapLayout(Projection::EqualArea, 8);
     settings.primarySamples = settings.gatherSamples = 1;
-    const auto identity = makeIdentityMapDenoiser();
-    const PixelRegion region = pipeline.scene->settings.region();
+    const PixelRegion region = pipeline.scene->sensor.settings.region();
     PassOfSmallMaps result;
     result.values.resize(region.count());
     const size_t before = mallinfo2().uordblks;
     std::mutex mutex;
-    IndirectPass pass(pipeline.tracer, *identity, settings, nullptr);
+    IndirectPass pass(pipeline.tracer, pipeline.scene->sensor, settings, nullptr);
     pass.run(0, spacing, [&](int x, int y, int, const Rgb& value, float weight) {
         result.values[region.index(x, y)] = value * weight;
         if (x > 0) return;
@@ -210,11 +209,10 @@ TEST(IndirectPasses, OfALatticeLightItsPixelsAlone) {
     const Pipeline pipeline(test::room(test::allMaterials()[0].second, 45, 31));
     IndirectSettings settings;
     settings.capture.layout = MapLayout(Projection::EqualArea, 8);
-    const auto identity = makeIdentityMapDenoiser();
-    const PixelRegion region = pipeline.scene->settings.region();
+    const PixelRegion region = pipeline.scene->sensor.settings.region();
     std::vector<int> added(region.count());
     std::atomic<int> lit{0};
-    IndirectPass pass(pipeline.tracer, *identity, settings, nullptr);
+    IndirectPass pass(pipeline.tracer, pipeline.scene->sensor, settings, nullptr);
     EXPECT_TRUE(pass.run(
         0, 9,
         [&](int x, int y, int, const Rgb& value, float) {
@@ -236,8 +234,7 @@ TEST(Invariant4, AnotherSeedIsAnotherImage) {
     const Pipeline pipeline(test::room(test::allMaterials()[0].second, 12, 8));
     IndirectSettings a, b;
     b.seed = 1;
-    const auto identity = makeIdentityMapDenoiser();
-    EXPECT_NE(pipeline.cachedIndirect(*identity, a, 6, 2).mean, pipeline.cachedIndirect(*identity, b, 6, 2).mean);
+    EXPECT_NE(pipeline.cachedIndirect(a, 6, 2).mean, pipeline.cachedIndirect(b, 6, 2).mean);
 }
 
 // Invariant 5. The memory in use after a pass must be the same as before it, however many passes there were.
@@ -248,7 +245,8 @@ TEST(Invariant5, MemoryDoesNotGrowWithPasses) {
     params.spp = 30;
     params.mapPasses = 30;
     params.firstSpacing = 0.3f;
-    Session session(*scene, params, makeGaussianMapDenoiser(1), nullptr);
+    params.indirect.denoiser = makeGaussianMapDenoiser(1);
+    Session session(*scene, params);
     while (session.mapPassesDone() < 4) session.step();
     const size_t before = mallinfo2().uordblks;
     while (session.mapPassesDone() < 16) session.step();

@@ -274,7 +274,7 @@ TEST(Media, LeaveTheGBufferAlmostWithoutNoise) {
         params.integrator = integrator;
         params.spp = 4;
         params.gBuffer = true;
-        Session session(*scene, params, nullptr, nullptr);
+        Session session(*scene, params);
         while (session.step()) {
         }
         const LayeredPicture picture = session.picture();

@@ -53,7 +53,7 @@ TEST_P(Motion, DirectAndIndirectAreThePath) {
     settings.capture.layout = MapLayout(Projection::EqualArea, 16);  // fewer texels would be too coarse
     settings.primarySamples = 1;
     const Estimate narrow = of([&](int p, int i) { return pipeline.glossyIndirect(p, i); });
-    const Estimate maps = pipeline.cachedIndirect(*makeIdentityMapDenoiser(), settings, 1, 40);
+    const Estimate maps = pipeline.cachedIndirect(settings, 1, 40);
     expectSame(path, direct + narrow + maps, "direct + maps at every pixel");
 }
 

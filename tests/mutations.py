@@ -46,7 +46,7 @@ FAULTS = [
     Fault("a ray of the camera's is one no more behind a surface without material", "src/accel/interaction.h",
           "next.fromCamera = ray.fromCamera;", "", "*Alpha*:HiddenFromCamera*"),
     Fault("with a transparent film the sky is seen", "src/transport/light_sampler.cpp",
-          "light->visibleToCamera() && !scene.settings.transparentFilm", "light->visibleToCamera()", "*TransparentFilm*"),
+          "light->visibleToCamera() && seesBackdrop", "light->visibleToCamera()", "*TransparentFilm*"),
     Fault("what is hidden from diffuse rays casts a shadow", "src/accel/accel.cpp",
           "return !primitive.material || !primitive.visibleToDiffuse;", "return !primitive.material;", "HiddenFromDiffuse*"),
     Fault("what is hidden from diffuse rays is not seen in mirrors", "src/accel/accel.cpp",
@@ -84,9 +84,9 @@ FAULTS = [
           "return weight * incident(ray, sampler) * (1 / survival);", "return weight * incident(ray, sampler);",
           "*Oracle*"),
     Fault("a sampler depends on its thread", "src/maps/indirect_pass.cpp",
-          "    CameraSample sample = cameraSample(tracer_.scene(), x, y, stream(x, y, kPrimary), uint32_t(index));",
+          "    CameraSample sample = cameraSample(sensor_, x, y, stream(x, y, kPrimary), uint32_t(index));",
           "    static thread_local uint32_t calls = 0;\n"
-          "    CameraSample sample = cameraSample(tracer_.scene(), x, y, stream(x, y, kPrimary), uint32_t(index) + ++calls);", "*Invariant4*"),
+          "    CameraSample sample = cameraSample(sensor_, x, y, stream(x, y, kPrimary), uint32_t(index) + ++calls);", "*Invariant4*"),
     Fault("the maps of earlier passes are kept", "src/maps/indirect_pass.cpp",
           "    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);",
           "    captureSites(sites, size_t(maps.pointsThrough(band)) - sites.size(), 0, state);\n"

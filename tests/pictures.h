@@ -33,7 +33,7 @@ struct PictureSettings {
 };
 
 // Pictures with different seeds: [picture][block].
-inline std::vector<std::vector<Rgb>> pictures(Scene& scene, const PictureSettings& settings) {
+inline std::vector<std::vector<Rgb>> pictures(const Scene& scene, const PictureSettings& settings) {
     std::vector<std::vector<Rgb>> result;
     for (int seed = 0; seed < settings.count; ++seed) {
         RenderParams params;
@@ -41,17 +41,18 @@ inline std::vector<std::vector<Rgb>> pictures(Scene& scene, const PictureSetting
         params.seed = uint64_t(seed);
         params.spp = settings.spp;
         params.mapPasses = 2;
-        params.firstSpacing = 4.f / float(scene.settings.film.height);
+        params.firstSpacing = 4.f / float(scene.sensor.settings.film.height);
         params.indirect.capture.layout = MapLayout(Projection::EqualArea, 8);
         params.indirect.primarySamples = 1;
-        params.maxDepth = scene.settings.maxDepth;
+        params.maxDepth = scene.sensor.settings.maxDepth;
+        params.indirect.denoiser = makeGaussianMapDenoiser(1);
         settings.change(params);
-        Session session(scene, params, makeGaussianMapDenoiser(1), settings.stats);
+        Session session(scene, params, settings.stats);
         while (session.step()) {
         }
         EXPECT_EQ(session.samplesDone(), settings.spp);
         LayeredPicture picture = session.picture();
-        if (usesMaps(settings.integrator)) SurfacePictureFilter(true, true).apply(picture);
+        if (traitsOf(settings.integrator).maps) SurfacePictureFilter(true, true).apply(picture);
         result.push_back(blocksOf(picture.beauty, settings.block));
     }
     return result;

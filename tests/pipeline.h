@@ -14,14 +14,14 @@ struct Pipeline {
     explicit Pipeline(const std::string& text)
         : scene(pbrt::loadPbrtString(text)), accel(*scene), lights(*scene), tracer(*scene, accel, lights) {}
 
-    int pixels() const { return int(scene->settings.region().count()); }
+    int pixels() const { return int(scene->sensor.settings.region().count()); }
     // Camera ray `i` of a pixel. The sampler is left in the state in which the path continues.
     Ray cameraRay(int pixel, Sampler& sampler) const {
-        const PixelRegion region = scene->settings.region();
+        const PixelRegion region = scene->sensor.settings.region();
         const Vec2 u = sampler.get2D();
         const Vec2 film(float(region.x0 + pixel % region.width()) + u.x,
                         float(region.y0 + pixel / region.width()) + u.y);
-        return drc::cameraRay(*scene, film, sampler).ray;
+        return drc::cameraRay(scene->sensor, film, sampler).ray;
     }
     static Sampler sampler(uint64_t stream, int pixel, int i) {
         return Sampler(hashCombine(stream, uint64_t(pixel)), uint32_t(i));
@@ -62,17 +62,15 @@ struct Pipeline {
     }
     // The indirect layer of the broad lobes from radiance maps: mean and variance over independent passes with the same
     // spacing.
-    Estimate cachedIndirect(const MapDenoiser& mapDenoiser, const IndirectSettings& settings, float spacing,
-                            int passes) const {
-        return estimateOf(cachedPasses(mapDenoiser, settings, spacing, passes));
+    Estimate cachedIndirect(const IndirectSettings& settings, float spacing, int passes) const {
+        return estimateOf(cachedPasses(settings, spacing, passes));
     }
     // The pictures of single passes: [pass][pixel].
-    std::vector<std::vector<Rgb>> cachedPasses(const MapDenoiser& mapDenoiser, const IndirectSettings& settings,
-                                               float spacing, int passes) const {
-        const PixelRegion region = scene->settings.region();
+    std::vector<std::vector<Rgb>> cachedPasses(const IndirectSettings& settings, float spacing, int passes) const {
+        const PixelRegion region = scene->sensor.settings.region();
         std::vector<std::vector<Rgb>> values(size_t(passes), std::vector<Rgb>(region.count()));
         for (int pass = 0; pass < passes; ++pass) {
-            IndirectPass indirect(tracer, mapDenoiser, settings, nullptr);
+            IndirectPass indirect(tracer, scene->sensor, settings, nullptr);
             indirect.run(pass, spacing, [&](int x, int y, int, const Rgb& value, float weight) {
                 values[size_t(pass)][region.index(x, y)] = value * weight;
             });

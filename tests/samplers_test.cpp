@@ -69,12 +69,12 @@ INSTANTIATE_TEST_SUITE_P(Every, Samplers, testing::ValuesIn(kSamplers), [](const
 
 TEST_P(Samplers, TakeTheirSamplesAndAreUnbiased) {
     const auto scene = pbrt::loadPbrtString(furnaceWith(GetParam()));
-    EXPECT_EQ(scene->settings.samplesPerPixel, GetParam().spp);
+    EXPECT_EQ(scene->sensor.settings.samplesPerPixel, GetParam().spp);
     RenderParams params;
     params.integrator = "path";
-    params.spp = scene->settings.samplesPerPixel;
-    params.maxDepth = scene->settings.maxDepth;
-    Session session(*scene, params, nullptr, nullptr);
+    params.spp = scene->sensor.settings.samplesPerPixel;
+    params.maxDepth = scene->sensor.settings.maxDepth;
+    Session session(*scene, params);
     std::vector<double> sum(kWidth * kHeight);
     std::vector<std::vector<double>> samples;
     while (session.step()) {

@@ -57,7 +57,7 @@ void checkSplit(const Pipeline& pipeline) {
     IndirectSettings settings;
     settings.gatherSamples = 32;
     settings.primarySamples = 1;
-    const Estimate maps = blocks(pipeline.cachedIndirect(*makeIdentityMapDenoiser(), settings, 1, kPasses));
+    const Estimate maps = blocks(pipeline.cachedIndirect(settings, 1, kPasses));
     expectSameBlocks(direct + of(&Pipeline::glossyIndirect) + maps, path, "direct and maps at every pixel", 0.005);
 }
 

@@ -28,7 +28,7 @@ LayeredPicture pictureOf(const std::string& text, const std::string& integrator)
     params.integrator = integrator;
     params.spp = 8;
     params.guide = false;
-    Session session(*scene, params, nullptr, nullptr);
+    Session session(*scene, params);
     while (session.step()) {
     }
     return session.snapshot();

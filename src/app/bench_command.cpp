@@ -9,7 +9,6 @@
 #include "app/command.h"
 #include "app/exit_code.h"
 #include "app/option_checks.h"
-#include "app/picture_writer.h"
 #include "app/shipped_folders.h"
 #include "app/usage_error.h"
 #include "base/atomic_file.h"
@@ -22,6 +21,7 @@
 #include "bench/bench_page.h"
 #include "bench/bench_table.h"
 #include "integrators/integrator.h"
+#include "render/picture_writer.h"
 
 namespace drc {
 namespace {

@@ -11,11 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "app/distinct_files.h"
 #include "app/image_output.h"
 #include "app/option_checks.h"
-#include "app/picture_writer.h"
 #include "app/usage_error.h"
+#include "base/distinct_files.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "image/difference_image.h"
@@ -23,6 +22,7 @@
 #include "image/metrics.h"
 #include "image/pair_metrics.h"
 #include "image/picture_window.h"
+#include "render/picture_writer.h"
 
 namespace drc {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/ranges.h>
 
 #include "app/option_checks.h"
-#include "app/picture_writer.h"
 #include "app/usage_error.h"
+#include "render/picture_writer.h"
 
 namespace drc {
 namespace {

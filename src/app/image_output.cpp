@@ -7,7 +7,6 @@
 #include "app/command.h"
 #include "app/display_options.h"
 #include "app/option_checks.h"
-#include "app/picture_writer.h"
 #include "app/usage_error.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -16,6 +15,7 @@
 #include "image/pfm.h"
 #include "image/picture_window.h"
 #include "image/radiance_hdr_writer.h"
+#include "render/picture_writer.h"
 
 namespace drc {
 namespace {

@@ -12,7 +12,7 @@ void printInfo(const std::string& path) {
     const auto start = std::chrono::steady_clock::now();
     const auto scene = pbrt::loadPbrtFile(path);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const RenderSettings& s = scene->settings;
+    const RenderSettings& s = scene->sensor.settings;
     const PixelRegion region = s.region();
     const Bounds bounds = scene->bounds();
     const Vec3 low = bounds.min + scene->origin, high = bounds.max + scene->origin;

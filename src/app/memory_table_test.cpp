@@ -33,8 +33,8 @@ TEST(MemoryTable, TheRowsAddUpToThePeak) {
     RenderParams params;
     params.integrator = "path";
     params.spp = 1;
-    params = resolved(params, *scene);
-    Session session(*scene, params, nullptr, &stats);
+    params = resolved(params, scene->sensor.settings);
+    Session session(*scene, params, &stats);
     table.afterBuilding(*scene);
     while (session.step(nullptr)) {
     }

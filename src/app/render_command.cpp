@@ -3,19 +3,13 @@
 #include <csignal>
 #include <filesystem>
 
-#include "app/checkpoint_writer.h"
 #include "app/command.h"
 #include "app/display_options.h"
 #include "app/display_server.h"
-#include "app/distinct_files.h"
 #include "app/exit_code.h"
-#include "app/frame_checkpoint.h"
-#include "app/frame_sequence.h"
+#include "app/map_denoiser_choice.h"
 #include "app/memory_table.h"
-#include "app/models.h"
-#include "app/picture_finisher.h"
-#include "app/render_options.h"
-#include "app/same_world.h"
+#include "app/render_files.h"
 #include "app/usage_error.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -23,79 +17,15 @@
 #include "base/log.h"
 #include "base/parallel_time.h"
 #include "base/progress.h"
-#include "maps/network_map_denoiser.h"
-#include "pbrt/scene_file.h"
-#include "reconstruct/noise_threshold.h"
-#include "render/deadline.h"
-#include "scene/film_output.h"
+#include "render/frame_checkpoint.h"
+#include "render/frame_sequence.h"
+#include "render/render_run.h"
+#include "render/same_world.h"
 
 namespace drc {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-struct ChosenMapDenoiser {
-    std::shared_ptr<const MapDenoiser> mapDenoiser;
-    std::string weightsHash;
-};
-
-// Also sets the layout of the maps to the one that the denoiser was made for.
-ChosenMapDenoiser chooseMapDenoiser(const RenderOptions& o, IndirectSettings& indirect) {
-    const auto setProjection = [&](const std::string& ownOfNetwork) {
-        const std::string& name = o.projection != "auto" ? o.projection
-                                  : ownOfNetwork.empty() ? projectionName(Projection::EqualArea)
-                                                         : ownOfNetwork;
-        indirect.capture.layout = MapLayout(projectionFromName(name), indirect.capture.layout.size());
-    };
-    setProjection("");
-    if (o.mapDenoiser == "gaussian") return {makeGaussianMapDenoiser(1), ""};
-    if (o.mapDenoiser == "none") return {makeIdentityMapDenoiser(), ""};
-    if (o.mapDenoiser == "oracle") {
-        indirect.capture.samplesPerTexel = o.oracleSamples;
-        return {makeIdentityMapDenoiser(), ""};
-    }
-    const auto weights = UNetWeights::load(findWeights(o.weights));
-    setProjection(weights->projection());
-    std::optional<Precision> precision;
-    if (o.precision != "auto") precision = o.precision == "fp32" ? Precision::Fp32 : Precision::Bf16;
-    return {makeNetworkMapDenoiser(weights, indirect.capture.layout, precision), weights->hash()};
-}
-
-// Refuses outputs of the present frame that would replace each other, or what the command line says is read.
-DistinctFiles filesOf(const RenderOptions& o) {
-    DistinctFiles files;
-    const auto reads = [&](const std::string& what, const std::string& path) {
-        if (!path.empty() && path != "-") files.reads(what, path);
-    };
-    const auto writes = [&](const std::string& what, const std::string& path) {
-        if (!path.empty()) files.writes(what, path);
-    };
-    reads("the scene", o.scene);
-    reads("--frames", o.frames);
-    reads("--weights", o.weights);
-    reads("--oidn-library", o.oidnLibrary);
-    // A checkpoint that is gone on from may be saved anew.
-    if (!isSameFile(o.resume, o.checkpoint)) reads("--resume", o.resume);
-    for (const std::string& path : o.outputs) writes("-o", path);
-    writes("--timing", o.timing);
-    writes("--checkpoint", o.checkpoint);
-    return files;
-}
-
-// Refuses outputs that would replace a file that the scene names.
-void keepFrom(const std::vector<std::string>& filesOfScene, DistinctFiles files) {
-    for (const std::string& path : filesOfScene) files.reads("the scene's file", path);
-}
-
-std::unique_ptr<Scene> loadScene(RenderOptions& o) {
-    auto scene = o.overrides.load(o.scene);
-    if (o.outputs.empty()) {
-        o.outputs = filmOutputs(scene->settings);
-        for (const std::string& path : o.outputs) checkOutput("-o", path);
-    }
-    keepFrom(scene->files, filesOf(o));
-    return scene;
-}
 
 void writeTiming(const std::string& path, Stats& stats) {
     const auto seconds = [&](const char* timer) { return stats.timer(timer).seconds(); };
@@ -112,73 +42,15 @@ enum class RenderEnd {
     NotInPlace,   // a picture is not where the user wanted it
 };
 
-// Runs a pass, or as much of it as can be done until a checkpoint is due, which is then saved. False: the render is
-// done, or interrupted.
-bool step(Session& session, CheckpointWriter* checkpoint) {
-    if (checkpoint == nullptr) return session.step(&interruptToken());
-    bool goesOn = false;
-    if (usesMaps(session.params().integrator)) {
-        // A map pass counts as a whole alone.
-        goesOn = session.step(&interruptToken());
-    } else {
-        const DeadlineToken due(checkpoint->due(), &interruptToken());
-        goesOn = session.step(&due.token()) || (due.token().cancelled() && !interruptToken().cancelled());
-    }
-    if (Clock::now() >= checkpoint->due()) checkpoint->save(session);
-    return goesOn;
-}
-
-// Whether an estimate of the error, which takes two thirds of the time that finishing the picture takes, leaves most of
-// a time budget to samples.
-bool hasTimeToEstimate(const Schedule& schedule) {
-    constexpr double kMostOfBudget = 0.15;
-    return schedule.reserved() <= kMostOfBudget * schedule.budget();
-}
-
-// Whether the render has neither all that was asked for nor used up its time.
-bool hasWork(Session& session) {
-    return session.schedule().next(session.film().passes(), session.mapPassesDone()).has_value();
-}
-
-// Runs passes until the render is done or interrupted, or the picture is good enough. Whether it is whole: an interrupt
-// that comes after the last sample takes nothing from it.
-bool run(Session& session, PictureFinisher& finisher, const RenderOptions& o, CheckpointWriter* checkpoint) {
-    NoiseThreshold threshold(o.noiseThreshold.value_or(0));
-    Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
-                      o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
-    if (session.hasPicture()) setSomethingToSave(true);  // that of a checkpoint
-    while (step(session, checkpoint)) {
-        if (session.hasPicture()) setSomethingToSave(true);
-        progress.set(int64_t(session.progress() * 1000));
-        if (threshold.isDue(session.samplesDone()) && hasTimeToEstimate(session.schedule())) {
-            const double error = finisher.errorOf(session.picture()).whole;
-            threshold.estimated(session.samplesDone(), error);
-            logDebug(fmt::format("--noise-threshold {:g}: {:.4f} after {} spp; {:.0f} spp needed", *o.noiseThreshold,
-                                 error, session.samplesDone(), *threshold.samplesNeeded()));
-            if (threshold.reached()) break;
-        }
-        progress.setNote(session.status() +
-                         (threshold.error() ? fmt::format(", error {:.3f}", *threshold.error()) : ""));
-        if (session.schedule().wantsReserve(session.film().passes(), session.mapPassesDone())) {
-            if (checkpoint) checkpoint->save(session);
-            finisher.measure(session, checkpoint ? checkpoint->seconds() : 0);
-        }
-    }
-    const bool whole = threshold.reached() || !interruptToken().cancelled() || !hasWork(session);
-    if (whole) progress.set(1000);
-    return whole;
-}
-
-// Inputs besides the render parameters that change the bits of the picture.
-Checkpoint::Identity othersOf(const RenderOptions& o, const std::string& weightsHash) {
+// Inputs besides the render parameters that change the bits of the picture. p: resolved parameters.
+Checkpoint::Identity othersOf(const RenderOptions& o, const RenderParams& p, const std::string& weightsHash) {
     Checkpoint::Identity others;
     for (const std::string& replaced : o.overrides.parameters)
         others.emplace_back("-D " + replaced.substr(0, replaced.find('=')), replaced);
     if (!o.overrides.lookAt.empty())
         others.emplace_back("--lookat", fmt::format("{}", fmt::join(o.overrides.lookAt, " ")));
     if (o.overrides.fov) others.emplace_back("--fov", fmt::format("{}", *o.overrides.fov));
-    if (!usesMaps(o.params.integrator)) return others;
-    const RenderParams& p = o.params;
+    if (!traitsOf(p.integrator).maps) return others;
     others.insert(others.end(), {{"--map-denoiser", o.mapDenoiser},
                                  {"--weights", weightsHash},
                                  {"--precision", o.precision},
@@ -198,151 +70,174 @@ void estimateErrors(RenderParams& params, double threshold) {
     if (threshold > 0 && !params.spp && params.seconds == 0) params.spp = kMostSamples;
 }
 
-// A scene that is rendered to one or, with several cameras, to several pictures.
-class SceneRender {
-  public:
-    // Loads o.scene. start: when the time of the first picture began.
-    SceneRender(RenderOptions& o, const CLI::App& command, Clock::time_point start)
-        : o_(o),
-          start_(start),
-          scene_(loadScene(o)),
-          world_(o.frames.empty() ? SameWorld() : SameWorld(*scene_)),
-          params_(paramsFor(command)),
-          denoiser_(denoiserFor()),
-          chosen_(usesMaps(params_.integrator) ? chooseMapDenoiser(o, params_.indirect) : ChosenMapDenoiser()) {
-        stats_.timer("load").add(Clock::now() - start);
-        params_.denoise = denoiser_.denoise;
-        o.overrides.cropFilm(scene_->settings);
-        const auto build = Clock::now();
-        session_.emplace(*scene_, params_, chosen_.mapDenoiser, &stats_, start);
-        stats_.timer("build").add(Clock::now() - build);
-        memory_.afterBuilding(*scene_);
-    }
-
-    // Renders o.outputs. frame: of an animation.
-    RenderEnd render(const std::optional<FramePosition>& frame) {
-        PictureWriter writer(scene_->settings, o_.outputs, hasAovs(), o_.display, o_.scene);
-        PictureFinisher finisher(filtersFor(params_, denoiser_), writer, stats_, o_.noiseThreshold.has_value());
-        const auto rendering = Clock::now();
-        setSomethingToSave(false);
-        std::optional<Checkpoint> checkpoint;
-        if (!o_.checkpoint.empty() || !o_.resume.empty()) checkpoint.emplace(identity(frame));
-        if (!o_.resume.empty()) {
-            checkpoint->resume(*session_, o_.resume);
-            logInfo(
-                fmt::format("goes on from {}: {}{}", o_.resume, session_->status(),
-                            hasWork(*session_) ? "" : "; that is all that is asked for, --spp or --time adds more"));
-        }
-        std::optional<CheckpointWriter> saving;
-        if (!o_.checkpoint.empty())
-            saving.emplace(*checkpoint, o_.checkpoint,
-                           std::chrono::duration_cast<Clock::duration>(durationOf("--every", o_.every)));
-        std::unique_ptr<TevDisplay> viewer;
-        if (!o_.displayServer.empty()) viewer = showInTev(o_, *session_, scene_->settings);
-        const bool interrupted = !run(*session_, finisher, o_, saving ? &*saving : nullptr);
-        if (saving) saving->saveLast(*session_);
-        if (viewer) viewer->stopTaking();
-        stats_.timer("render").add(Clock::now() - rendering);
-
-        ExrMetadata metadata{{"drc:version", DRC_VERSION},
-                             {"drc:command", processInfo().commandLine},
-                             {"drc:seed", std::to_string(params_.seed)},
-                             {"drc:integrator", params_.integrator},
-                             {"drc:map_denoiser", usesMaps(params_.integrator) ? o_.mapDenoiser : ""},
-                             {"drc:weights", chosen_.weightsHash},
-                             {"drc:spp", std::to_string(session_->samplesDone())},
-                             {"drc:passes", std::to_string(session_->mapPassesDone())}};
-        if (interrupted) {
-            metadata["drc:interrupted"] = "true";
-            writer.divertFromBetterPictures(session_->samplesDone());
-        }
-        memory_.afterRendering(*session_, stats_);
-        if (o_.frames.empty()) session_->endSampling();
-        memory_.beforeFinishing();
-        LayeredPicture finished = finisher.finish(session_->picture(), metadata);
-        memory_.afterFinishing();
-        if (!writer.outputs().empty())
-            logInfo(fmt::format("{}{}: {} in {:.1f} s", interrupted ? "interrupted; " : "",
-                                fmt::join(writer.outputs(), ", "), session_->status(),
-                                std::chrono::duration<double>(Clock::now() - start_).count()));
-        if (viewer) viewer->finish(tev::pictureOf(std::move(finished), scene_->settings.film));
-        if (!writer.allInPlace()) {
-            if (saving && saving->saved())
-                logInfo(fmt::format("the same command with --resume {} writes the picture anew", saving->path()));
-            return RenderEnd::NotInPlace;
-        }
-        return interrupted ? RenderEnd::Interrupted : RenderEnd::Whole;
-    }
-
-    // Goes on with the camera of o.scene, if its world is that of this scene. Otherwise false, and nothing has changed.
-    bool moveCamera(Clock::time_point start) {
-        const std::unique_ptr<Scene> camera = world_.cameraIn(o_.scene, *scene_, o_.overrides.loadOptions());
-        if (!camera) return false;
-        keepFrom(scene_->files, filesOf(o_));
-        start_ = start;
-        scene_->settings.outputFile = camera->settings.outputFile;
-        session_->moveCamera(camera->camera, camera->settings.film);
-        logDebug(o_.scene + " keeps the scene and what has been learnt of it: its camera alone is another one");
-        return true;
-    }
-
-    void report() {
-        if (!o_.timing.empty()) writeTiming(o_.timing, stats_);
-        if (!o_.stats) return;
-        // All cores but one wait then: what more of them cannot shorten.
-        const std::chrono::duration<double> life = Clock::now() - processInfo().start;
-        const double serial = life.count() - parallelSeconds();
-        stats_.timer("serial").add(
-            std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(std::max(0.0, serial))));
-        memory_.report(stats_);
-        fmt::print("{}", stats_.report());
-    }
-
-  private:
-    bool hasAovs() const { return o_.aovs || scene_->settings.auxiliaryLayers; }
-
-    RenderParams paramsFor(const CLI::App& command) {
-        if (o_.spacing) o_.params.firstSpacing = *o_.spacing / float(scene_->settings.film.height);
-        if (hasAovs()) o_.params.gBuffer = o_.params.parts = o_.params.variance = true;
-        if (o_.noiseThreshold) estimateErrors(o_.params, *o_.noiseThreshold);
-        RenderParams params = asUsage([&] { return resolved(o_.params, *scene_); });
-        if (o_.noiseThreshold && !hasHalves(params.integrator))
-            throw UsageError("--noise-threshold: with --integrator " + params.integrator +
-                             " the error cannot be estimated; it can with drc, path and direct");
-        refuseIdleOptions(command, params.integrator);
-        return params;
-    }
-    Checkpoint::Identity identity(const std::optional<FramePosition>& frame) {
-        // For all frames of the scene: to read large files again and again takes long.
-        if (filesIdentity_.empty()) filesIdentity_ = identityOfFiles(*scene_);
-        Checkpoint::Identity others = othersOf(o_, chosen_.weightsHash);
-        others.insert(others.end(), filesIdentity_.begin(), filesIdentity_.end());
-        if (frame) {
-            const Checkpoint::Identity place = frameIdentity(*frame, o_.scene);
-            others.insert(others.end(), place.begin(), place.end());
-        }
-        return identityOf(scene_->settings, params_, others);
-    }
-    ChosenDenoiser denoiserFor() const {
-        ChosenDenoiser denoiser =
-            chooseDenoiser(o_.params.denoise, params_, [&] { return findOidn(OidnSearch::ofProcess(o_.oidnLibrary)); });
-        if (!o_.oidnLibrary.empty() && !denoiser.oidn)
-            throw UsageError("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
-        return denoiser;
-    }
-
-    RenderOptions& o_;
-    Clock::time_point start_;
-    Stats stats_;
-    MemoryTable memory_;
-    std::unique_ptr<Scene> scene_;
-    SameWorld world_;
-    RenderParams params_;
-    ChosenDenoiser denoiser_;
-    ChosenMapDenoiser chosen_;
-    std::optional<Session> session_;
-    Checkpoint::Identity filesIdentity_;
+// A scene that is loaded, and what its frames have in common.
+struct LoadedScene {
+    Stats stats;
+    MemoryTable memory;
+    std::unique_ptr<const Scene> scene;
+    SameWorld world;
+    RenderParams params;
+    ChosenDenoiser denoiser;
+    std::string weightsHash;
+    std::optional<Session> session;
+    Checkpoint::Identity files;  // of the scene, once a checkpoint needs them: reading large ones takes long
 };
+
+bool hasAovs(const RenderOptions& o, const RenderSettings& settings) { return o.aovs || settings.auxiliaryLayers; }
+
+// The parameters with what other options and the scene's file ask for.
+RenderParams paramsOf(const RenderOptions& o, const RenderSettings& settings, const CLI::App& command) {
+    RenderParams params = o.params;
+    if (o.spacing) params.firstSpacing = *o.spacing / float(settings.film.height);
+    if (hasAovs(o, settings)) params.gBuffer = params.parts = params.variance = true;
+    if (o.noiseThreshold) estimateErrors(params, *o.noiseThreshold);
+    params = asUsage([&] { return resolved(params, settings); });
+    if (o.noiseThreshold && !traitsOf(params.integrator).halves)
+        throw UsageError("--noise-threshold: with --integrator " + params.integrator +
+                         " the error cannot be estimated; it can with drc, path and direct");
+    refuseIdleOptions(command, params.integrator);
+    return params;
+}
+
+// Loads the scene of the present frame, and prepares it. start: when the time of its picture began.
+std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clock::time_point start) {
+    auto loaded = std::make_unique<LoadedScene>();
+    std::unique_ptr<Scene> scene = loadScene(o);
+    o.overrides.cropFilm(scene->sensor.settings);
+    if (!o.frames.empty()) loaded->world = SameWorld(*scene);
+    RenderParams& params = loaded->params;
+    params = paramsOf(o, scene->sensor.settings, command);
+    loaded->denoiser =
+        chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
+    if (!o.oidnLibrary.empty() && !loaded->denoiser.oidn)
+        throw UsageError("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
+    if (traitsOf(params.integrator).maps) loaded->weightsHash = chooseMapDenoiser(o, params.indirect);
+    loaded->stats.timer("load").add(Clock::now() - start);
+    params.denoise = loaded->denoiser.denoise;
+    const auto build = Clock::now();
+    loaded->scene = std::move(scene);
+    loaded->session.emplace(*loaded->scene, params, &loaded->stats, start);
+    loaded->stats.timer("build").add(Clock::now() - build);
+    loaded->memory.afterBuilding(*loaded->scene);
+    return loaded;
+}
+
+// Goes on with the camera of the present frame, if its world is that of the loaded scene. Otherwise false, and nothing
+// has changed.
+bool moveCamera(LoadedScene& loaded, const RenderOptions& o) {
+    const std::unique_ptr<Scene> camera = loaded.world.cameraIn(o.scene, *loaded.scene, o.overrides.loadOptions());
+    if (!camera) return false;
+    keepFrom(loaded.scene->files, filesOf(o));
+    loaded.session->moveCamera(camera->sensor.camera, camera->sensor.settings.film);
+    logDebug(o.scene + " keeps the scene and what has been learnt of it: its camera alone is another one");
+    return true;
+}
+
+// frame: of an animation.
+Checkpoint::Identity identity(LoadedScene& loaded, const RenderOptions& o, const std::optional<FramePosition>& frame) {
+    if (loaded.files.empty()) loaded.files = identityOfFiles(*loaded.scene);
+    Checkpoint::Identity others = othersOf(o, loaded.params, loaded.weightsHash);
+    others.insert(others.end(), loaded.files.begin(), loaded.files.end());
+    if (frame) {
+        const Checkpoint::Identity place = frameIdentity(*frame, o.scene);
+        others.insert(others.end(), place.begin(), place.end());
+    }
+    return identityOf(loaded.session->sensor().settings, loaded.params, others);
+}
+
+// Runs the session, with a progress bar, and tells whether its picture is whole.
+bool run(LoadedScene& loaded, const RenderOptions& o, PictureFinisher& finisher, CheckpointWriter* checkpoint) {
+    Session& session = *loaded.session;
+    Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
+                      o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
+    setSomethingToSave(session.hasPicture());  // that of a checkpoint
+    const bool whole = runPasses(session, finisher,
+                                 {.cancel = &interruptToken(),
+                                  .checkpoint = checkpoint,
+                                  .noiseThreshold = o.noiseThreshold,
+                                  .passDone = [&](double share, const std::string& status) {
+                                      if (session.hasPicture()) setSomethingToSave(true);
+                                      progress.set(int64_t(share * 1000));
+                                      progress.setNote(status);
+                                  }});
+    if (whole) progress.set(1000);
+    return whole;
+}
+
+ExrMetadata metadataOf(const LoadedScene& loaded, const RenderOptions& o) {
+    const Session& session = *loaded.session;
+    return {{"drc:version", DRC_VERSION},
+            {"drc:command", processInfo().commandLine},
+            {"drc:seed", std::to_string(loaded.params.seed)},
+            {"drc:integrator", loaded.params.integrator},
+            {"drc:map_denoiser", traitsOf(loaded.params.integrator).maps ? o.mapDenoiser : ""},
+            {"drc:weights", loaded.weightsHash},
+            {"drc:spp", std::to_string(session.samplesDone())},
+            {"drc:passes", std::to_string(session.mapPassesDone())}};
+}
+
+// Renders the present frame to its pictures. frame: of an animation. start: when its time began.
+RenderEnd renderFrame(LoadedScene& loaded, const RenderOptions& o, const std::optional<FramePosition>& frame,
+                      Clock::time_point start) {
+    Session& session = *loaded.session;
+    const RenderSettings& settings = session.sensor().settings;
+    PictureWriter writer(settings, o.outputs, hasAovs(o, settings), o.display, o.scene);
+    PictureFinisher finisher(filtersFor(loaded.params, loaded.denoiser), writer, &loaded.stats,
+                             o.noiseThreshold.has_value());
+    const auto rendering = Clock::now();
+    std::optional<Checkpoint> checkpoint;
+    if (!o.checkpoint.empty() || !o.resume.empty()) checkpoint.emplace(identity(loaded, o, frame));
+    if (!o.resume.empty()) {
+        checkpoint->resume(session, o.resume);
+        logInfo(fmt::format("goes on from {}: {}{}", o.resume, session.status(),
+                            hasWork(session) ? "" : "; that is all that is asked for, --spp or --time adds more"));
+    }
+    std::optional<CheckpointWriter> saving;
+    if (!o.checkpoint.empty())
+        saving.emplace(*checkpoint, o.checkpoint,
+                       std::chrono::duration_cast<Clock::duration>(durationOf("--every", o.every)));
+    std::unique_ptr<TevDisplay> viewer;
+    if (!o.displayServer.empty()) viewer = showInTev(o, session, settings);
+    const bool interrupted = !run(loaded, o, finisher, saving ? &*saving : nullptr);
+    if (saving) saving->saveLast(session);
+    if (viewer) viewer->stopTaking();
+    loaded.stats.timer("render").add(Clock::now() - rendering);
+
+    ExrMetadata metadata = metadataOf(loaded, o);
+    if (interrupted) {
+        metadata["drc:interrupted"] = "true";
+        writer.divertFromBetterPictures(session.samplesDone());
+    }
+    loaded.memory.afterRendering(session, loaded.stats);
+    if (o.frames.empty()) session.endSampling();
+    loaded.memory.beforeFinishing();
+    LayeredPicture finished = finisher.finish(session.picture(), metadata);
+    loaded.memory.afterFinishing();
+    if (!writer.outputs().empty())
+        logInfo(fmt::format("{}{}: {} in {:.1f} s", interrupted ? "interrupted; " : "",
+                            fmt::join(writer.outputs(), ", "), session.status(),
+                            std::chrono::duration<double>(Clock::now() - start).count()));
+    if (viewer) viewer->finish(tev::pictureOf(std::move(finished), settings.film));
+    if (!writer.allInPlace()) {
+        if (saving && saving->saved())
+            logInfo(fmt::format("the same command with --resume {} writes the picture anew", saving->path()));
+        return RenderEnd::NotInPlace;
+    }
+    return interrupted ? RenderEnd::Interrupted : RenderEnd::Whole;
+}
+
+void report(LoadedScene& loaded, const RenderOptions& o) {
+    Stats& stats = loaded.stats;
+    if (!o.timing.empty()) writeTiming(o.timing, stats);
+    if (!o.stats) return;
+    // All cores but one wait then: what more of them cannot shorten.
+    const std::chrono::duration<double> life = Clock::now() - processInfo().start;
+    const double serial = life.count() - parallelSeconds();
+    stats.timer("serial").add(
+        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(std::max(0.0, serial))));
+    loaded.memory.report(stats);
+    fmt::print("{}", stats.report());
+}
 
 // Renders one frame after the other, and returns how that has ended.
 RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& command) {
@@ -354,20 +249,22 @@ RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& 
                                     resumed ? fmt::format("frame {} of an animation; give its --frames", resumed->frame)
                                             : "one picture, not of an animation; leave out --frames"));
     }
-    if (resumed) frames.skipTo(resumed->loaded);
+    if (resumed) frames.skipTo(resumed->loaded, o.resume);
     FramePosition position{frames.number(), frames.number()};
-    auto scene = std::make_unique<SceneRender>(o, command, processInfo().start);
+    auto start = processInfo().start;
+    std::unique_ptr<LoadedScene> loaded = load(o, command, start);
     if (resumed && resumed->frame > resumed->loaded) {
         // The learnt state is that of a camera moved from the loaded frame to this one, so move it again.
-        frames.skipTo(resumed->frame);
-        if (!scene->moveCamera(processInfo().start))
+        frames.skipTo(resumed->frame, o.resume);
+        if (!moveCamera(*loaded, o))
             throw Error(fmt::format("--resume {}: frames {} and {} no longer differ in the camera alone", o.resume,
                                     resumed->loaded, resumed->frame));
         position.frame = frames.number();
     }
     for (bool first = true;; first = false) {
-        const RenderEnd end = scene->render(frames.isAnimation() ? std::optional(position) : std::nullopt);
-        if (first) scene->report();
+        const RenderEnd end =
+            renderFrame(*loaded, o, frames.isAnimation() ? std::optional(position) : std::nullopt, start);
+        if (first) report(*loaded, o);
         if (end == RenderEnd::Whole) frames.finished();
         if (end != RenderEnd::Whole || !frames.isAnimation()) return end;
         if (interruptToken().cancelled()) return RenderEnd::Interrupted;
@@ -376,10 +273,10 @@ RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& 
         if (!frames.next()) return end;
         position.frame = frames.number();
         filesOf(o);  // for what it refuses
-        const auto start = Clock::now();
-        if (scene->moveCamera(start)) continue;
-        scene.reset();  // two scenes may not fit into memory
-        scene = std::make_unique<SceneRender>(o, command, start);
+        start = Clock::now();
+        if (moveCamera(*loaded, o)) continue;
+        loaded.reset();  // two scenes may not fit into memory
+        loaded = load(o, command, start);
         position.loaded = position.frame;
     }
 }
@@ -401,7 +298,7 @@ void render(RenderOptions o, const CLI::App& command) {
     if (!o.checkpoint.empty()) checkOutput("--checkpoint", o.checkpoint);
     asUsage([&] { durationOf("--every", o.every); });
     filesOf(o);  // for what it refuses
-    FrameSequence frames(o);
+    FrameSequence frames(o, o.frames);
     const RenderEnd end = renderFrames(o, frames, command);
     if (end == RenderEnd::NotInPlace) exitCode() = 1;
     if (end == RenderEnd::Interrupted) exitCode() = 128 + interruptSignal();

@@ -108,6 +108,12 @@ TEST_F(RenderCommandTest, AShortTimeGivesAPicture) {
     }
 }
 
+TEST_F(RenderCommandTest, TheIntegratorOfTheFileHasCheckpoints) {
+    const std::vector<float> whole = picture({"--integrator", "scene"});
+    run({"--integrator", "scene", "--spp", "4", "--checkpoint", path("state")});
+    EXPECT_EQ(picture({"--integrator", "scene", "--resume", path("state")}), whole);
+}
+
 TEST_F(RenderCommandTest, CropWindowsAreTheFilms) {
     run({"--crop", "0", ".5", "0", "1"});
     EXPECT_EQ(readImage(path("out.exr")).width(), 12);

@@ -1,4 +1,4 @@
-// The options of `drc render`.
+// The options of `drc render`. Scene and outputs are those of the present frame.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <string>
@@ -7,12 +7,11 @@
 #include "app/scene_overrides.h"
 #include "image/display.h"
 #include "integrators/render_params.h"
+#include "render/frame_list.h"
 
 namespace drc {
 
-struct RenderOptions {
-    std::string scene;
-    std::vector<std::string> outputs;
+struct RenderOptions : FrameFiles {
     DisplaySettings display;
     RenderParams params;  // options that determine the picture write to these
     std::string mapDenoiser = "network";

@@ -11,15 +11,14 @@
 #include "app/open_in_browser.h"
 #include "app/option_checks.h"
 #include "app/option_choice.h"
-#include "app/picture_filters.h"
-#include "app/picture_writer.h"
 #include "app/scene_overrides.h"
 #include "app/usage_error.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/log.h"
 #include "integrators/integrator.h"
-#include "reconstruct/oidn_picture_filter.h"
+#include "render/picture_filters.h"
+#include "render/picture_writer.h"
 #include "view/http_server.h"
 #include "view/live_render.h"
 #include "view/view_service.h"
@@ -41,31 +40,6 @@ struct ViewOptions {
     RenderParams params;
     int port = 0, threads = 0;
     bool open = false, verbose = false;
-};
-
-// The filters of frames: while the camera moves, the one that takes the least time.
-class FrameFilters {
-  public:
-    // cancel: raised when the frame will not be shown.
-    FrameFilters(const ChosenDenoiser& denoiser, const CancelToken& cancel) {
-        if (!denoiser.oidn) return;
-        const auto filter = [&](OidnQuality quality) {
-            return std::make_unique<OidnPictureFilter>(*denoiser.oidn, OidnSettings{quality, OidnAuxiliaries::Raw},
-                                                       true, false, &cancel);
-        };
-        moving_ = filter(OidnQuality::Fast);
-        still_ = filter(OidnQuality::Balanced);
-    }
-    void apply(LayeredPicture& picture, bool moving) const {
-        if (const auto& filter = moving ? moving_ : still_) filter->apply(picture);
-    }
-    // Estimates the error after denoising, for the picture at rest.
-    DenoisedError errorOf(const LayeredPicture& picture) const {
-        return estimateDenoisedError(picture, [&](LayeredPicture& half) { apply(half, false); });
-    }
-
-  private:
-    std::unique_ptr<const PictureFilter> moving_, still_;  // null: frames stay as they are
 };
 
 // Whoever is given a picture is not given the view.
@@ -108,20 +82,20 @@ void view(ViewOptions o) {
     pbrt::LoadOptions load = o.overrides.loadOptions();
     load.names = true;
     const auto scene = o.overrides.load(o.scene, load);
-    o.overrides.cropFilm(scene->settings);
+    o.overrides.cropFilm(scene->sensor.settings);
     o.params.gBuffer = o.params.parts = o.params.variance = o.params.independentHalves = true;
     if (!o.params.spp) o.params.spp = kSamples;
-    RenderParams params = asUsage([&] { return resolved(o.params, *scene); });
-    if (usesMaps(params.integrator)) throw UsageError("drc view: --integrator drc-maps cannot be watched yet");
+    RenderParams params = asUsage([&] { return resolved(o.params, scene->sensor.settings); });
+    if (traitsOf(params.integrator).maps) throw UsageError("drc view: --integrator drc-maps cannot be watched yet");
     const ChosenDenoiser denoiser =
         chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
     params.denoise = denoiser.denoise;
 
     Stats stats;
     CancelToken outdated;
-    const FrameFilters filters(denoiser, outdated);
-    const RenderSettings settings = scene->settings;
-    Session session(*scene, params, nullptr, &stats);
+    const LiveFilters filters(denoiser, outdated);
+    const RenderSettings settings = scene->sensor.settings;
+    Session session(*scene, params, &stats);
     // Frames are announced once there is a server to do so.
     std::atomic<HttpServer*> listener = nullptr;
     std::atomic<ViewService*> source = nullptr;
@@ -129,12 +103,12 @@ void view(ViewOptions o) {
         HttpServer* to = listener;
         if (to != nullptr) to->send("frame", source.load()->frameEvent());
     };
-    LiveRender render(
-        session, {.finish = [&](LayeredPicture& picture, bool moving) { filters.apply(picture, moving); },
-                  .onFrame = announce,
-                  .estimate = hasHalves(params.integrator) ? [&](const LayeredPicture& p) { return filters.errorOf(p); }
-                                                           : std::function<DenoisedError(const LayeredPicture&)>(),
-                  .outdated = &outdated});
+    LiveRender render(session, {.finish = [&](LayeredPicture& picture, bool moving) { filters.apply(picture, moving); },
+                                .onFrame = announce,
+                                .estimate = traitsOf(params.integrator).halves
+                                                ? [&](const LayeredPicture& p) { return filters.errorOf(p); }
+                                                : std::function<DenoisedError(const LayeredPicture&)>(),
+                                .outdated = &outdated});
     ViewService service(
         *scene, session.accel(), render,
         {.title = sceneTitle(o.scene),
@@ -173,7 +147,8 @@ void addViewCommand(CLI::App& app) {
     command->add_option("SCENE", o->scene, "pbrt-v3 or pbrt-v4 scene file")->required();
     addSceneOverrides(*command, o->overrides);
     std::vector<std::string> integrators{"scene"};
-    std::ranges::remove_copy_if(integratorNames(), std::back_inserter(integrators), usesMaps);
+    std::ranges::remove_copy_if(integratorNames(), std::back_inserter(integrators),
+                                [](const std::string& name) { return traitsOf(name).maps; });
     command
         ->add_option("--integrator", o->params.integrator,
                      fmt::format("What renders the picture: {}; scene takes what the scene file asks for",

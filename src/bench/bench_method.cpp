@@ -49,7 +49,7 @@ BenchMethod::BenchMethod(const std::string& text,
         options_ = words(text.substr(equals + 1));
         if (name_.empty()) throw Error(fmt::format("method '{}': has no name before the =", text));
         const std::string integrator = integratorAmong(options_);
-        hasMaps_ = integrator != "scene" && usesMaps(integrator);
+        hasMaps_ = integrator != "scene" && traitsOf(integrator).maps;
         return;
     }
     name_ = text;
@@ -70,7 +70,7 @@ BenchMethod::BenchMethod(const std::string& text,
             throw Error(fmt::format("method '{}': {} does not denoise by '{}'", text, way, denoiser_));
         return;
     }
-    hasMaps_ = usesMaps(integrator);
+    hasMaps_ = traitsOf(integrator).maps;
     options_ = {"--integrator", integrator};
     if (colon != std::string::npos) {
         const std::string mapDenoiser = way.substr(colon + 1);

@@ -12,9 +12,10 @@ class BdptIntegrator final : public SampledIntegrator {
   public:
     explicit BdptIntegrator(const RenderContext& context)
         : SampledIntegrator(context),
-          tracer_(context.scene, context.accel, context.lights, context.tracer.settings(),
-                  double(context.scene.settings.region().count())),
-          splatFilter_(*context.scene.settings.filter) {}
+          tracer_(context.scene, *context.sensor.camera, context.accel, context.lights, context.tracer.settings(),
+                  double(context.sensor.settings.region().count())),
+          splatFilter_(*context.sensor.settings.filter),
+          splats_(*layerIndex(context, kSplats)) {}
 
     LayeredPicture picture(std::shared_ptr<const Film> film) const override {
         LayeredPicture picture = SampledIntegrator::picture(std::move(film));
@@ -45,19 +46,20 @@ class BdptIntegrator final : public SampledIntegrator {
         thread_local std::vector<Splat> splats;
         splats.clear();
         const Rgb radiance = tracer_.radiance(ray, sampler, splats, sinks.gBuffer);
-        FilmLayer& layer = film.layer(film.layerCount() - 1);
+        FilmLayer& layer = film.layer(splats_);
         for (const Splat& splat : splats) splatFilter_.add(splat, layer);
         return radiance;
     }
 
     BidirectionalTracer tracer_;
     SplatFilter splatFilter_;
+    const size_t splats_;  // index of the layer
 };
 
 }  // namespace
 
-std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene& scene) {
-    std::vector<FilmLayerSpec> layers = sampledLayers(params, scene.settings, false);
+std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene&, const RenderSettings& settings) {
+    std::vector<FilmLayerSpec> layers = sampledLayers(params, settings, false);
     // Smaller quanta than in other layers: a splat is the contribution of one path, divided by the number of pixels
     // of the film.
     layers.push_back({.name = kSplats, .weighted = false, .quantum = layers[0].quantum / 256});

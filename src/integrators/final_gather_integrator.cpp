@@ -30,14 +30,14 @@ class FinalGatherIntegrator final : public SampledIntegrator {
   public:
     explicit FinalGatherIntegrator(const RenderContext& context)
         : SampledIntegrator(context),
-          region_(context.scene.settings.region()),
+          region_(context.sensor.settings.region()),
           gather_(context.tracer.lighting(), context.tracer.settings()) {
         if (!context.params.cells || !(context.distance > 0)) return;
         RadianceCellSettings& settings = cellSettings_;
         // A power of two, so that the frames of an animation have the same cells.
         settings.size = context.params.cellSize > 0 ? context.params.cellSize
                                                     : std::exp2(std::round(std::log2(kCellSize * context.distance)));
-        settings.lightScale = context.scene.settings.filmScale;
+        settings.lightScale = context.sensor.settings.filmScale;
         cells_.emplace(settings);
         plan();
     }
@@ -47,7 +47,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     bool cameraMoved() override {
         if (!cells_) return false;
         if (wholeSamplesWait_) commit();
-        region_ = context_.scene.settings.region();
+        region_ = context_.sensor.settings.region();
         rows_.clear();
         plan();
         hasMoved_ = true;
@@ -129,8 +129,6 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     }
 
   private:
-    bool tellsDirect() const override { return true; }
-
     Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, const PathSinks& sinks) override {
         if (!cells_) return context_.tracer.radiance(ray, sampler, sinks);
         Row& row = rows_[size_t(place.y - region_.y0)];
@@ -189,7 +187,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
 
     void plan() {
         rows_.resize(size_t(region_.height()));
-        planner_.emplace(region_, context_.scene.settings.filmScale, uint32_t(context_.params.firstSample));
+        planner_.emplace(region_, context_.sensor.settings.filmScale, uint32_t(context_.params.firstSample));
     }
 
     static constexpr uint64_t kCellStream = 0x3000000000, kHalfStream = 0x3001;

@@ -8,8 +8,8 @@
 namespace drc {
 
 // Each is defined in the integrator's own file.
-std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& scene);
-std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene& scene);
+std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& scene, const RenderSettings& settings);
+std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene& scene, const RenderSettings& settings);
 std::unique_ptr<Integrator> makeFinalGatherIntegrator(const RenderContext& context);
 std::unique_ptr<Integrator> makeMapsIntegrator(const RenderContext& context);
 std::unique_ptr<Integrator> makePathIntegrator(const RenderContext& context);
@@ -19,24 +19,31 @@ std::unique_ptr<Integrator> makeDirectIntegrator(const RenderContext& context);
 namespace {
 
 template <bool direct>
-std::vector<FilmLayerSpec> oneLayer(const RenderParams& params, const Scene& scene) {
-    return sampledLayers(params, scene.settings, direct);
+std::vector<FilmLayerSpec> oneLayer(const RenderParams& params, const Scene&, const RenderSettings& settings) {
+    return sampledLayers(params, settings, direct);
 }
 
 struct Entry {
     const char* name;
     std::unique_ptr<Integrator> (*make)(const RenderContext&);
-    std::vector<FilmLayerSpec> (*layers)(const RenderParams&, const Scene&);
-    bool maps = false;    // there are map passes
-    bool media = false;   // participating media are rendered
-    bool halves = false;  // the half buffers have all that the picture is made of
+    std::vector<FilmLayerSpec> (*layers)(const RenderParams&, const Scene&, const RenderSettings&);
+    IntegratorTraits traits;
 };
 constexpr Entry kIntegrators[] = {
-    {.name = "drc", .make = makeFinalGatherIntegrator, .layers = oneLayer<true>, .media = true, .halves = true},
-    {.name = "drc-maps", .make = makeMapsIntegrator, .layers = mapsLayers, .maps = true},
-    {.name = "path", .make = makePathIntegrator, .layers = oneLayer<true>, .media = true, .halves = true},
-    {.name = "bdpt", .make = makeBdptIntegrator, .layers = bdptLayers},
-    {.name = "direct", .make = makeDirectIntegrator, .layers = oneLayer<false>, .halves = true},
+    {.name = "drc",
+     .make = makeFinalGatherIntegrator,
+     .layers = oneLayer<true>,
+     .traits = {.cells = true, .media = true, .halves = true, .guided = true}},
+    {.name = "drc-maps", .make = makeMapsIntegrator, .layers = mapsLayers, .traits = {.maps = true, .guided = true}},
+    {.name = "path",
+     .make = makePathIntegrator,
+     .layers = oneLayer<true>,
+     .traits = {.media = true, .halves = true, .guided = true}},
+    {.name = "bdpt", .make = makeBdptIntegrator, .layers = bdptLayers, .traits = {}},
+    {.name = "direct",
+     .make = makeDirectIntegrator,
+     .layers = oneLayer<false>,
+     .traits = {.halves = true, .guided = true}},
 };
 
 const Entry& entry(const std::string& name) {
@@ -56,8 +63,16 @@ std::unique_ptr<Integrator> makeIntegrator(const std::string& name, const Render
     return entry(name).make(context);
 }
 
-std::vector<FilmLayerSpec> filmLayers(const std::string& integrator, const RenderParams& params, const Scene& scene) {
-    return entry(integrator).layers(params, scene);
+std::vector<FilmLayerSpec> filmLayers(const std::string& integrator, const RenderParams& params, const Scene& scene,
+                                      const RenderSettings& settings) {
+    return entry(integrator).layers(params, scene, settings);
+}
+
+std::optional<size_t> layerIndex(const RenderContext& context, std::string_view name) {
+    const auto layers = filmLayers(context.params.integrator, context.params, context.scene, context.sensor.settings);
+    for (size_t i = 0; i < layers.size(); ++i)
+        if (layers[i].name == name) return i;
+    return {};
 }
 
 std::vector<std::string> integratorNames() {
@@ -66,8 +81,6 @@ std::vector<std::string> integratorNames() {
     return names;
 }
 
-bool usesMaps(const std::string& integrator) { return entry(integrator).maps; }
-bool rendersMedia(const std::string& integrator) { return entry(integrator).media; }
-bool hasHalves(const std::string& integrator) { return entry(integrator).halves; }
+const IntegratorTraits& traitsOf(const std::string& integrator) { return entry(integrator).traits; }
 
 }  // namespace drc

@@ -22,13 +22,22 @@ namespace drc {
 // Inputs of integrators. All of them must outlive the integrator.
 struct RenderContext {
     const Scene& scene;
+    const Sensor& sensor;  // may change, if cameraMoved() is called after it
     const Accel& accel;
     const LightSampler& lights;
     const PathTracer& tracer;
-    const RenderParams& params;      // resolved
-    float distance;                  // the median distance that the picture shows, world units; 0: no surface
-    const MapDenoiser* mapDenoiser;  // null where the integrator has no radiance maps
-    Stats* stats;                    // may be null
+    const RenderParams& params;  // resolved
+    float distance;              // the median distance that the picture shows, world units; 0: no surface
+    Stats* stats;                // may be null
+};
+
+// Passes of indirect light over the film, by radiance maps.
+class MapPasses {
+  public:
+    virtual ~MapPasses() = default;
+    // Adds a pass to the film. index: of the pass. spacing: between maps, in pixels. stride: only every so many rows
+    // and columns of pixels are lit. False: the pass was cancelled.
+    virtual bool mapPass(int index, float spacing, int stride, Film& film, const CancelToken* cancel) const = 0;
 };
 
 class Integrator {
@@ -53,18 +62,13 @@ class Integrator {
     virtual std::function<void()> loadState(StateReader& /*from*/) {
         return [] {};
     }
-    // The scene's camera and film have changed, while no sample is taken: starts again with what is known of the scene
+    // The camera and the film have changed, while no sample is taken: starts again with what is known of the scene
     // itself. False: this integrator has to be made anew for that.
     virtual bool cameraMoved() { return false; }
     // Frees what only further samples and saveState need. Neither may follow; a picture may.
     virtual void endSampling() {}
-    // Whether there are map passes. mapPass runs one of them. index: of the pass. spacing: between maps, in pixels.
-    // stride: only every so many rows and columns of pixels are lit. False: the pass was cancelled.
-    virtual bool hasMapPasses() const { return false; }
-    virtual bool mapPass(int /*index*/, float /*spacing*/, int /*stride*/, Film& /*film*/,
-                         const CancelToken* /*cancel*/) const {
-        return true;
-    }
+    // Null unless there are map passes beside the sample passes.
+    virtual const MapPasses* mapPasses() const { return nullptr; }
     // The layers of the picture, unfiltered.
     virtual LayeredPicture picture(std::shared_ptr<const Film> film) const = 0;
     // The beauty of that, of a film that others may add to meanwhile, under lockRow. Cheaper, where it can be, than a
@@ -72,17 +76,25 @@ class Integrator {
     virtual Preview preview(const Film& film) const;
 };
 
-// Throws Error that lists the integrators if there is none of this name.
+// Says what an integrator can do, for those who choose one by name.
+struct IntegratorTraits {
+    bool maps = false;    // there are map passes
+    bool cells = false;   // paths end in radiance cells
+    bool media = false;   // participating media are rendered; others need a scene without
+    bool halves = false;  // two independent pictures of half of the samples can be had: RenderParams::independentHalves
+    bool guided = false;  // PathTracer's guide is used
+};
+
+// These throw Error that lists the integrators if there is none of this name.
+const IntegratorTraits& traitsOf(const std::string& integrator);
 std::unique_ptr<Integrator> makeIntegrator(const std::string& name, const RenderContext& context);
 // The layers of its film. Every camera sample must add to the first one, which tells how many samples a pixel has.
 // params: resolved.
-std::vector<FilmLayerSpec> filmLayers(const std::string& integrator, const RenderParams& params, const Scene& scene);
+std::vector<FilmLayerSpec> filmLayers(const std::string& integrator, const RenderParams& params, const Scene& scene,
+                                      const RenderSettings& settings);
+
+// The index of a layer of the integrator's film; none if it has no such layer.
+std::optional<size_t> layerIndex(const RenderContext& context, std::string_view name);
 std::vector<std::string> integratorNames();
-// Whether this integrator has map passes.
-bool usesMaps(const std::string& integrator);
-// Whether this integrator renders participating media. Others need a scene without.
-bool rendersMedia(const std::string& integrator);
-// Whether two independent pictures of half of the samples can be had: RenderParams::independentHalves.
-bool hasHalves(const std::string& integrator);
 
 }  // namespace drc

@@ -10,9 +10,10 @@ namespace {
 // Indices of the film's layers.
 enum Layer { kEmission, kLit, kGlossy, kBroad, kMaps, kLobeGBuffer };
 
-class MapsIntegrator final : public Integrator {
+class MapsIntegrator final : public Integrator, public MapPasses {
   public:
-    explicit MapsIntegrator(const RenderContext& context) : context_(context), settings_(context.params.indirect) {
+    explicit MapsIntegrator(const RenderContext& context)
+        : context_(context), settings_(context.params.indirect), gBuffer_(layerIndex(context, kGBufferLayer)) {
         settings_.seed = hashCombine(context.params.seed, 0xd2c);
     }
 
@@ -26,8 +27,7 @@ class MapsIntegrator final : public Integrator {
         GBufferSample gBuffer;
         SampleLayers layers;
         if (seen)
-            layers = context_.tracer.layers(camera.ray, sample.sampler, turn.traceBroad,
-                                            params.gBuffer ? &gBuffer : nullptr);
+            layers = context_.tracer.layers(camera.ray, sample.sampler, turn.traceBroad, gBuffer_ ? &gBuffer : nullptr);
         layers.scale(camera.weight);
         const float weight = sample.filterWeight;
         film.layer(kEmission).add(x, y, params.variance ? group & 1 : 0, layers.emission, weight);
@@ -35,14 +35,14 @@ class MapsIntegrator final : public Integrator {
         film.layer(kGlossy).add(x, y, group, layers.glossy, weight);
         if (turn.traceBroad) film.layer(kBroad).add(x, y, group, layers.broad, weight);
         LobeGBuffer::add(film, kLobeGBuffer, x, y, layers, weight, seen);
-        if (params.gBuffer) addGBufferSample(film.layer(film.layerCount() - 1), x, y, gBuffer, weight);
+        if (gBuffer_) addGBufferSample(film.layer(*gBuffer_), x, y, gBuffer, weight);
     }
 
-    bool hasMapPasses() const override { return true; }
+    const MapPasses* mapPasses() const override { return this; }
 
     bool mapPass(int index, float spacing, int stride, Film& film, const CancelToken* cancel) const override {
-        IndirectPass pass(context_.tracer, *context_.mapDenoiser, settings_, context_.stats);
-        const float height = float(context_.scene.settings.film.height);
+        IndirectPass pass(context_.tracer, context_.sensor, settings_, context_.stats);
+        const float height = float(context_.sensor.settings.film.height);
         // A pass is weighted by the square of its number of maps: noise falls with this number, and the interpolation
         // error with the spacing. Each pass counts 1.58 times as much as the one before, so the first passes fade out.
         const float importance = std::pow(context_.params.firstSpacing * height / spacing, 4.f);
@@ -62,7 +62,7 @@ class MapsIntegrator final : public Integrator {
 
     LayeredPicture picture(std::shared_ptr<const Film> film) const override {
         LayeredPicture picture;
-        picture.scale = context_.scene.settings.filmScale;
+        picture.scale = context_.sensor.settings.filmScale;
         picture.film = std::move(film);
         for (const auto& [layer, part] : {std::pair("emission", "direct"), std::pair("lit", "direct"),
                                           std::pair("maps", "indirect"), std::pair("glossy", "indirect")}) {
@@ -70,7 +70,7 @@ class MapsIntegrator final : public Integrator {
             fillUnsampled({&picture.layers.back().mean}, picture.film->layer(layer));
         }
         if (context_.params.variance) picture.samples = sampleCounts(picture.film->layer(kEmission));
-        if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);
+        if (gBuffer_) picture.gBuffer = gBufferOf(*picture.film);
         picture.compose();
         return picture;
     }
@@ -99,16 +99,17 @@ class MapsIntegrator final : public Integrator {
 
     const RenderContext context_;
     IndirectSettings settings_;
+    const std::optional<size_t> gBuffer_;  // index of the layer; none: the film has no G-buffer
 };
 
 }  // namespace
 
-std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& scene) {
+std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& scene, const RenderSettings& settings) {
     constexpr auto kSingle = FilmLayerSpec::Storage::Single;
     constexpr int kGroups = LayerFilter::kGroups;
     std::vector<FilmLayerSpec> layers(kLobeGBuffer);
     layers[kEmission] = {
-        .name = "emission", .groups = params.variance ? 2 : 1, .quantum = radianceQuantum(scene.settings.filmScale)};
+        .name = "emission", .groups = params.variance ? 2 : 1, .quantum = radianceQuantum(settings.filmScale)};
     layers[kLit] = {.name = "lit", .groups = kGroups, .storage = kSingle};
     layers[kGlossy] = {.name = "glossy", .groups = kGroups, .storage = kSingle};
     layers[kBroad] = {.name = "broad", .groups = kGroups, .storage = kSingle};

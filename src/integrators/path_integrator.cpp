@@ -13,7 +13,6 @@ class PathIntegrator final : public SampledIntegrator {
     Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, const PathSinks& sinks) override {
         return context_.tracer.radiance(ray, sampler, sinks);
     }
-    bool tellsDirect() const override { return true; }
 };
 
 }  // namespace

@@ -42,35 +42,34 @@ std::string integratorOfFile(const std::string& name) {
 
 }  // namespace
 
-RenderParams resolved(RenderParams p, const Scene& scene) {
+RenderParams resolved(RenderParams p, const RenderSettings& settings) {
     const bool byFile = p.integrator == "scene";
-    if (byFile) p.integrator = integratorOfFile(scene.settings.integrator);
-    const bool maps = usesMaps(p.integrator);
+    if (byFile) p.integrator = integratorOfFile(settings.integrator);
+    const bool maps = traitsOf(p.integrator).maps;
     const Effort effort = effortOf(p.quality);
     // A time budget is the only bound on what else has none.
     if (p.seconds > 0) {
         if (!p.spp) p.spp = kUnbounded;
         if (!p.mapPasses && !p.mapTasks) p.mapPasses = kUnbounded;
     }
-    if (!p.spp) p.spp = byFile ? scene.settings.samplesPerPixel : maps ? effort.mapSpp : effort.spp;
+    if (!p.spp) p.spp = byFile ? settings.samplesPerPixel : maps ? effort.mapSpp : effort.spp;
     if (!p.mapPasses)
-        p.mapPasses = p.mapTasks ? passesForTasks(*p.mapTasks, scene.settings.film.width, scene.settings.film.height)
-                                 : effort.mapPasses;
+        p.mapPasses =
+            p.mapTasks ? passesForTasks(*p.mapTasks, settings.film.width, settings.film.height) : effort.mapPasses;
     if (!p.gatherSamples) p.gatherSamples = p.seconds > 0 ? p.indirect.gatherSamples : effort.gatherSamples;
     p.indirect.gatherSamples = *p.gatherSamples;
-    if (!p.maxDepth) p.maxDepth = byFile ? scene.settings.maxDepth : PathSettings().maxDepth;
-    p.clamp = std::min(scene.settings.maxSampleLuminance, p.clamp > 0 ? p.clamp : kInfinity);
+    if (!p.maxDepth) p.maxDepth = byFile ? settings.maxDepth : PathSettings().maxDepth;
+    p.clamp = std::min(settings.maxSampleLuminance, p.clamp > 0 ? p.clamp : kInfinity);
     if (p.firstSpacing == 0) p.firstSpacing = kFirstSpacing;
     if (p.denoise == Denoise::Automatic) p.denoise = maps ? Denoise::Surface : Denoise::Off;
     if (!maps && (p.denoise == Denoise::Surface || p.denoise == Denoise::OidnDirect))
         throw Error("--denoise " + std::string(p.denoise == Denoise::Surface ? "surface" : "oidn-direct") +
                     ": it filters the layers of --integrator drc-maps, which others do not have");
-    if (maps && scene.settings.transparentFilm)
+    if (maps && settings.transparentFilm)
         throw Error(
             "--integrator drc-maps: its pictures have no alpha, which the scene's film asks for by 'transparent'; "
             "drc, path, bdpt and direct have it");
-    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect || scene.settings.transparentFilm)
-        p.gBuffer = true;
+    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect || settings.transparentFilm) p.gBuffer = true;
     return p;
 }
 

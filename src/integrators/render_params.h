@@ -53,8 +53,8 @@ struct RenderParams {
     bool guide = true;   // whether sampling of the environment learns where its light enters (EnvironmentGuide)
 };
 
-// Fills in whatever was left open: integrator, spp, mapPasses, maxDepth and all other parameters have values. Throws
-// Error if parameters contradict each other.
-RenderParams resolved(RenderParams params, const Scene& scene);
+// settings: those of the scene's file. Fills in whatever was left open: integrator, spp, mapPasses, maxDepth and all
+// other parameters have values. Throws Error if parameters contradict each other.
+RenderParams resolved(RenderParams params, const RenderSettings& settings);
 
 }  // namespace drc

@@ -3,7 +3,6 @@
 #include "film/sample_pass.h"
 
 namespace drc {
-
 int halfOf(uint64_t seed, uint32_t index) {
     constexpr uint64_t kHalfStream = 0x2006;
     return int((index ^ (hashCombine(seed, hashCombine(kHalfStream, index / 2)) >> 32)) & 1);
@@ -18,26 +17,29 @@ std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const Rende
     return layers;
 }
 
+SampledIntegrator::SampledIntegrator(const RenderContext& context)
+    : context_(context),
+      direct_(layerIndex(context, kDirectLayer)),
+      gBuffer_(layerIndex(context, kGBufferLayer)),
+      alpha_(layerIndex(context, kAlphaLayer)) {}
+
 void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) {
-    const RenderParams& params = context_.params;
     const CameraRay& camera = sample.camera;
     GBufferSample gBuffer;
     Rgb value(0.f), direct(0.f);
-    const bool keeps = keepsDirect();
     if (camera.weight > 0) {
-        const PathSinks sinks{.gBuffer = params.gBuffer ? &gBuffer : nullptr, .direct = keeps ? &direct : nullptr};
+        const PathSinks sinks{.gBuffer = gBuffer_ ? &gBuffer : nullptr, .direct = direct_ ? &direct : nullptr};
         value = radiance(camera.ray, sample.sampler, {x, y, index}, film, sinks) * camera.weight;
     }
     const int group = groupOf(index);
     film.layer(0).add(x, y, group, value, sample.filterWeight);
-    if (keeps) film.layer(1).add(x, y, 0, direct * camera.weight, sample.filterWeight);
-    if (params.gBuffer)
-        addGBufferSample(film.layer(keeps ? 2 : 1), x, y, gBuffer, sample.filterWeight,
-                         params.independentHalves ? group : 0);
-    if (context_.scene.settings.transparentFilm) {
+    if (direct_) film.layer(*direct_).add(x, y, 0, direct * camera.weight, sample.filterWeight);
+    if (gBuffer_)
+        addGBufferSample(film.layer(*gBuffer_), x, y, gBuffer, sample.filterWeight,
+                         context_.params.independentHalves ? group : 0);
+    if (alpha_) {  // with a transparent film there is a G-buffer, too: see resolved()
         const float alpha[] = {gBuffer.covered ? 1.f : 0.f};
-        // With a transparent film there is a G-buffer, too: see resolved().
-        film.layer(keeps ? 3 : 2).add(x, y, 0, alpha, sample.filterWeight);
+        film.layer(*alpha_).add(x, y, 0, alpha, sample.filterWeight);
     }
 }
 
@@ -49,18 +51,18 @@ int SampledIntegrator::groupOf(uint32_t index) const {
 
 LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) const {
     LayeredPicture picture;
-    picture.scale = context_.scene.settings.filmScale;
+    picture.scale = context_.sensor.settings.filmScale;
     picture.film = std::move(film);
     const FilmLayer& samples = picture.film->layer(kBeauty);
     picture.layers.push_back(pictureLayer(*picture.film, kBeauty, "", picture.scale));
     fillUnsampled({&picture.layers[0].mean}, samples);
-    if (keepsDirect()) {
+    if (direct_) {
         picture.direct = pictureLayer(*picture.film, kDirect, "direct", picture.scale).mean;
         fillUnsampled({&*picture.direct}, samples);
     }
     if (context_.params.variance) picture.samples = sampleCounts(samples);
-    if (context_.params.gBuffer) picture.gBuffer = gBufferOf(*picture.film);
-    if (context_.scene.settings.transparentFilm) {
+    if (gBuffer_) picture.gBuffer = gBufferOf(*picture.film);
+    if (alpha_) {
         picture.alpha = alphaOf(picture.film->layer(kAlpha));
         fillUnsampled({&*picture.alpha}, samples);
     }
@@ -71,8 +73,8 @@ LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) cons
 Preview SampledIntegrator::preview(const Film& film) const {
     const PixelRegion& region = film.region();
     const FilmLayer& samples = film.layer(kBeauty);
-    const FilmLayer* alpha = context_.scene.settings.transparentFilm ? &film.layer(kAlpha) : nullptr;
-    const float scale = context_.scene.settings.filmScale;
+    const FilmLayer* alpha = alpha_ ? &film.layer(*alpha_) : nullptr;
+    const float scale = context_.sensor.settings.filmScale;
     Preview preview{Image(region.width(), region.height()), {}, Image(region.width(), region.height(), {"X"})};
     if (alpha) preview.alpha.emplace(region.width(), region.height(), std::vector<std::string>{"A"});
     parallelFor(0, region.height(), 8, [&](int begin, int end) {

@@ -12,7 +12,7 @@ std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const Rende
 
 class SampledIntegrator : public Integrator {
   public:
-    explicit SampledIntegrator(const RenderContext& context) : context_(context) {}
+    explicit SampledIntegrator(const RenderContext& context);
     void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override;
     LayeredPicture picture(std::shared_ptr<const Film> film) const override;
     Preview preview(const Film& film) const override;
@@ -25,17 +25,17 @@ class SampledIntegrator : public Integrator {
         uint32_t index;
     };
     // The radiance that arrives along a camera ray of nonzero weight. sinks: what else is wanted; never firstHit, and
-    // direct only if tellsDirect().
+    // direct only if its film has such a layer.
     virtual Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, const PathSinks& sinks) = 0;
-    // Whether direct light can be told apart.
-    virtual bool tellsDirect() const { return false; }
 
     const RenderContext context_;
 
   private:
     // The half buffer that a sample is added to.
     int groupOf(uint32_t index) const;
-    bool keepsDirect() const { return context_.params.parts && tellsDirect(); }
+
+    // The indices of its film's layers; none: the film does not have it.
+    const std::optional<size_t> direct_, gBuffer_, alpha_;
 };
 
 // The half buffer that a sample belongs to, at random for each pair of samples: the even samples of a sequence alone

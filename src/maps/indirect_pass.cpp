@@ -30,16 +30,19 @@ PixelSite pixelSite(const PrimaryHit& hit, const LobeMask& broad, const Vec2& fi
 
 }  // namespace
 
-IndirectPass::IndirectPass(const PathTracer& tracer, const MapDenoiser& mapDenoiser, const IndirectSettings& settings,
+IndirectPass::IndirectPass(const PathTracer& tracer, const Sensor& sensor, const IndirectSettings& settings,
                            Stats* stats)
-    : tracer_(tracer), mapDenoiser_(mapDenoiser), settings_(settings), stats_(stats) {}
+    : tracer_(tracer), sensor_(sensor), settings_(settings), stats_(stats) {
+    settings_.capture.shutter = sensor.camera->shutter();
+    if (!settings_.denoiser) settings_.denoiser = makeIdentityMapDenoiser();
+}
 
 uint64_t IndirectPass::stream(int x, int y, uint64_t purpose) const {
     return pixelStream(settings_.seed, purpose, x, y);
 }
 
 bool IndirectPass::broadHit(int x, int y, int index, Vec2& film, float& weight, PrimaryHit& hit) const {
-    CameraSample sample = cameraSample(tracer_.scene(), x, y, stream(x, y, kPrimary), uint32_t(index));
+    CameraSample sample = cameraSample(sensor_, x, y, stream(x, y, kPrimary), uint32_t(index));
     film = sample.film;
     weight = sample.filterWeight;
     if (!(sample.camera.weight > 0) || !tracer_.primaryHit(sample.camera.ray, sample.sampler, hit)) return false;
@@ -56,7 +59,6 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
         std::optional<float> time;
         uint64_t stream;
     };
-    const Scene& scene = tracer_.scene();
     std::vector<std::array<Request, 2>> found(sites.size());
     std::vector<uint8_t> counts(sites.size());
     parallelFor(0, int(sites.size()), 8, [&](int begin, int end) {
@@ -66,7 +68,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
                 hashCombine(hashCombine(settings_.seed, kCapture), hashCombine(group, uint64_t(first) + uint64_t(i)));
             Sampler sampler(hashCombine(stream, 1), 0);
             PrimaryHit hit;
-            const CameraRay camera = cameraRay(scene, site.film, sampler);
+            const CameraRay camera = cameraRay(sensor_, site.film, sampler);
             if (!(camera.weight > 0) || !tracer_.primaryHit(camera.ray, sampler, hit) ||
                 !hit.bsdf.hasWithin(tracer_.broad()))
                 continue;
@@ -85,8 +87,8 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
         for (size_t k = 0; k < counts[i]; ++k) requests.push_back(found[i][k]);
 
     const MapLayout& layout = settings_.capture.layout;
-    const Vec3 up = scene.camera->up();
-    const int batch = mapDenoiser_.batchSize();
+    const Vec3 up = sensor_.camera->up();
+    const int batch = settings_.denoiser->batchSize();
     parallelFor(
         0, int(requests.size()), batch,
         [&](int begin, int end) {
@@ -100,7 +102,7 @@ void IndirectPass::captureSites(std::span<MapSite> sites, size_t first, size_t l
                 captureMap(tracer_, settings_.capture, r.from, frame, r.stream, maps[size_t(i - begin)], r.time);
             }
             const auto captured = Clock::now();
-            mapDenoiser_.denoise(maps, layout);
+            settings_.denoiser->denoise(maps, layout);
             const auto denoised = Clock::now();
             for (int i = begin; i < end; ++i) {
                 const Request& r = requests[size_t(i)];
@@ -121,7 +123,7 @@ bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToke
     mapCount_ = 0;
     if (spacing <= 1) return runPerPixel(pass, add, cancel);
     Sampler offsets(hashCombine(settings_.seed, kOffset), uint32_t(pass));
-    const RenderSettings& film = tracer_.scene().settings;
+    const RenderSettings& film = sensor_.settings;
     const PixelRegion region = film.region();
     const Vec2 margin = film.filter->radius();
     PassMaps maps(MapGrid(region, spacing, offsets.get2D()), region, std::max(margin.x, margin.y),
@@ -155,7 +157,7 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
         PixelSite site;
         float coverage = -1;  // sum of weights; -1: no primary hit
     };
-    const PixelRegion region = maps.pixels(band), film = tracer_.scene().settings.region();
+    const PixelRegion region = maps.pixels(band), film = sensor_.settings.region();
     std::vector<Pixel> pixels(region.count());
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
         for (int y = begin; y < end && !state.cancelled(); ++y)
@@ -202,7 +204,7 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
 }
 
 void IndirectPass::gatherPixels(const PassMaps& maps, int band, const State& state, const Add& add) const {
-    const PixelRegion region = maps.pixels(band), film = tracer_.scene().settings.region();
+    const PixelRegion region = maps.pixels(band), film = sensor_.settings.region();
     std::atomic<int64_t> fallbacks{0};
     const auto start = std::chrono::steady_clock::now();
     parallelFor(region.y0, region.y1, kRowsPerTask, [&](int begin, int end) {
@@ -241,9 +243,9 @@ Rgb IndirectPass::shade(const PrimaryHit& hit, std::span<const WeightedSite> sit
 }
 
 bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* cancel) {
-    const PixelRegion region = tracer_.scene().settings.region();
+    const PixelRegion region = sensor_.settings.region();
     const MapLayout& layout = settings_.capture.layout;
-    const Vec3 up = tracer_.scene().camera->up();
+    const Vec3 up = sensor_.camera->up();
     std::atomic<int> maps{0};
     parallelFor(
         region.y0, region.y1, kRowsPerTask,
@@ -269,7 +271,7 @@ bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* canc
                             // At the sample's own time, because no other pixel uses this map.
                             captureMap(tracer_, settings_.capture, hit.surface.spawnPoint(), mapFrame(n, up),
                                        hashCombine(capturing, side), captured[0], hit.surface.time);
-                            mapDenoiser_.denoise(captured, layout);
+                            settings_.denoiser->denoise(captured, layout);
                             maps.fetch_add(1, std::memory_order_relaxed);
                             return RadianceMap(captured[0], layout);
                         };

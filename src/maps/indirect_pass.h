@@ -23,13 +23,13 @@ struct IndirectSettings {
     Interpolation interpolation = Interpolation::Geometry;
     int fillLevels = 3;  // how often the spacing is halved for added maps
     uint64_t seed = 0;
+    std::shared_ptr<const MapDenoiser> denoiser;  // null: maps are used as they are captured
 };
 
 class IndirectPass {
   public:
     // All arguments must outlive the pass. stats may be null.
-    IndirectPass(const PathTracer& tracer, const MapDenoiser& mapDenoiser, const IndirectSettings& settings,
-                 Stats* stats);
+    IndirectPass(const PathTracer& tracer, const Sensor& sensor, const IndirectSettings& settings, Stats* stats);
 
     // Receives the value of one camera sample of a pixel (0 to primarySamples - 1) with the pixel filter's weight.
     using Add = std::function<void(int x, int y, int sample, const Rgb& value, float weight)>;
@@ -72,7 +72,7 @@ class IndirectPass {
     uint64_t stream(int x, int y, uint64_t purpose) const;
 
     const PathTracer& tracer_;
-    const MapDenoiser& mapDenoiser_;
+    const Sensor& sensor_;
     IndirectSettings settings_;
     Stats* stats_;
     std::atomic<int> mapCount_{0};

@@ -49,7 +49,6 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
     const float weight = 1.f / float(settings.samplesPerTexel);
     // Without motion no random number is spent on time.
     const bool drawTime = !time && tracer.anythingMoves();
-    const Shutter shutter = tracer.scene().camera->shutter();
     Sampler sampler(stream, 0);
     for (int row = 0; row < n; ++row) {
         for (int column = 0; column < n; ++column) {
@@ -64,7 +63,7 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
                 Ray ray;
                 ray.d = frame.toWorld(layout.direction(column, row, sampler.get2D()));
                 ray.o = from.towards(ray.d);
-                ray.time = drawTime ? shutter.motion(sampler.get1D()) : time.value_or(0);
+                ray.time = drawTime ? settings.shutter.motion(sampler.get1D()) : time.value_or(0);
                 ray.coneWidth = from.footprint;
                 ray.coneSpread = spread;
                 FirstHit first;

@@ -30,6 +30,7 @@ struct CaptureSettings {
     MapLayout layout{Projection::EqualArea, 32};
     int samplesPerTexel = 1;
     bool deviations = false;  // fill CapturedMap::deviation; needs at least two samples a texel
+    Shutter shutter{};        // over which rays without a time of their own are spread
 };
 
 // The frame of a map about the unit normal n: the s axis is horizontal with respect to the scene's up direction, so

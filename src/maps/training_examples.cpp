@@ -57,8 +57,8 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     Sampler sampler = viewpointSampler(settings, viewpoint);
     TrainingExample example;
     example.viewpoint = viewpoint;
-    example.film = onFilm(settings, scene.settings.region(), viewpoint, sampler.get2D());
-    const CameraRay camera = cameraRay(scene, example.film, sampler);
+    example.film = onFilm(settings, scene.sensor.settings.region(), viewpoint, sampler.get2D());
+    const CameraRay camera = cameraRay(scene.sensor, example.film, sampler);
     PrimaryHit hit;
     if (!(camera.weight > 0) || !tracer.primaryHit(camera.ray, sampler, hit)) return std::nullopt;
     example.bounces = hit.bounces;
@@ -66,9 +66,9 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     Vec3 n = faceForward(hit.surface.ng, hit.surface.wo);
     // A map behind a translucent surface is as good an example as one in front of it.
     if (hit.bsdf.has(LobeFlags::Transmission, tracer.broad()) && sampler.get1D() < 0.5f) n = -n;
-    const Frame frame = mapFrame(n, scene.camera->up());
+    const Frame frame = mapFrame(n, scene.sensor.camera->up());
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
-        const CaptureSettings how{settings.layout, samples, samples > 1};
+        const CaptureSettings how{settings.layout, samples, samples > 1, scene.sensor.camera->shutter()};
         captureMap(tracer, how, hit.surface.spawnPoint(), frame,
                    hashCombine(hashCombine(settings.seed, stream), uint64_t(viewpoint)), map, example.time);
     };
@@ -119,7 +119,7 @@ void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, Ex
 
 int writeExamples(const PathTracer& tracer, const ExampleSettings& settings, const IisptWriter& folder,
                   const std::function<void(bool)>& done, const CancelToken* cancel) {
-    const PixelRegion film = tracer.scene().settings.region();
+    const PixelRegion film = tracer.scene().sensor.settings.region();
     std::set<std::pair<int, int>> taken;
     std::vector<char> first(size_t(settings.viewpoints()));
     for (int i = 0; i < settings.viewpoints(); ++i) {

@@ -16,7 +16,7 @@ std::unique_ptr<Scene> withCamera(const std::string& camera, const std::string& 
                           directory, {}, "s.pbrt");
 }
 Ray rayOf(const std::string& camera, const Vec2& film, const Vec2& uLens = Vec2(0.5f, 0.5f)) {
-    return withCamera(camera)->camera->generateRay(film, uLens, 0.5f).ray;
+    return withCamera(camera)->sensor.camera->generateRay(film, uLens, 0.5f).ray;
 }
 std::string errorOfCamera(const std::string& camera, const std::string& directory = ".") {
     return errorOf([&] { withCamera(camera, directory); });
@@ -56,7 +56,7 @@ TEST(CameraFactory, RealisticReadsItsLens) {
     const auto scene = withCamera(camera + "\"float aperturediameter\" 8 \"float focusdistance\" 3", folder.path());
     EXPECT_EQ(warningCount(), 0);
     // About 50 mm in front of a film with a diagonal of 35 mm: the corner is at 18.7 degrees from the axis.
-    const CameraRay corner = scene->camera->generateRay(Vec2(0, 0), Vec2(0.5f, 0.5f), 0);
+    const CameraRay corner = scene->sensor.camera->generateRay(Vec2(0, 0), Vec2(0.5f, 0.5f), 0);
     ASSERT_GT(corner.weight, 0);
     EXPECT_NEAR(std::acos(corner.ray.d.z) * 180 / kPi, 18.7, 1.5);
     EXPECT_LT(corner.ray.d.x, 0);
@@ -80,7 +80,7 @@ TEST(CameraFactory, RealisticDoesNotCareForTheLastDistance) {
             folder.path());
         std::vector<CameraRay> rays;
         for (int i = 0; i < 64; ++i)
-            rays.push_back(scene->camera->generateRay(Vec2(float(i) * 1.3f, 40), Vec2(0.3f, float(i) / 64), 0));
+            rays.push_back(scene->sensor.camera->generateRay(Vec2(float(i) * 1.3f, 40), Vec2(0.3f, float(i) / 64), 0));
         return rays;
     };
     const auto expected = raysWith("30");

@@ -24,8 +24,8 @@ std::unique_ptr<Scene> load(const std::string& text, const CameraOverride& camer
 
 void expectSameRays(const Scene& a, const Scene& b) {
     for (const Vec2& film : {Vec2(0, 0), Vec2(40, 0), Vec2(13, 17)}) {
-        const Ray x = a.camera->generateRay(film, Vec2(0.5f, 0.5f), 0.25f).ray,
-                  y = b.camera->generateRay(film, Vec2(0.5f, 0.5f), 0.25f).ray;
+        const Ray x = a.sensor.camera->generateRay(film, Vec2(0.5f, 0.5f), 0.25f).ray,
+                  y = b.sensor.camera->generateRay(film, Vec2(0.5f, 0.5f), 0.25f).ray;
         EXPECT_LT(length(x.o - y.o), 1e-5f);
         EXPECT_LT(length(x.d - y.d), 1e-5f);
     }

@@ -239,7 +239,8 @@ TEST(LaterNames, EmptyNamesAreNone) {
     load("LightSource \"infinite\" \"string mapname\" \"\"\n", false);
     load("LightSource \"infinite\" \"string filename\" \"\"\n", true);
     EXPECT_EQ(warningsOfWorld(kTriangle + "\"texture alpha\" \"\" \"texture shadowalpha\" \"\"\n"), "");
-    EXPECT_EQ(loadPbrtString("Film \"rgb\" \"string filename\" \"\" WorldBegin", ".")->settings.outputFile, "pbrt.exr");
+    EXPECT_EQ(loadPbrtString("Film \"rgb\" \"string filename\" \"\" WorldBegin", ".")->sensor.settings.outputFile,
+              "pbrt.exr");
     EXPECT_THAT(errorOfWorldV4("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"\""),
                 HasSubstr("parameter 'filename' of texture 't' is empty; it must name a file"));
     EXPECT_THAT(errorOfWorldV4("Shape \"plymesh\" \"string filename\" \"\""), HasSubstr("it must name a file"));

@@ -17,7 +17,7 @@ Medium fog(const std::string& parameters, bool v4 = false) {
                              "\nMediumInterface \"\" \"fog\"\nCamera \"perspective\"\n";
     const auto scene = loadPbrtString(
         v4 ? text + "Film \"rgb\"\nWorldBegin\n" : text + "Film \"image\"\nWorldBegin\nWorldEnd\n", ".", {}, "s.pbrt");
-    return *scene->cameraMedium;
+    return *scene->sensor.medium;
 }
 
 TEST(MediumFactory, ReadsCoefficients) {
@@ -110,7 +110,7 @@ TEST(MediumInterface, GoesToShapesAndTheCamera) {
         const auto g = [](const Medium* medium) { return medium ? medium->g : 0; };
         return Vec2(g(m.inside), g(m.outside));
     };
-    EXPECT_EQ(scene->cameraMedium->g, 0.2f);
+    EXPECT_EQ(scene->sensor.medium->g, 0.2f);
     EXPECT_EQ(names(0), Vec2(0.1f, 0.2f));
     EXPECT_EQ(names(1), Vec2(0.1f, 0.1f));  // one name is that of both sides
     EXPECT_FALSE(scene->primitives[1].media.changes());

@@ -15,7 +15,9 @@ const std::string kEnd = "ActiveTransform EndTime Translate 4 0 0 ActiveTransfor
 std::unique_ptr<Scene> withOptions(const std::string& options, const std::string& world = "") {
     return loadPbrtString(options + "\nWorldBegin\n" + world + "\nWorldEnd\n", ".", {}, "moving.pbrt");
 }
-Ray rayAt(const Scene& scene, float u) { return scene.camera->generateRay(Vec2(640, 360), Vec2(0.5f, 0.5f), u).ray; }
+Ray rayAt(const Scene& scene, float u) {
+    return scene.sensor.camera->generateRay(Vec2(640, 360), Vec2(0.5f, 0.5f), u).ray;
+}
 // Number of warnings that loading gives.
 template <typename F>
 std::string warningsOf(const F& f) {
@@ -61,7 +63,7 @@ TEST(MovingScene, CamerasMove) {
     EXPECT_LT(length(rayAt(*scene, 0).o), 1e-6f);
     EXPECT_LT(length(rayAt(*scene, 0.25f).o - Vec3(-1, 0, 0)), 1e-5f);
     EXPECT_LT(length(rayAt(*scene, 1).o - Vec3(-4, 0, 0)), 1e-5f);
-    EXPECT_LT(length(scene->camera->position() - Vec3(-2, 0, 0)), 1e-5f);
+    EXPECT_LT(length(scene->sensor.camera->position() - Vec3(-2, 0, 0)), 1e-5f);
     // A camera that rotates about its own position stays there, and halfway it has rotated by half the angle.
     for (const char* type : {"perspective", "orthographic", "environment"}) {
         const auto turning = withOptions(

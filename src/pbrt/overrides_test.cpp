@@ -23,7 +23,7 @@ const std::string kSceneV4 =
 RenderSettings with(const std::vector<std::string>& overrides, const std::string& scene = kScene) {
     LoadOptions options;
     options.overrides = overrides;
-    return loadPbrtString(scene, ".", options, "s.pbrt")->settings;
+    return loadPbrtString(scene, ".", options, "s.pbrt")->sensor.settings;
 }
 std::string errorWith(const std::string& text, const std::string& scene = kScene) {
     return errorOf([&] { with({text}, scene); });

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 RenderSettings settingsOf(const std::string& options) {
-    return loadPbrtString(options + "\nWorldBegin\nWorldEnd\n", ".", {}, "s.pbrt")->settings;
+    return loadPbrtString(options + "\nWorldBegin\nWorldEnd\n", ".", {}, "s.pbrt")->sensor.settings;
 }
 std::string errorOfOptions(const std::string& options) { return errorOfScene(options + "\nWorldBegin\nWorldEnd\n"); }
 
@@ -60,8 +60,8 @@ TEST(RenderSettings, Film) {
     // Only the resolution is overridden.
     const auto scene =
         loadPbrtString("Film \"image\" \"float diagonal\" 10 WorldBegin WorldEnd", ".", {FilmGeometry{40, 30}});
-    EXPECT_EQ(scene->settings.film.diagonal, 10);
-    EXPECT_EQ(scene->settings.film.width, 40);
+    EXPECT_EQ(scene->sensor.settings.film.diagonal, 10);
+    EXPECT_EQ(scene->sensor.settings.film.width, 40);
 }
 
 TEST(RenderSettings, CropWindowsArePbrts) {

@@ -77,7 +77,7 @@ void SceneBuilder::camera(const std::string& type, ParamSet params) {
     camera_ = {type, std::move(params)};
     motionOf("camera", camera_.params.pos());
     worldToCamera_ = cameraOverride_.placed(state_.ctm);
-    scene_->cameraMedium = state_.media.outside;
+    scene_->sensor.medium = state_.media.outside;
     coordinateSystems_["camera"] = worldToCamera_.inverse();
 }
 void SceneBuilder::film(const std::string& type, ParamSet params) { film_ = {type, std::move(params)}; }
@@ -370,7 +370,7 @@ void SceneBuilder::checkComplete(const SourcePos& end) const {
 }
 
 std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
-    RenderSettings& settings = scene_->settings;
+    RenderSettings& settings = scene_->sensor.settings;
     settings.filter = make_.filter(filter_.type, filter_.params);
     const Overrides overrides(options.overrides,
                               {{"film", film_.type, film_.params, make_.film},
@@ -391,7 +391,7 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     const Transform toFile = fromFile_.inverse();
     const TransformSet inScene = {{worldToCamera_.at[0] * toFile, worldToCamera_.at[1] * toFile}};
     cameraOverride_.applyFov(camera_.type, camera_.params);
-    scene_->camera =
+    scene_->sensor.camera =
         make_.camera(camera_.type, camera_.params, {inScene.animated(), transformTimes_}, settings.film, files_);
 
     later_.finish();
@@ -399,7 +399,7 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
         media_.forgetUndefined(p.primitive.media.inside);
         media_.forgetUndefined(p.primitive.media.outside);
     }
-    media_.forgetUndefined(scene_->cameraMedium);
+    media_.forgetUndefined(scene_->sensor.medium);
     scene_->media = media_.finish();
     loadMeshes(options);
     makeAreaLights();

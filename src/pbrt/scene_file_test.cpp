@@ -30,7 +30,7 @@ int warningsOf(const F& f) {
 
 TEST(SceneFile, DefaultsArePbrts) {
     const auto scene = loadWorld("");
-    const RenderSettings& s = scene->settings;
+    const RenderSettings& s = scene->sensor.settings;
     EXPECT_EQ(s.film.width, 1280);
     EXPECT_EQ(s.film.height, 720);
     EXPECT_EQ(s.filter->radius(), Vec2(0.5f, 0.5f));
@@ -39,7 +39,7 @@ TEST(SceneFile, DefaultsArePbrts) {
     EXPECT_EQ(s.sampler, "halton");
     EXPECT_EQ(s.samplesPerPixel, 16);
     EXPECT_EQ(s.outputFile, "pbrt.exr");
-    ASSERT_NE(scene->camera, nullptr);
+    ASSERT_NE(scene->sensor.camera, nullptr);
 }
 
 TEST(SceneFile, SettingsOfTheFile) {
@@ -51,7 +51,7 @@ TEST(SceneFile, SettingsOfTheFile) {
         "Film \"image\" \"integer xresolution\" 64 \"integer yresolution\" 32 \"float cropwindow\" [.5 1 .25 0]\n"
         "  \"float scale\" 2 \"float maxsampleluminance\" 10 \"float diagonal\" 35 \"string filename\" \"a.png\"\n"
         "WorldBegin\nWorldEnd\n");
-    const RenderSettings& s = scene->settings;
+    const RenderSettings& s = scene->sensor.settings;
     EXPECT_EQ(s.integrator, "iispt");
     EXPECT_EQ(s.maxDepth, 9);
     EXPECT_EQ(s.samplesPerPixel, 15);
@@ -65,8 +65,8 @@ TEST(SceneFile, SettingsOfTheFile) {
 
 TEST(SceneFile, ResolutionCanBeOverridden) {
     const auto scene = loadPbrtString("WorldBegin WorldEnd", ".", {FilmGeometry{40, 30}});
-    EXPECT_EQ(scene->settings.film.width, 40);
-    EXPECT_EQ(scene->settings.film.height, 30);
+    EXPECT_EQ(scene->sensor.settings.film.width, 40);
+    EXPECT_EQ(scene->sensor.settings.film.height, 30);
 }
 
 TEST(SceneFile, NamedMaterialsAreSharedAndShapesMayOverrideThem) {

@@ -19,7 +19,7 @@ using testing::StartsWith;
 const std::string kTriangle = "Shape \"trianglemesh\" \"point3 P\" [0 0 0  1 0 0  0 1 0]\n";
 
 RenderSettings settingsOf(const std::string& options) {
-    return loadPbrtString("ColorSpace \"srgb\"\n" + options + "\nWorldBegin\n", ".", {}, "s.pbrt")->settings;
+    return loadPbrtString("ColorSpace \"srgb\"\n" + options + "\nWorldBegin\n", ".", {}, "s.pbrt")->sensor.settings;
 }
 std::string errorOfOptions(const std::string& options) {
     return errorOf([&] { settingsOf(options); });

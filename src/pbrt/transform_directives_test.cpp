@@ -49,7 +49,7 @@ TEST(TransformDirectives, NamedCoordinateSystems) {
         loadPbrtString("Translate 0 0 7\nCamera \"perspective\"\nWorldBegin\nCoordSysTransform \"camera\"\n" +
                        kTriangle + "WorldEnd\n");
     expectNear(scene->primitives.at(0).mesh->positions[0], Vec3(1, 2, -4));
-    expectNear(scene->camera->position(), Vec3(0, 0, -7));
+    expectNear(scene->sensor.camera->position(), Vec3(0, 0, -7));
     // As in both versions of pbrt.
     EXPECT_THAT(
         warningsOfWorld("CoordSysTransform \"camrea\""),

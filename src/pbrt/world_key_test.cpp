@@ -67,10 +67,10 @@ TEST_F(WorldKey, TheCameraAloneIsThatOfTheWholeScene) {
     EXPECT_NE(whole->origin, Vec3(0.f));
     const auto camera = loadPbrtCamera(path("s.pbrt"), whole->origin);
     EXPECT_TRUE(camera->primitives.empty());
-    EXPECT_EQ(camera->settings.film.width, 40);
+    EXPECT_EQ(camera->sensor.settings.film.width, 40);
     for (const Vec2& film : {Vec2(3, 4), Vec2(20, 15)}) {
-        const Ray a = whole->camera->generateRay(film, Vec2(0.5f), 0.5f).ray;
-        const Ray b = camera->camera->generateRay(film, Vec2(0.5f), 0.5f).ray;
+        const Ray a = whole->sensor.camera->generateRay(film, Vec2(0.5f), 0.5f).ray;
+        const Ray b = camera->sensor.camera->generateRay(film, Vec2(0.5f), 0.5f).ray;
         EXPECT_EQ(a.o, b.o);
         EXPECT_EQ(a.d, b.d);
     }

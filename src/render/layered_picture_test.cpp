@@ -32,7 +32,7 @@ GBuffer gBufferOf(const std::string& camera, const std::string& motion, int spp)
     params.integrator = "path";
     params.spp = spp;
     params.gBuffer = true;
-    Session session(*scene, params, nullptr, nullptr);
+    Session session(*scene, params);
     while (session.step()) {
     }
     return session.picture().gBuffer.value();

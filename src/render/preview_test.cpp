@@ -55,7 +55,7 @@ TEST_P(PreviewOf, IsTheBeautyOfTheSnapshotAfterEachStep) {
         if (transparent && GetParam() == "drc-maps") continue;  // which refuses such films
         const std::unique_ptr<Scene> scene = room(transparent);
         Stats stats;
-        Session session(*scene, params(GetParam()), makeIdentityMapDenoiser(), &stats);
+        Session session(*scene, params(GetParam()), &stats);
         // The first steps sample every fourth pixel, which those between are filled from.
         do {
             SCOPED_TRACE(session.status());
@@ -79,7 +79,7 @@ TEST(Preview, MayBeTakenWhileAStepRuns) {
     Stats stats;
     RenderParams p = params("path");
     p.spp = 64;
-    Session session(*scene, p, nullptr, &stats);
+    Session session(*scene, p, &stats);
     std::atomic<bool> done = false;
     std::thread render([&] {
         while (session.step()) {

@@ -28,7 +28,7 @@ double seconds(std::chrono::steady_clock::duration d) { return std::chrono::dura
 
 Schedule::Schedule(const RenderParams& params, Clock::time_point start, int filmHeight, size_t pixels)
     : params_(params),
-      maps_(usesMaps(params.integrator)),
+      maps_(traitsOf(params.integrator).maps),
       start_(start),
       filmHeight_(filmHeight),
       pixels_(double(pixels)) {

@@ -33,61 +33,70 @@ PathSettings pathSettings(const RenderParams& params) {
     return settings;
 }
 
-// The scene, without media if the integrator does not render them. What would not fit into memory is said here, before
-// anything is built that takes time, or memory for each pixel.
-Scene& prepared(Scene& scene, const RenderParams& params) {
-    Film::requireMemory(scene.settings, filmLayers(params.integrator, params, scene));
-    if (!rendersMedia(params.integrator) && scene.removeMedia())
-        logWarning("--integrator " + params.integrator + " does not render participating media; they are left out");
+// The scene without media if it has some that the integrator does not render, else null.
+std::unique_ptr<const Scene> reducedScene(const Scene& scene, const std::string& integrator) {
+    if (traitsOf(integrator).media || scene.media.empty()) return nullptr;
+    logWarning("--integrator " + integrator + " does not render participating media; they are left out");
+    return withoutMedia(scene);
+}
+
+// Says what would not fit into memory before anything is built that takes time, or memory for each pixel.
+const Scene& ifThereIsMemory(const Scene& scene, const Sensor& sensor, const RenderParams& params) {
+    Film::requireMemory(sensor.settings, filmLayers(params.integrator, params, scene, sensor.settings));
     return scene;
 }
 
 }  // namespace
 
-Session::Session(Scene& scene, const RenderParams& params, std::shared_ptr<const MapDenoiser> mapDenoiser, Stats* stats,
+Session::Session(const Scene& scene, Sensor sensor, const RenderParams& params, Stats* stats,
                  Schedule::Clock::time_point start)
-    : scene_(scene),
-      params_(resolved(params, scene)),
-      accel_(prepared(scene, params_)),
-      lights_(scene),
-      tracer_(scene, accel_, lights_, pathSettings(params_)),
-      mapDenoiser_(std::move(mapDenoiser)),
+    : sensor_(std::move(sensor)),
+      params_(resolved(params, sensor_.settings)),
+      ownScene_(reducedScene(scene, params_.integrator)),
+      scene_(ifThereIsMemory(ownScene_ ? *ownScene_ : scene, sensor_, params_)),
+      accel_(scene_),
+      lights_(scene_, !sensor_.settings.transparentFilm),
+      tracer_(scene_, accel_, lights_, pathSettings(params_)),
       stats_(stats),
-      schedule_(params_, start, scene.settings.film.height, scene.settings.region().count()) {
+      schedule_(params_, start, sensor_.settings.film.height, sensor_.settings.region().count()) {
+    if (ownScene_) sensor_.medium = nullptr;
     begin();
     warnIfBlack();
 }
 
 Session::~Session() = default;
 
+std::vector<FilmLayerSpec> Session::layers() const {
+    return filmLayers(params_.integrator, params_, scene_, sensor_.settings);
+}
+
 void Session::begin() {
-    const std::vector<FilmLayerSpec> layers = filmLayers(params_.integrator, params_, scene_);
-    Film::requireMemory(scene_.settings, layers);  // for another film than that of the constructor
+    Film::requireMemory(sensor_.settings, layers());  // for another film than that of the constructor
     distance_ = medianDistance();
-    integrator_ = makeIntegrator(params_.integrator,
-                                 {scene_, accel_, lights_, tracer_, params_, distance_, mapDenoiser_.get(), stats_});
-    film_ = std::make_unique<Film>(scene_.settings, layers);
+    integrator_ =
+        makeIntegrator(params_.integrator, {scene_, sensor_, accel_, lights_, tracer_, params_, distance_, stats_});
+    film_ = std::make_unique<Film>(sensor_.settings, layers());
     guide_.reset();
     tracer_.setGuide(nullptr);
-    if (params_.guide && params_.integrator != "bdpt") startGuide();
+    if (params_.guide && traitsOf(params_.integrator).guided) startGuide();
 }
 
 void Session::setCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film) {
-    scene_.camera = std::move(camera);
-    scene_.settings.film = film;
+    sensor_.camera = std::move(camera);
+    sensor_.settings.film = film;
     begin();
     restart();
 }
 
 void Session::moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film) {
-    scene_.camera = std::move(camera);
-    scene_.settings.film = film;
+    sensor_.camera = std::move(camera);
+    sensor_.settings.film = film;
     if (!integrator_->cameraMoved()) {
         begin();
-    } else if (scene_.settings.region() == film_->region()) {
+    } else if (sensor_.settings.region() == film_->region()) {
         film_->clear();
     } else {
-        film_ = std::make_unique<Film>(scene_.settings, filmLayers(params_.integrator, params_, scene_));
+        film_ = std::make_unique<Film>(sensor_.settings, layers());
     }
     restart();
 }
@@ -105,19 +114,19 @@ void Session::restart() {
     setFocus({});
     focusPasses_ = 0;
     waitingSamples_ = 0;
-    const int height = scene_.settings.film.height;
-    schedule_ = Schedule(params_, Schedule::Clock::now(), height, scene_.settings.region().count());
+    const int height = sensor_.settings.film.height;
+    schedule_ = Schedule(params_, Schedule::Clock::now(), height, sensor_.settings.region().count());
 }
 
 template <class F>
 void Session::probe(int side, F&& f) const {
-    const PixelRegion region = scene_.settings.region();
+    const PixelRegion region = sensor_.settings.region();
     for (uint32_t i = 0; i < uint32_t(side * side); ++i) {
         Sampler sampler(hashCombine(params_.seed, kProbeStream), i);
         const Vec2 u = sampler.get2D();
         const Vec2 film(float(region.x0) + u.x * float(region.width()),
                         float(region.y0) + u.y * float(region.height()));
-        const CameraRay camera = cameraRay(scene_, film, sampler);
+        const CameraRay camera = cameraRay(sensor_, film, sampler);
         if (camera.weight > 0) f(camera.ray, sampler);
     }
 }
@@ -188,7 +197,7 @@ bool Session::step(const CancelToken* cancel, const CancelToken* abandon) {
     const auto start = Schedule::Clock::now();
     bool whole = false;
     if (work->kind == Schedule::Work::Kind::Maps) {
-        whole = integrator_->mapPass(work->index, work->spacing, work->stride, *film_, cancel);
+        whole = integrator_->mapPasses()->mapPass(work->index, work->spacing, work->stride, *film_, cancel);
         film_->setMapPasses(film_->mapPasses() + whole);
     } else {
         whole = samplePass(work->index, cancel, abandon);
@@ -230,8 +239,8 @@ void Session::takeSamples(int x, int y, const PixelSamples& samples) {
     const uint64_t stream = pixelStream(params_.seed, kSampleStream, x, y);
     const uint64_t odd = params_.independentHalves ? pixelStream(params_.seed, kOddSampleStream, x, y) : 0;
     for (uint32_t i = samples.first; i < samples.first + uint32_t(samples.count); ++i) {
-        CameraSample sample = !params_.independentHalves ? cameraSample(scene_, x, y, stream, i)
-                                                         : cameraSample(scene_, x, y, i & 1 ? odd : stream, i / 2);
+        CameraSample sample = !params_.independentHalves ? cameraSample(sensor_, x, y, stream, i)
+                                                         : cameraSample(sensor_, x, y, i & 1 ? odd : stream, i / 2);
         integrator_->sample(x, y, i, sample, *film_);
     }
 }
@@ -299,7 +308,7 @@ std::string Session::status() const {
     const std::string samples = samplesDone() > 0 || film_->passes() == 0
                                     ? fmt::format("{} spp", samplesDone())
                                     : fmt::format("1 of {} pixels sampled", film_->passes() == 1 ? 16 : 4);
-    if (!integrator_->hasMapPasses()) return samples;
+    if (integrator_->mapPasses() == nullptr) return samples;
     return fmt::format("direct {}, indirect pass {}", samples, film_->mapPasses());
 }
 

@@ -1,5 +1,5 @@
-// A render in progress: the prepared scene, the film so far, and the schedule of passes. The command line is a caller
-// of it; so can be a live view or another program.
+// A render in progress: the scene prepared for rays, the camera and its film, and the schedule of passes. The command
+// line and the live view are callers of it, and so can be any other program (render_run.h).
 #pragma once
 #include <memory>
 
@@ -11,11 +11,14 @@ namespace drc {
 
 class Session {
   public:
-    // The scene must outlive the session. params are resolved here. mapDenoiser: only for integrators with map passes.
-    // stats may be null. start: when the time budget begins. Throws Error if parameters contradict each other or the
-    // film does not fit into memory.
-    Session(Scene& scene, const RenderParams& params, std::shared_ptr<const MapDenoiser> mapDenoiser, Stats* stats,
+    // Renders what `sensor` sees; without it, what the scene's own sees. The scene must outlive the session, which does
+    // not change it: several sessions may share one. params are resolved here. stats may be null. start: when the time
+    // budget begins. Throws Error if parameters contradict each other or the film does not fit into memory.
+    Session(const Scene& scene, Sensor sensor, const RenderParams& params, Stats* stats = nullptr,
             Schedule::Clock::time_point start = Schedule::Clock::now());
+    Session(const Scene& scene, const RenderParams& params, Stats* stats = nullptr,
+            Schedule::Clock::time_point start = Schedule::Clock::now())
+        : Session(scene, scene.sensor, params, stats, start) {}
     ~Session();
 
     // Runs one pass over the film, or the part of it that could be done until the deadline passed or `cancel` was
@@ -66,6 +69,8 @@ class Session {
     Film& film() { return *film_; }
     const Film& film() const { return *film_; }
     Schedule& schedule() { return schedule_; }
+    // The present camera and its film.
+    const Sensor& sensor() const { return sensor_; }
     const RenderParams& params() const { return params_; }
     // Complete samples a pixel, and complete map passes.
     int samplesDone() const;
@@ -94,18 +99,20 @@ class Session {
     float medianDistance() const;
     // Warns of pictures that can only be black.
     void warnIfBlack() const;
+    std::vector<FilmLayerSpec> layers() const;
     // Makes the integrator, the film, and all else that depends on the camera.
     void begin();
     void restart();
 
-    Scene& scene_;
+    Sensor sensor_;
     RenderParams params_;
+    std::unique_ptr<const Scene> ownScene_;  // without media, if the integrator does not render those of the scene
+    const Scene& scene_;
     Accel accel_;
     LightSampler lights_;
     PathTracer tracer_;
     float distance_ = 0;                     // medianDistance()
     std::optional<EnvironmentGuide> guide_;  // none: there is no environment light to guide
-    std::shared_ptr<const MapDenoiser> mapDenoiser_;
     Stats* stats_;
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<Film> film_;

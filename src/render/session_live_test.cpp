@@ -36,7 +36,7 @@ bool isIn(const PixelRegion& part, int x, int y) { return x >= part.x0 && x < pa
 
 struct Rendered {
     explicit Rendered(const std::string& integrator, int spp, uint64_t seed = 0)
-        : session(*scene, params(integrator, spp, seed), nullptr, &stats) {}
+        : session(*scene, params(integrator, spp, seed), &stats) {}
     static RenderParams params(const std::string& integrator, int spp, uint64_t seed) {
         RenderParams p;
         p.seed = seed;
@@ -72,7 +72,7 @@ bool sameBits(const Film& a, const Film& b) {
 // Wherever a pass is abandoned, nothing of it is left after the camera has been moved.
 TEST(LiveSession, AnAbandonedPassLeavesNothing) {
     Rendered fresh("path", 3), moved("path", 3);
-    const FilmGeometry film = fresh.scene->settings.film;
+    const FilmGeometry film = fresh.scene->sensor.settings.film;
     fresh.finish();
     for (int i = 0; i < 20; ++i) {
         while (moved.session.samplesDone() < i % 3) ASSERT_TRUE(moved.session.step());
@@ -83,7 +83,7 @@ TEST(LiveSession, AnAbandonedPassLeavesNothing) {
         });
         moved.session.step(&abandon, &abandon);
         impatient.join();
-        moved.session.moveCamera(moved.scene->camera->withFilm(film), film);
+        moved.session.moveCamera(moved.scene->sensor.camera->withFilm(film), film);
         EXPECT_EQ(moved.session.film().passes(), 0);
     }
     moved.finish();
@@ -102,9 +102,9 @@ TEST(LiveSession, AnAbandonedPassDoesNotCount) {
 // once each pixel has a sample, they do learn.
 TEST(LiveSession, CellsLearnWhenItPays) {
     Rendered r("drc", 64);
-    const FilmGeometry film = r.scene->settings.film;
+    const FilmGeometry film = r.scene->sensor.settings.film;
     const auto deposits = [&] { return r.stats.count("cells/deposits"); };
-    const auto move = [&] { r.session.moveCamera(r.scene->camera->withFilm(film), film); };
+    const auto move = [&] { r.session.moveCamera(r.scene->sensor.camera->withFilm(film), film); };
     move();
     ASSERT_TRUE(r.session.step());
     EXPECT_GT(deposits(), 0) << "the cells knew nothing";
@@ -233,9 +233,9 @@ TEST(LiveSession, CellsLearnFromAFocus) {
 // In small pictures a commit waits for several samples. A move of the camera does not wait for one, unless it is due.
 TEST(LiveSession, AMoveKeepsWhatWholeSamplesHaveFoundOut) {
     Rendered r("drc", 9);  // of which the ninth has not been committed
-    const FilmGeometry film = r.scene->settings.film;
+    const FilmGeometry film = r.scene->sensor.settings.film;
     const auto deposits = [&] { return r.stats.count("cells/deposits"); };
-    const auto move = [&] { r.session.moveCamera(r.scene->camera->withFilm(film), film); };
+    const auto move = [&] { r.session.moveCamera(r.scene->sensor.camera->withFilm(film), film); };
     r.finish();
     const int64_t before = deposits();
     move();
@@ -247,10 +247,10 @@ TEST(LiveSession, AMoveKeepsWhatWholeSamplesHaveFoundOut) {
 
 TEST(LiveSession, ACameraEndsTheFocus) {
     Rendered r("path", 6), fresh("path", 6);
-    const FilmGeometry film = r.scene->settings.film;
+    const FilmGeometry film = r.scene->sensor.settings.film;
     r.sampleTo(1);
     r.focusFor(3);
-    r.session.moveCamera(r.scene->camera->withFilm(film), film);
+    r.session.moveCamera(r.scene->sensor.camera->withFilm(film), film);
     EXPECT_FALSE(r.session.focus());
     r.finish();
     fresh.finish();

@@ -53,7 +53,7 @@ RenderParams paramsOf(const std::string& integrator, int spp, int mapPasses = 1)
 
 struct Rendered {
     explicit Rendered(const RenderParams& params, std::unique_ptr<Scene> s = litRoom())
-        : scene(std::move(s)), session(*scene, params, makeIdentityMapDenoiser(), nullptr) {}
+        : scene(std::move(s)), session(*scene, params) {}
     Rendered& finish() {
         while (session.step()) {
         }
@@ -152,11 +152,11 @@ TEST(Session, ABudgetThatIsOverLeavesAPicture) {
         EXPECT_TRUE(r.session.hasPicture());
         EXPECT_EQ(r.session.samplesDone(), 0);
         const LayeredPicture picture = r.session.picture();
-        const Image light = usesMaps(integrator) ? picture.part("indirect") : picture.beauty;
+        const Image light = traitsOf(integrator).maps ? picture.part("indirect") : picture.beauty;
         int lit = 0;
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 24; ++x) lit += luminance(light.rgb(x, y)) > 0;
-        EXPECT_GT(lit, usesMaps(integrator) ? 24 * 16 - 1 : 24 * 16 / 2) << integrator;
+        EXPECT_GT(lit, traitsOf(integrator).maps ? 24 * 16 - 1 : 24 * 16 / 2) << integrator;
     }
 }
 
@@ -301,8 +301,8 @@ TEST(Session, ACameraChangeIsAsIfItHadBeenTheFirst) {
         const Accel* accel = &moved.session.accel();
         const PathTracer* tracer = &moved.session.tracer();
         std::unique_ptr<Scene> other = elsewhere();
-        const FilmGeometry film = other->settings.film;
-        moved.session.setCamera(std::move(other->camera), film);
+        const FilmGeometry film = other->sensor.settings.film;
+        moved.session.setCamera(other->sensor.camera, film);
         EXPECT_EQ(moved.session.samplesDone(), 0);
         EXPECT_EQ(accel, &moved.session.accel());
         EXPECT_EQ(tracer, &moved.session.tracer());
@@ -314,7 +314,7 @@ TEST(Session, ACameraChangeMayChangeTheSize) {
     Rendered r(paramsOf("path", 2));
     r.finish();
     const FilmGeometry film{10, 6};
-    r.session.setCamera(r.scene->camera->withFilm(film), film);
+    r.session.setCamera(r.scene->sensor.camera->withFilm(film), film);
     EXPECT_EQ(r.finish().session.picture().beauty.width(), 10);
 }
 
@@ -419,7 +419,7 @@ TEST(Session, NoSampleIsBrighterThanTheClamp) {
             RenderParams params = paramsOf(integrator, 1);
             if (!byFile) params.clamp = kClamp;
             std::unique_ptr<Scene> scene = litRoom();
-            if (byFile) scene->settings.maxSampleLuminance = kClamp;
+            if (byFile) scene->sensor.settings.maxSampleLuminance = kClamp;
             Rendered r(params, std::move(scene));
             const LayeredPicture picture = r.finish().session.picture();
             float most = 0;
@@ -427,7 +427,7 @@ TEST(Session, NoSampleIsBrighterThanTheClamp) {
                 for (int y = 0; y < 16; ++y)
                     for (int x = 0; x < 24; ++x) most = std::max(most, luminance(image.rgb(x, y)));
             };
-            if (usesMaps(integrator))
+            if (traitsOf(integrator).maps)
                 look(picture.part("direct"));
             else if (integrator == "bdpt")
                 look(picture.layers[0].mean);  // without splats, each of which is bounded by itself
@@ -441,7 +441,7 @@ TEST(Session, NoSampleIsBrighterThanTheClamp) {
 // A film takes at most 64 bytes a pixel for paths, without the G-buffer and variance.
 TEST(Session, FilmsAreSmall) {
     for (const std::string& integrator : kIntegrators) {
-        if (usesMaps(integrator)) continue;
+        if (traitsOf(integrator).maps) continue;
         EXPECT_LE(Rendered(paramsOf(integrator, 1)).session.film().bytesPerPixel(), 64u) << integrator;
     }
     EXPECT_LE(Rendered(paramsOf("drc-maps", 1)).session.film().bytesPerPixel(), 624u);
@@ -454,7 +454,7 @@ TEST(Session, PicturesBeyondTheMemoryAreRefused) {
         "Film \"image\" \"integer xresolution\" 65536 \"integer yresolution\" 65536\n"
         "WorldBegin\nShape \"sphere\"\nWorldEnd\n";
     const auto errorFor = [](Scene& scene) {
-        return drc::errorOf([&] { const Session session(scene, paramsOf("path", 1), nullptr, nullptr); });
+        return drc::errorOf([&] { const Session session(scene, paramsOf("path", 1)); });
     };
     const auto scene = pbrt::loadPbrtString(text, ".", {}, "s.pbrt");
     EXPECT_THAT(
@@ -462,7 +462,7 @@ TEST(Session, PicturesBeyondTheMemoryAreRefused) {
         AllOf(StartsWith("s.pbrt:1:6: a picture of 65536 x 65536 pixels needs about 1120.0 GiB of memory, and "),
               HasSubstr("choose a smaller --resolution, or a part of it by --crop")));
     const float part[4] = {0.5f, 0.501f, 0.5f, 0.501f};
-    std::copy(part, part + 4, scene->settings.cropWindow);
+    std::copy(part, part + 4, scene->sensor.settings.cropWindow);
     EXPECT_EQ(errorFor(*scene), "");
     // Settings from the command line are not reported as a fault of the file.
     const auto other = pbrt::loadPbrtString(text, ".", {FilmGeometry{60000, 60000}}, "s.pbrt");
@@ -493,6 +493,41 @@ TEST(Session, WarnsOnceOfPicturesThatCanOnlyBeBlack) {
     EXPECT_EQ(warningsOf(behind + sky), 0);
     EXPECT_EQ(warningsOf("AreaLightSource \"diffuse\"\n" + seen), 0);
     EXPECT_EQ(warningsOf("AreaLightSource \"diffuse\"\nMaterial \"none\"\n" + seen), 0);
+}
+
+// A session that moves its camera, and one whose integrator leaves media out, take nothing from a third one.
+TEST(Session, SeveralShareAScene) {
+    std::string text = kLitRoom;
+    text.insert(text.find("WorldBegin") + 10,
+                "\nMakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.1 .2 .3] "
+                "\"rgb sigma_s\" [.1 .1 .1]\nMediumInterface \"fog\" \"fog\"\n");
+    text.insert(0, "MakeNamedMedium \"air\" \"string type\" \"homogeneous\"\nMediumInterface \"\" \"air\"\n");
+    const auto load = [&] { return pbrt::loadPbrtString(text, ".", {}, "s.pbrt"); };
+    const auto render = [](const Scene& scene, const std::string& integrator, bool move) {
+        auto session = std::make_unique<Session>(scene, paramsOf(integrator, 4));
+        if (move) {
+            const FilmGeometry film{30, 20};
+            session->setCamera(scene.sensor.camera->withFilm(film), film);
+        }
+        while (session->step()) {
+        }
+        return session;
+    };
+    const std::pair<const char*, bool> ways[] = {{"path", false}, {"drc", true}, {"bdpt", false}, {"drc", false}};
+    const std::unique_ptr<const Scene> shared = load();
+    ASSERT_FALSE(shared->media.empty());
+    std::vector<std::unique_ptr<Session>> together(std::size(ways));
+    {
+        std::vector<std::jthread> threads;
+        for (size_t i = 0; i < std::size(ways); ++i)
+            threads.emplace_back([&, i] { together[i] = render(*shared, ways[i].first, ways[i].second); });
+    }
+    for (size_t i = 0; i < std::size(ways); ++i) {
+        const std::unique_ptr<const Scene> own = load();
+        EXPECT_TRUE(sameBits(together[i]->film(), render(*own, ways[i].first, ways[i].second)->film()))
+            << ways[i].first;
+    }
+    EXPECT_FALSE(shared->media.empty());
 }
 
 }  // namespace

@@ -44,23 +44,6 @@ size_t triangles(const std::vector<Primitive>& primitives) {
 
 }  // namespace
 
-PixelRegion RenderSettings::region() const {
-    const auto edge = [](int n, float f) { return std::clamp(int(std::ceil(float(n) * f)), 0, n); };
-    PixelRegion r{edge(film.width, cropWindow[0]), edge(film.height, cropWindow[2]), edge(film.width, cropWindow[1]),
-                  edge(film.height, cropWindow[3])};
-    if (pixelBounds) {
-        r.x0 = std::max(r.x0, pixelBounds->x0);
-        r.y0 = std::max(r.y0, pixelBounds->y0);
-        r.x1 = std::min(r.x1, pixelBounds->x1);
-        r.y1 = std::min(r.y1, pixelBounds->y1);
-    }
-    r.x0 = std::min(r.x0, film.width - 1);
-    r.y0 = std::min(r.y0, film.height - 1);
-    r.x1 = std::max(r.x1, r.x0 + 1);
-    r.y1 = std::max(r.y1, r.y0 + 1);
-    return r;
-}
-
 double Instance::memory() const {
     // Measured with thousands of instances and rounded up, in bytes.
     constexpr double kStill = 1500, kMotion = 2000, kStep = 100;
@@ -77,22 +60,28 @@ Bounds Scene::bounds() const {
     return b;
 }
 
-bool Scene::removeMedia() {
-    if (media.empty()) return false;
-    const auto remove = [](std::vector<Primitive>& from) {
-        for (Primitive& primitive : from) primitive.media = {};
-    };
-    remove(primitives);
-    for (ObjectDefinition& object : objects) remove(object.primitives);
-    cameraMedium = nullptr;
-    media.clear();
-    return true;
-}
-
 size_t Scene::triangleCount() const {
     size_t n = triangles(primitives);
     for (const Instance& i : instances) n += triangles(objects[size_t(i.object)].primitives);
     return n;
+}
+
+std::unique_ptr<Scene> withoutMedia(const Scene& scene) {
+    auto copy = std::make_unique<Scene>();
+    copy->primitives = scene.primitives;
+    copy->objects = scene.objects;
+    copy->instances = scene.instances;
+    copy->lights = scene.lights;
+    copy->sensor = scene.sensor;
+    copy->origin = scene.origin;
+    copy->files = scene.files;
+    const auto remove = [](std::vector<Primitive>& from) {
+        for (Primitive& primitive : from) primitive.media = {};
+    };
+    remove(copy->primitives);
+    for (ObjectDefinition& object : copy->objects) remove(object.primitives);
+    copy->sensor.medium = nullptr;
+    return copy;
 }
 
 }  // namespace drc

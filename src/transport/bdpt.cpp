@@ -133,9 +133,9 @@ struct BidirectionalTracer::Step {
     }
 };
 
-BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Accel& accel, const LightSampler& lights,
-                                         const PathSettings& settings, double lightPaths)
-    : scene_(scene), accel_(accel), lighting_(accel, lights), settings_(settings), lightPaths_(lightPaths) {
+BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Camera& camera, const Accel& accel,
+                                         const LightSampler& lights, const PathSettings& settings, double lightPaths)
+    : camera_(camera), accel_(accel), lighting_(accel, lights), settings_(settings), lightPaths_(lightPaths) {
     const Bounds bounds = scene.bounds();
     sphere_ = {bounds.empty() ? Vec3(0.f) : bounds.center(), std::max(1e-18f, bounds.radius())};
     std::vector<float> powers;
@@ -231,7 +231,7 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
                                      GBufferSample* gBuffer) const {
     paths.camera.clear();
     paths.lens = cameraRay.o;
-    paths.lensCanBeJoined = scene_.camera->pixelsPerArea(cameraRay, 1) > 0;
+    paths.lensCanBeJoined = camera_.pixelsPerArea(cameraRay, 1) > 0;
     Rgb sum(0.f);
     Step step{cameraRay, Rgb(1.f)};
     float etaScale = 1, distance = 0;
@@ -252,8 +252,7 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
         };
         const Arrival arrival = toSurface(accel_, step.ray, hit, [&](const SurfaceInteraction& surface) {
             distance += surface.t;
-            own = first ? scene_.camera->pixelsPerArea(cameraRay, length(surface.p - from)) *
-                              absDot(surface.ng, surface.wo)
+            own = first ? camera_.pixelsPerArea(cameraRay, length(surface.p - from)) * absDot(surface.ng, surface.wo)
                         : perArea(step.pdf, from, surface);
             DirectLighting::forLightAt(surface, [&](const AreaLight& light, const Rgb& radiance) {
                 add(light, radiance, surface.emitterHit(), surface.wo, own);
@@ -359,7 +358,7 @@ Rgb BidirectionalTracer::sampleLight(Paths& paths, float uLight, const Vec2& u) 
 
 void BidirectionalTracer::joinLens(Paths& paths, float time, const Vec2& uLens, std::vector<Splat>& splats) const {
     const Vertex& at = paths.light.back();
-    const auto view = scene_.camera->view(at.hit.p, uLens, time);
+    const auto view = camera_.view(at.hit.p, uLens, time);
     if (!view) return;
     const Vec3 way = view->from - at.hit.p;
     const float distance = length(way);

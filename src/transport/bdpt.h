@@ -26,10 +26,10 @@ class BidirectionalTracer {
   public:
     // All arguments except settings must outlive the tracer. lightPaths: number of calls of radiance() in which each
     // pixel gets one sample.
-    BidirectionalTracer(const Scene& scene, const Accel& accel, const LightSampler& lights,
+    BidirectionalTracer(const Scene& scene, const Camera& camera, const Accel& accel, const LightSampler& lights,
                         const PathSettings& settings, double lightPaths);
 
-    // Radiance along a ray of the scene's camera from all strategies except t = 1. Traces one light path as well; where
+    // Radiance along a ray of the camera from all strategies except t = 1. Traces one light path as well; where
     // that connects to the film, the contributions are appended to `splats`. gBuffer, if not null, receives what the
     // camera sees.
     Rgb radiance(const Ray& cameraRay, Sampler& sampler, std::vector<Splat>& splats,
@@ -82,7 +82,7 @@ class BidirectionalTracer {
     // Appends the light path's vertices, from index `first` to the light, to the scratch memory of `paths`.
     void appendLight(Paths& paths, size_t first, float fromCamera, float nextFromCamera) const;
 
-    const Scene& scene_;
+    const Camera& camera_;
     const Accel& accel_;
     DirectLighting lighting_;
     PathSettings settings_;

@@ -18,23 +18,23 @@ inline uint64_t pixelStream(uint64_t seed, uint64_t purpose, int x, int y) {
     return hashCombine(seed, hashCombine(purpose, (uint64_t(uint32_t(y)) << 32) | uint32_t(x)));
 }
 
-// The scene's camera ray through a film position. Takes three numbers from the sampler: two for the lens and one for
+// The camera ray through a film position. Takes three numbers from the sampler: two for the lens and one for
 // time.
-inline CameraRay cameraRay(const Scene& scene, const Vec2& film, Sampler& sampler) {
+inline CameraRay cameraRay(const Sensor& sensor, const Vec2& film, Sampler& sampler) {
     const Vec2 uLens = sampler.get2D();
-    CameraRay camera = scene.camera->generateRay(film, uLens, sampler.get1D());
-    camera.ray.medium = scene.cameraMedium;
+    CameraRay camera = sensor.camera->generateRay(film, uLens, sampler.get1D());
+    camera.ray.medium = sensor.medium;
     camera.ray.fromCamera = true;
     return camera;
 }
 
 // Sample `index` of pixel (x, y). The position on the film is drawn in proportion to the pixel filter.
-inline CameraSample cameraSample(const Scene& scene, int x, int y, uint64_t stream, uint32_t index) {
+inline CameraSample cameraSample(const Sensor& sensor, int x, int y, uint64_t stream, uint32_t index) {
     CameraSample s{Sampler(stream, index), Vec2(0.f), 0, {}};
-    const FilterSample f = scene.settings.filter->sample(s.sampler.get2D(), index, stream);
+    const FilterSample f = sensor.settings.filter->sample(s.sampler.get2D(), index, stream);
     s.film = Vec2(float(x) + 0.5f + f.offset.x, float(y) + 0.5f + f.offset.y);
     s.filterWeight = f.weight;
-    s.camera = cameraRay(scene, s.film, s.sampler);
+    s.camera = cameraRay(sensor, s.film, s.sampler);
     return s;
 }
 

@@ -11,7 +11,7 @@ constexpr float kUniformShare = 0.1f;
 
 }  // namespace
 
-LightSampler::LightSampler(const Scene& scene) {
+LightSampler::LightSampler(const Scene& scene, bool seesBackdrop) {
     const float sceneRadius = std::max(1e-18f, scene.bounds().radius());
     std::vector<const Light*> distant;
     std::vector<LightReach> reaches;
@@ -19,7 +19,7 @@ LightSampler::LightSampler(const Scene& scene) {
         const float power = luminance(light->power(sceneRadius));
         if (!(power > 0)) continue;
         if (light->isInfinite()) {
-            if (light->visibleToCamera() && !scene.settings.transparentFilm) backdrop_.push_back(light.get());
+            if (light->visibleToCamera() && seesBackdrop) backdrop_.push_back(light.get());
             if (light->illuminates()) infinite_.push_back(light.get());
         }
         if (!light->illuminates()) continue;

@@ -13,7 +13,11 @@ namespace drc {
 
 class LightSampler {
   public:
-    explicit LightSampler(const Scene& scene);
+    // The scene must outlive the sampler. seesBackdrop: whether the camera sees lights at infinity, as on every film
+    // that is not transparent.
+    LightSampler(const Scene& scene, bool seesBackdrop);
+    // For the film of the scene's own file.
+    explicit LightSampler(const Scene& scene) : LightSampler(scene, !scene.sensor.settings.transparentFilm) {}
 
     struct Choice {
         const Light* light = nullptr;  // null if there are no lights

@@ -228,14 +228,14 @@ void LiveRender::makeFrame() {
     // The film is not copied: no step runs until the frame is finished.
     next->picture = session_.picture();
     if (isOutdated()) return;
-    next->camera = session_.tracer().scene().camera;
+    next->camera = session_.sensor().camera;
     next->unfiltered = next->picture.beauty;
     estimateError(next->picture);
     if (isOutdated()) return;
     next->error = error_;
     callbacks_.finish(next->picture, moving_);
     if (isOutdated()) return;
-    next->picture.film = std::make_shared<const Film>(session_.tracer().scene().settings, std::vector<FilmLayerSpec>());
+    next->picture.film = std::make_shared<const Film>(session_.sensor().settings, std::vector<FilmLayerSpec>());
     next->samples = session_.samplesDone();
     next->focusSamples = session_.focusSamples();
     const int passes = session_.film().passes();

@@ -23,7 +23,7 @@ std::unique_ptr<Scene> ballInARoom() {
 
 struct Watched {
     explicit Watched(const std::string& integrator = "path", int spp = 1 << 16)
-        : scene(ballInARoom()), session(*scene, params(integrator, spp), nullptr, nullptr) {}
+        : scene(ballInARoom()), session(*scene, params(integrator, spp)) {}
     static RenderParams params(const std::string& integrator, int spp) {
         RenderParams p;
         p.integrator = integrator;
@@ -106,9 +106,9 @@ TEST(LiveRender, ShowsAMovedCameraWhilePaused) {
     render->pause(true);
     const Scene* scene = w.scene.get();
     for (uint64_t i = 1; i <= 3; ++i) {
-        ViewCamera camera = ViewCamera::of(*scene->camera, 3);
+        ViewCamera camera = ViewCamera::of(*scene->sensor.camera, 3);
         camera.eye.x += 0.05f * float(i);
-        render->setCamera([camera, scene] { return camera.place(*scene->camera, {48, 32}); }, {48, 32}, i < 3);
+        render->setCamera([camera, scene] { return camera.place(*scene->sensor.camera, {48, 32}); }, {48, 32}, i < 3);
         w.waitFor(*render, [&](const LiveFrame& f) { return f.view == i && f.samples == 1; });
     }
     EXPECT_TRUE(render->state().paused);
@@ -123,19 +123,20 @@ TEST(LiveRender, FollowsTheCamera) {
         Watched w(integrator);
         const auto render = w.start();
         w.waitFor(*render, [](const LiveFrame& f) { return f.samples >= 2; });
-        ViewCamera camera = ViewCamera::of(*w.scene->camera, 3);
+        ViewCamera camera = ViewCamera::of(*w.scene->sensor.camera, 3);
         const Scene* scene = w.scene.get();
         for (int i = 1; i <= 30; ++i) {
             camera.eye.x += 0.05f;
             const FilmGeometry film{i < 30 ? 24 : 48, i < 30 ? 16 : 32};
-            render->setCamera([camera, film, scene] { return camera.place(*scene->camera, film); }, film, i < 30);
+            render->setCamera([camera, film, scene] { return camera.place(*scene->sensor.camera, film); }, film,
+                              i < 30);
         }
         const auto moved = w.waitFor(
             *render, [](const LiveFrame& f) { return f.view > 0 && f.samples >= 4 && f.picture.beauty.width() == 48; });
         EXPECT_GT(moved->view, 0u);
         // A new session from there sees the same, up to noise.
         Watched fresh(integrator, 64);
-        fresh.session.setCamera(camera.place(*fresh.scene->camera, {48, 32}), {48, 32});
+        fresh.session.setCamera(camera.place(*fresh.scene->sensor.camera, {48, 32}), {48, 32});
         while (fresh.session.step()) {
         }
         const Image there = fresh.session.picture().beauty;
@@ -156,10 +157,14 @@ TEST(LiveRender, ShowsFramesWhileTheCameraMoves) {
     std::atomic<bool> stop = false;
     const Scene* scene = w.scene.get();
     std::thread mover([&] {
-        ViewCamera camera = ViewCamera::of(*scene->camera, 3);
+        ViewCamera camera = ViewCamera::of(*scene->sensor.camera, 3);
         while (!stop) {
             camera.eye.x = -camera.eye.x + 0.01f;
-            render->setCamera([camera, scene] { return camera.place(*scene->camera, {48, 32}); }, {48, 32}, true);
+            render->setCamera(
+                [camera, scene] {
+                    return camera.place(*scene->sensor.camera, {48, 32});
+                },
+                {48, 32}, true);
             std::this_thread::sleep_for(std::chrono::microseconds(200));
         }
     });
@@ -178,7 +183,7 @@ TEST(LiveRender, TellsTheErrorOfThePresentView) {
     const auto scene = ballInARoom();
     RenderParams params = Watched::params("path", 1 << 16);
     params.variance = params.independentHalves = true;
-    Session session(*scene, params, nullptr, nullptr);
+    Session session(*scene, params);
     const auto nothing = [](LayeredPicture&) {};
     std::atomic<int> estimates = 0;
     LiveRender render(session, {.finish = [&](LayeredPicture& picture, bool) { nothing(picture); },
@@ -202,10 +207,10 @@ TEST(LiveRender, TellsTheErrorOfThePresentView) {
     EXPECT_LT(later->error->whole, 0.8 * early->error->whole);
     EXPECT_LT(estimates, later->samples);
 
-    const ViewCamera home = ViewCamera::of(*scene->camera, 3);
-    const FilmGeometry film = scene->settings.film;
+    const ViewCamera home = ViewCamera::of(*scene->sensor.camera, 3);
+    const FilmGeometry film = scene->sensor.settings.film;
     const uint64_t before = later->view;
-    render.setCamera([&] { return home.place(*scene->camera, film); }, film, false);
+    render.setCamera([&] { return home.place(*scene->sensor.camera, film); }, film, false);
     const auto moved = waitFor([&](const LiveFrame& f) { return f.view > before; });
     EXPECT_FALSE(moved->error);
 }
@@ -228,8 +233,8 @@ TEST(LiveRender, SamplesAPart) {
     w.waitFor(*render, [](const LiveFrame& f) { return f.focusSamples >= 2; });
     EXPECT_EQ(render->state().focus, (PixelRegion{47, 0, 48, 1}));
     const Scene* scene = w.scene.get();
-    const ViewCamera camera = ViewCamera::of(*scene->camera, 3);
-    render->setCamera([camera, scene] { return camera.place(*scene->camera, {48, 32}); }, {48, 32}, false);
+    const ViewCamera camera = ViewCamera::of(*scene->sensor.camera, 3);
+    render->setCamera([camera, scene] { return camera.place(*scene->sensor.camera, {48, 32}); }, {48, 32}, false);
     w.waitFor(*render, [](const LiveFrame& f) { return f.view > 0 && f.samples == 4; });
     EXPECT_FALSE(render->state().focus);
 }
@@ -265,9 +270,9 @@ TEST(LiveRender, EndsWhatIsOutdated) {
                                   .onFrame = [] {},
                                   .outdated = &outdated});
     while (!finishing) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const ViewCamera home = ViewCamera::of(*w.scene->camera, 3);
-    const FilmGeometry film = w.scene->settings.film;
-    render.setCamera([&] { return home.place(*w.scene->camera, film); }, film, true);
+    const ViewCamera home = ViewCamera::of(*w.scene->sensor.camera, 3);
+    const FilmGeometry film = w.scene->sensor.settings.film;
+    render.setCamera([&] { return home.place(*w.scene->sensor.camera, film); }, film, true);
     const auto frame = render.waitForFrame(0, kLong);
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->number, 1);

@@ -32,10 +32,11 @@ TEST(ViewCamera, IsTheScenesOwnAtFirst) {
              {"\"perspective\" \"float fov\" 50 \"float lensradius\" 0.1 \"float focaldistance\" 3", "\"orthographic\"",
               "\"environment\""}) {
             const auto scene = sceneWith(placement, camera);
-            const ViewCamera view = ViewCamera::of(*scene->camera, 2);
+            const ViewCamera view = ViewCamera::of(*scene->sensor.camera, 2);
             EXPECT_TRUE(view.isUsable());
             EXPECT_NEAR(length(view.look - view.eye), 2, 1e-4f);
-            expectSameRays(*scene->camera, *view.place(*scene->camera, scene->settings.film), 1e-4f);
+            expectSameRays(*scene->sensor.camera, *view.place(*scene->sensor.camera, scene->sensor.settings.film),
+                           1e-4f);
         }
     }
 }
@@ -44,10 +45,10 @@ TEST(ViewCamera, IsTheScenesOwnAtFirst) {
 TEST(ViewCamera, IsWrittenAsPbrt) {
     for (const char* placement : {"LookAt 1 2 3  0 0.5 0  0 1 0", "Scale -1 1 1 LookAt 1 2 3  0 0.5 0  0 1 0"}) {
         const auto scene = sceneWith(placement);
-        ViewCamera view = ViewCamera::of(*scene->camera, 2);
+        ViewCamera view = ViewCamera::of(*scene->sensor.camera, 2);
         view.eye += Vec3(0.5f, 0.25f, -1);
-        const auto moved = view.place(*scene->camera, scene->settings.film);
-        expectSameRays(*moved, *sceneWith(view.asPbrt(scene->origin))->camera, 1e-4f);
+        const auto moved = view.place(*scene->sensor.camera, scene->sensor.settings.film);
+        expectSameRays(*moved, *sceneWith(view.asPbrt(scene->origin))->sensor.camera, 1e-4f);
     }
 }
 
@@ -69,20 +70,20 @@ TEST(ViewCamera, MayHaveALensOfItsOwn) {
               "\"environment\" \"float shutteropen\" 0.25"})
             for (int i = 0; i < 3; ++i) {
                 const auto scene = sceneWith(at, own), expected = sceneWith(at, cameras[i]);
-                ViewCamera view = ViewCamera::of(*scene->camera, 2);
+                ViewCamera view = ViewCamera::of(*scene->sensor.camera, 2);
                 view.lens = lenses[i];
                 EXPECT_TRUE(view.isUsable());
-                const auto camera = view.place(*scene->camera, scene->settings.film);
-                expectSameRays(*camera, *expected->camera, 1e-4f);
+                const auto camera = view.place(*scene->sensor.camera, scene->sensor.settings.film);
+                expectSameRays(*camera, *expected->sensor.camera, 1e-4f);
                 const Vec2 film(10, 20), lens(0.3f, 0.4f);
                 EXPECT_EQ(camera->generateRay(film, lens, 0.5f).ray.time,
-                          expected->camera->generateRay(film, lens, 0.5f).ray.time);
+                          expected->sensor.camera->generateRay(film, lens, 0.5f).ray.time);
                 expectSameRays(
                     *camera,
                     *pbrt::loadPbrtString(view.asPbrt(scene->origin) + "Film \"image\" \"integer xresolution\" 40 "
                                                                        "\"integer yresolution\" 30\nWorldBegin\n"
                                                                        "Shape \"sphere\"\nWorldEnd\n")
-                         ->camera,
+                         ->sensor.camera,
                     1e-4f);
             }
 }
@@ -113,9 +114,9 @@ TEST(ViewCamera, IsExactFarFromZero) {
         "LookAt 100001 2 3  100000 2 0  0 1 0\nCamera \"perspective\"\nWorldBegin\nTranslate 100000 2 0\n"
         "Shape \"sphere\"\nWorldEnd\n");
     ASSERT_NE(scene->origin, Vec3(0.f));
-    const ViewCamera view = ViewCamera::of(*scene->camera, 1);
+    const ViewCamera view = ViewCamera::of(*scene->sensor.camera, 1);
     EXPECT_THAT(view.asPbrt(scene->origin), testing::StartsWith("LookAt 100001 2 3  100000."));
-    expectSameRays(*scene->camera, *view.place(*scene->camera, scene->settings.film), 1e-4f);
+    expectSameRays(*scene->sensor.camera, *view.place(*scene->sensor.camera, scene->sensor.settings.film), 1e-4f);
 }
 
 TEST(ViewCamera, KnowsWhenItLooksNowhere) {

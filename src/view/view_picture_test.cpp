@@ -14,7 +14,7 @@ ViewPicture pictureOf(const std::string& placement, const std::string& camera, c
         pbrt::loadPbrtString(placement + "\nCamera " + camera +
                              "\nFilm \"image\" \"integer xresolution\" 40 \"integer yresolution\" 20\nWorldBegin\n"
                              "Shape \"sphere\"\nWorldEnd\n");
-    return ViewPicture::of(*scene->camera, ViewCamera::of(*scene->camera, 1), region);
+    return ViewPicture::of(*scene->sensor.camera, ViewCamera::of(*scene->sensor.camera, 1), region);
 }
 
 void expectNear(const Vec3& a, const Vec3& b) { EXPECT_LT(length(a - b), 1e-4f) << a << " is not " << b; }

@@ -183,20 +183,19 @@ Image layerOf(const LiveFrame& frame, const std::string& name) {
 
 ViewService::ViewService(const Scene& scene, const Accel& accel, LiveRender& render, Settings settings)
     : scene_(scene),
-      sceneCamera_(scene.camera),
       accel_(accel),
       render_(render),
       settings_(std::move(settings)),
       home_([&] {
           float distance = 0;
           render.between([&](const Session& session) { distance = session.distance(); });
-          return ViewCamera::of(*scene.camera, distance);
+          return ViewCamera::of(*scene.sensor.camera, distance);
       }()),
-      film_(scene.settings.film),
+      film_(scene.sensor.settings.film),
       picture_([&] {
           ViewPicture picture;
           render.between([&](const Session& session) {
-              picture = ViewPicture::of(*scene.camera, home_, session.film().region());
+              picture = ViewPicture::of(*scene.sensor.camera, home_, session.film().region());
           });
           return picture;
       }()),
@@ -393,7 +392,7 @@ HttpResponse ViewService::setCamera(const HttpRequest& request) {
     const std::lock_guard lock(mutex_);
     camera_ = camera;
     answer["number"] = ++cameraNumber_;
-    render_.setCamera([this, camera, film] { return camera.place(*sceneCamera_, film); }, film, isMoving);
+    render_.setCamera([this, camera, film] { return camera.place(*scene_.sensor.camera, film); }, film, isMoving);
     return json(answer);
 }
 

@@ -50,7 +50,6 @@ class ViewService {
     HttpResponse compare(const HttpRequest& request);
 
     const Scene& scene_;
-    const std::shared_ptr<const Camera> sceneCamera_;  // as it was at first: the scene's follows the view
     const Accel& accel_;
     LiveRender& render_;
     const Settings settings_;

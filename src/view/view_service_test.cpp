@@ -53,7 +53,7 @@ struct Served {
         params.integrator = "path";
         params.spp = 3;
         params.gBuffer = params.variance = true;
-        session = std::make_unique<Session>(*scene, params, nullptr, nullptr);
+        session = std::make_unique<Session>(*scene, params);
         render = std::make_unique<LiveRender>(*session, LiveRender::Callbacks{[](LayeredPicture&, bool) {}, {}});
         service = std::make_unique<ViewService>(
             *scene, session->accel(), *render,

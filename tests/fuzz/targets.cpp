@@ -167,7 +167,7 @@ struct RestingView {
         p.gBuffer = p.variance = true;
         return p;
     }();
-    Session session{*scene, params, nullptr, nullptr};
+    Session session{*scene, params};
     LiveRender render{session, {[](LayeredPicture&, bool) {}, {}}};
     ViewService service{
         *scene, session.accel(), render, {"scene", "t", [](const LiveFrame&) { return std::string("exr"); }}};

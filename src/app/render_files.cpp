@@ -1,0 +1,42 @@
+#include "app/render_files.h"
+
+#include "render/picture_writer.h"
+#include "scene/film_output.h"
+
+namespace drc {
+
+DistinctFiles filesOf(const RenderOptions& o) {
+    DistinctFiles files;
+    const auto reads = [&](const std::string& what, const std::string& path) {
+        if (!path.empty() && path != "-") files.reads(what, path);
+    };
+    const auto writes = [&](const std::string& what, const std::string& path) {
+        if (!path.empty()) files.writes(what, path);
+    };
+    reads("the scene", o.scene);
+    reads("--frames", o.frames);
+    reads("--weights", o.weights);
+    reads("--oidn-library", o.oidnLibrary);
+    // A checkpoint that is gone on from may be saved anew.
+    if (!isSameFile(o.resume, o.checkpoint)) reads("--resume", o.resume);
+    for (const std::string& path : o.outputs) writes("-o", path);
+    writes("--timing", o.timing);
+    writes("--checkpoint", o.checkpoint);
+    return files;
+}
+
+void keepFrom(const std::vector<std::string>& filesOfScene, DistinctFiles files) {
+    for (const std::string& path : filesOfScene) files.reads("the scene's file", path);
+}
+
+std::unique_ptr<Scene> loadScene(RenderOptions& o) {
+    auto scene = o.overrides.load(o.scene);
+    if (o.outputs.empty()) {
+        o.outputs = filmOutputs(scene->sensor.settings);
+        for (const std::string& path : o.outputs) checkOutput("-o", path);
+    }
+    keepFrom(scene->files, filesOf(o));
+    return scene;
+}
+
+}  // namespace drc
