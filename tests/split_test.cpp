@@ -13,7 +13,7 @@ namespace {
 using test::Estimate;
 using test::Pipeline;
 
-constexpr int kWidth = 6, kHeight = 6, kBlock = 3, kSamples = 1024, kGroup = 32, kPasses = 3;
+constexpr int kWidth = 6, kHeight = 6, kBlock = 3, kSamples = 4096, kGroup = 64, kPasses = 3;
 
 // Means over blocks of pixels, which are independent. With few samples of rare bright paths, single pixels are far from
 // normally distributed, but block means nearly are.

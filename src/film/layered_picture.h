@@ -8,7 +8,7 @@
 
 #include "film/film.h"
 #include "image/image.h"
-#include "transport/path_sinks.h"
+#include "transport/g_buffer_sample.h"
 
 namespace drc {
 
@@ -38,8 +38,8 @@ struct LayeredPicture {
     std::vector<PictureLayer> layers;
     Image beauty;  // the sum of the layers, clamped at zero; denoisers may replace it
     std::optional<GBuffer> gBuffer;
-    // Direct light (PathSinks::direct), of the same samples as the layers; for pictures whose layers have light of both
-    // parts.
+    // Direct light (SampleParts::direct), of the same samples as the layers; for pictures whose layers have light of
+    // both parts.
     std::optional<Image> direct;
     // A: the share of each pixel that is covered (GBufferSample::covered), in [0, 1]; with a transparent film. The
     // colours are premultiplied by it.

@@ -42,10 +42,10 @@ class BdptIntegrator final : public SampledIntegrator {
     Preview preview(const Film& film) const override { return Integrator::preview(film); }
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film& film, const PathSinks& sinks) override {
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film& film, const SampleParts& parts) override {
         thread_local std::vector<Splat> splats;
         splats.clear();
-        const Rgb radiance = tracer_.radiance(ray, sampler, splats, sinks.gBuffer);
+        const Rgb radiance = tracer_.radiance(ray, sampler, splats, parts.gBuffer);
         FilmLayer& layer = film.layer(splats_);
         for (const Splat& splat : splats) splatFilter_.add(splat, layer);
         return radiance;

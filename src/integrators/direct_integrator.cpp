@@ -9,8 +9,8 @@ class DirectIntegrator final : public SampledIntegrator {
     using SampledIntegrator::SampledIntegrator;
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, const PathSinks& sinks) override {
-        return context_.tracer.direct(ray, sampler, sinks.gBuffer);
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, const SampleParts& parts) override {
+        return context_.tracer.direct(ray, sampler, parts.gBuffer);
     }
 };
 

@@ -129,8 +129,8 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     }
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, const PathSinks& sinks) override {
-        if (!cells_) return context_.tracer.radiance(ray, sampler, sinks);
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film&, const SampleParts& parts) override {
+        if (!cells_) return context_.tracer.radiance(ray, sampler, parts);
         Row& row = rows_[size_t(place.y - region_.y0)];
         GBufferSample surface;
         FinalGather::Sample sample{
@@ -140,11 +140,11 @@ class FinalGatherIntegrator final : public SampledIntegrator {
             .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
             .deposits = row.deposits,
             .counts = row.counts,
-            .sinks = {.gBuffer = &surface, .direct = sinks.direct}};
+            .parts = {.gBuffer = &surface, .direct = parts.direct}};
         const Rgb value = gather_.radiance(ray, sample);
         const int half = halfOf(pixelStream(context_.params.seed, kHalfStream, place.x, place.y), place.index);
         planner_->add(place.x, place.y, half, luminance(value), surface);
-        if (sinks.gBuffer) *sinks.gBuffer = surface;
+        if (parts.gBuffer) *parts.gBuffer = surface;
         return value;
     }
 

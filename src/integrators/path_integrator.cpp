@@ -10,8 +10,8 @@ class PathIntegrator final : public SampledIntegrator {
     bool cameraMoved() override { return true; }
 
   private:
-    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, const PathSinks& sinks) override {
-        return context_.tracer.radiance(ray, sampler, sinks);
+    Rgb radiance(const Ray& ray, Sampler& sampler, const Place&, Film&, const SampleParts& parts) override {
+        return context_.tracer.radiance(ray, sampler, parts);
     }
 };
 

@@ -6,7 +6,7 @@
 
 #include "maps/indirect_pass.h"
 #include "reconstruct/open_image_denoise.h"
-#include "transport/path_walker.h"
+#include "transport/path_state.h"
 
 namespace drc {
 

@@ -15,7 +15,7 @@
 
 #include "base/state_file.h"
 #include "image/image.h"
-#include "transport/path_sinks.h"
+#include "transport/g_buffer_sample.h"
 
 namespace drc {
 

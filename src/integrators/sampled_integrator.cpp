@@ -28,8 +28,8 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
     GBufferSample gBuffer;
     Rgb value(0.f), direct(0.f);
     if (camera.weight > 0) {
-        const PathSinks sinks{.gBuffer = gBuffer_ ? &gBuffer : nullptr, .direct = direct_ ? &direct : nullptr};
-        value = radiance(camera.ray, sample.sampler, {x, y, index}, film, sinks) * camera.weight;
+        const SampleParts parts{.gBuffer = gBuffer_ ? &gBuffer : nullptr, .direct = direct_ ? &direct : nullptr};
+        value = radiance(camera.ray, sample.sampler, {x, y, index}, film, parts) * camera.weight;
     }
     const int group = groupOf(index);
     film.layer(0).add(x, y, group, value, sample.filterWeight);

@@ -24,9 +24,10 @@ class SampledIntegrator : public Integrator {
         int x, y;
         uint32_t index;
     };
-    // The radiance that arrives along a camera ray of nonzero weight. sinks: what else is wanted; never firstHit, and
+    // The radiance that arrives along a camera ray of nonzero weight. parts: what else is wanted;
     // direct only if its film has such a layer.
-    virtual Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film, const PathSinks& sinks) = 0;
+    virtual Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film,
+                         const SampleParts& parts) = 0;
 
     const RenderContext context_;
 

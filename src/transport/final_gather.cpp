@@ -1,7 +1,6 @@
 #include "transport/final_gather.h"
 
 #include <array>
-#include <utility>
 
 namespace drc {
 namespace {
@@ -77,169 +76,148 @@ class Trainings {
     size_t count_ = 0;
 };
 
-}  // namespace
+// The path tracer's visitor, whose paths may end in the cache. Beside what it shows, a path sums the light for the
+// deposits that it makes on its way.
+class GatherVisitor : public RadianceVisitor {
+  public:
+    GatherVisitor(const PathWalker& walker, FinalGather::Sample& sample)
+        : RadianceVisitor(walker, sample.parts),
+          sample_(sample),
+          maxDepth_(walker.settings().maxDepth),
+          random_(sample.seed) {}
 
-Rgb FinalGather::radiance(const Ray& ray, Sample& sample) const {
-    Pcg32 random(sample.seed);
-    const float clamp = walker_.settings().clamp;
-    const Rgb sum = follow(PathState(ray), sample, random);
-    if (Rgb* direct = sample.sinks.direct) *direct = partOfClamped(*direct, sum, clamp);
-    return clampedSample(sum, clamp);
-}
-
-Rgb FinalGather::follow(PathState path, Sample& sample, Pcg32& random) const {
-    const PathSettings& settings = walker_.settings();
-    const RadianceCache& cache = sample.cache;
-    Counts& counts = sample.counts;
-    Rgb sum(0.f);
-    // The part of the path's throughput that the picture shows. Where the cache has answered for the separable lobes,
-    // it is that of the others.
-    Rgb share(1.f);
-    bool shown = true;  // whether share is not zero
-    Trainings trainings;
-    Rgb* directWanted = sample.sinks.direct;
-    // All that has been met before the second vertex is direct light.
-    const auto recordDirect = [&](bool ends) {
-        if (directWanted && (ends || path.depth > 0)) *std::exchange(directWanted, nullptr) = sum;
-    };
-    // Since the last non-specular vertex, and of its direction.
-    float distance = 0, pdf = path.pdf;
-    const Accel& accel = lighting_.accel();
-    SurfaceInteraction hit;
-    MediumVertex inMedium;
-    Accel::Found found;
-    bool any = accel.find(path.ray, found);
-    for (;;) {
-        const auto emitted = [&](const Rgb& light) {
-            if (isBlack(light)) return;
-            if (shown) sum += path.throughput * share * light;
-            trainings.add(light, path.depth - 1, settings.maxDepth);
-        };
-        const auto met = [&](const SurfaceInteraction& surface) {
-            path.distance += surface.t;
-            distance += surface.t;
-            emitted(lighting_.emissionAtHit(surface, path.from, path.pdf));
-        };
-        const auto passed = [&](const Rgb& light, const Rgb& weight) {
-            emitted(light);
-            trainings.scatter(weight, Rgb(1.f));
-        };
-        const Arrival arrival =
-            walker_.advance(path, any, found, hit, inMedium, sample.sampler, sample.sinks.gBuffer, met, passed);
-        if (arrival == Arrival::Escaped)
-            emitted(lighting_.emissionAtInfinity(path.ray, path.from, path.pdf, path.group));
-        if (arrival == Arrival::Scattered) {
-            recordDirect(false);
-            if (path.depth >= settings.maxDepth) shown = false;
-            if (!shown && !trainings.wantMore(path.depth, settings.maxDepth)) break;
-            const VertexNumbers u(sample.sampler);
-            DirectLighting::Proposal light = lighting_.propose(inMedium, u.light, u.onLight);
-            const Rgb throughput = path.throughput;
-            const int depth = path.depth;
-            const bool goesOn = walker_.scatter(path, inMedium, u);
-            any = goesOn && accel.find(path.ray, found);
-            const Rgb lit = lighting_.weighted(inMedium, light);
-            if (shown) sum += throughput * share * lit;
-            trainings.add(lit, depth, settings.maxDepth);
-            if (!goesOn) break;
-            distance = 0;
-            pdf = path.pdf;
-            trainings.scatter(path.weight, Rgb(1.f));
-            continue;
-        }
-        if (arrival != Arrival::Surface) break;
-        recordDirect(false);
-        if (path.depth >= settings.maxDepth) shown = false;
-        if (!shown && !trainings.wantMore(path.depth, settings.maxDepth)) break;
-
-        const bool mayAsk = path.depth == 1 || (path.depth > 1 && settings.maxDepth >= kLongPaths);
-        const CachePoint at{hit.p, faceForward(hit.ng, hit.wo), CachePoint::reachOf(distance, pdf)};
-        const bool accepted = mayAsk && cache.accepts(at);
-        if (accepted && shown) cache.prefetch(at);
-        const Bsdf bsdf = hit.bsdf();
-        if (bsdf.size() == 0) break;
-        path.group = lighting_.groupOf(hit, bsdf);
-        if (sample.sinks.gBuffer && path.depth == 0)
-            sample.sinks.gBuffer->record(path.throughput * path.passing, hit, bsdf, path.distance);
-
-        bool answered = false, trainsHere = false;
-        const LobeSet shared = mayAsk ? lobesForCache(bsdf, hit.wo) : LobeSet(0);
-        const LobeMask separable(LobeFlags::All, shared), others(LobeFlags::All, LobeSet(~shared));
+    void passed(const PathState& path, const MediumPassage& passage) {
+        RadianceVisitor::passed(path, passage);
+        trainings_.scatter(passage.end.weight, Rgb(1.f));
+    }
+    void met(const PathState&, const SurfaceInteraction& surface) { distance_ += surface.t; }
+    void emitted(const PathState& path, const Rgb& light) {
+        if (isBlack(light)) return;
+        if (shown_) add(path.throughput * share_ * light);
+        trainings_.add(light, path.depth - 1, maxDepth_);
+    }
+    bool arrived(const PathState& path, const MediumVertex&) {
+        at_ = nullptr;
+        answered_ = trainsHere_ = divided_ = false;
+        return isWanted(path);
+    }
+    bool arrived(const PathState& path, const SurfaceInteraction& surface) {
+        if (!isWanted(path)) return false;
+        at_ = &surface;
+        mayAsk_ = path.depth == 1 || (path.depth > 1 && maxDepth_ >= kLongPaths);
+        point_ = {surface.p, faceForward(surface.ng, surface.wo), CachePoint::reachOf(distance_, pdf_)};
+        accepted_ = mayAsk_ && sample_.cache.accepts(point_);
+        // The cell is loaded while the BSDF is computed.
+        if (accepted_ && shown_) sample_.cache.prefetch(point_);
+        return true;
+    }
+    std::optional<LobeMask> leavesBy(PathState& path, const SurfaceInteraction& surface, const Bsdf& bsdf) {
+        noteSurface(path, surface, bsdf);
+        bsdf_ = &bsdf;
+        const LobeSet separable = mayAsk_ ? lobesForCache(bsdf, surface.wo) : LobeSet(0);
+        separable_ = LobeMask(LobeFlags::All, separable);
+        const LobeMask others(LobeFlags::All, LobeSet(~separable));
         const bool mixed = bsdf.hasWithin(others);
-        if (shared != 0) {
-            if (!accepted) {
-                ++counts.refused;
-            } else {
-                const Rgb factor = cacheableFactor(bsdf.viewFactor(hit.wo, shared));
-                if (shown) {
-                    ++counts.asked;
-                    CacheAnswer answer;
-                    answered = cache.lookUp(at, answer);
-                    if (answered) {
-                        ++counts.answered;
-                        sum += path.throughput * share * factor * answer.perFactor;
-                        shown = mixed;
-                    }
-                    // Deposits are made where look-ups are, and nowhere else, so that both have the same distribution.
-                    trainsHere = random.nextFloat() < answer.training * sample.training &&
-                                 trainings.begin(at, factor, path.depth);
-                }
-            }
-        }
-        if (!shown && trainings.empty()) break;
+        answered_ = trainsHere_ = false;
+        if (separable != 0) askCache(path, bsdf.viewFactor(surface.wo, separable), mixed);
+        if (!shown_ && trainings_.empty()) return {};
 
         // A path that trains is sampled through all lobes, another one through those that are still to be shown, as
         // often as the path tracer would choose them.
-        const bool othersAlone = answered && trainings.empty();
-        if (othersAlone) {
-            const float own = maxComponent(bsdf.albedo(hit.wo, others)), all = maxComponent(bsdf.albedo(hit.wo));
-            const float survival = std::clamp(own / std::max(all, 1e-8f), kLeastSurvival, 1.f);
-            if (random.nextFloat() >= survival) break;
-            path.throughput *= 1 / survival;
-        }
-        const LobeMask sampled = othersAlone ? others : LobeMask(LobeFlags::All);
-        // f_separable / f_all for a direction, where one sample of all lobes serves two estimates: the deposit takes
-        // this share; the picture takes the rest if the cache answered for the separable lobes.
-        const bool divided = mixed && !othersAlone && (answered || trainsHere);
-        const auto separableShare = [&](const Vec3& wi) {
-            return divided ? shareOf(bsdf.f(hit.wo, wi, separable), bsdf.f(hit.wo, wi)) : Rgb(1.f);
-        };
-
-        const BsdfView view(bsdf, hit.wo, sampled);
-        const VertexNumbers u(sample.sampler);
-        DirectLighting::Proposal light;
-        if (bsdf.hasWithin(LobeMask(LobeFlags::NonSpecular, sampled.lobes)))
-            light = lighting_.propose(hit, view, path.group, u.light, u.onLight);
-        const Rgb throughput = path.throughput;
-        const int depth = path.depth;
-        const bool goesOn = walker_.scatter(path, hit, view, u);
-        // The path's own ray is traced before the shadow ray, which then hides the latency of loading the surface's
-        // data.
-        any = goesOn && accel.find(path.ray, found);
-        const Rgb lit = lighting_.weighted(hit, light);
-        if (!isBlack(lit)) {
-            const Rgb part = separableShare(light.sample.wi);
-            if (shown) sum += throughput * share * (divided && answered ? lit * (Rgb(1.f) - part) : lit);
-            trainings.add(lit, depth, settings.maxDepth, trainsHere ? part : Rgb(1.f));
-        }
-        if (!goesOn) break;
-
+        const bool othersAlone = answered_ && trainings_.empty();
+        divided_ = mixed && !othersAlone && (answered_ || trainsHere_);
+        if (!othersAlone) return LobeFlags::All;
+        const float own = maxComponent(bsdf.albedo(surface.wo, others)), all = maxComponent(bsdf.albedo(surface.wo));
+        const float survival = std::clamp(own / std::max(all, 1e-8f), kLeastSurvival, 1.f);
+        if (random_.nextFloat() >= survival) return {};
+        path.throughput *= 1 / survival;
+        return others;
+    }
+    void lit(const LitVertex& vertex) {
+        if (isBlack(vertex.light)) return;
+        const Rgb part = separableShare(vertex.wi);
+        if (shown_)
+            add(vertex.throughput * share_ * (divided_ && answered_ ? vertex.light * (Rgb(1.f) - part) : vertex.light));
+        trainings_.add(vertex.light, vertex.depth, maxDepth_, trainsHere_ ? part : Rgb(1.f));
+    }
+    void scattered(const PathState& path) {
         const bool specular = path.pdf == DirectLighting::kSpecular;
         if (!specular) {
-            distance = 0;
-            pdf = path.pdf;
+            distance_ = 0;
+            pdf_ = path.pdf;
         }
-        if (divided || trainsHere) {
-            const Rgb part = specular ? Rgb(0.f) : separableShare(path.ray.d);
-            if (divided && answered) share *= Rgb(1.f) - part;
-            trainings.scatter(path.weight, trainsHere ? part : Rgb(1.f));
-        } else {
-            trainings.scatter(path.weight, Rgb(1.f));
-        }
+        const Rgb part = specular && (divided_ || trainsHere_) ? Rgb(0.f) : separableShare(path.ray.d);
+        if (divided_ && answered_) share_ *= Rgb(1.f) - part;
+        trainings_.scatter(path.weight, trainsHere_ ? part : Rgb(1.f));
     }
-    recordDirect(true);
-    trainings.deposit(sample.deposits, settings.clamp);
-    return sum;
+
+    Rgb finish() {
+        trainings_.deposit(sample_.deposits, walker_.settings().clamp);
+        return RadianceVisitor::finish();
+    }
+
+  private:
+    // Whether the path has light to find beyond its next vertex, for the picture or for deposits.
+    bool isWanted(const PathState& path) {
+        noteArrival(path);
+        if (path.depth >= maxDepth_) shown_ = false;
+        return shown_ || trainings_.wantMore(path.depth, maxDepth_);
+    }
+    // Asks the cache for the light of the separable lobes, and decides whether the path makes a deposit.
+    // mixed: whether there are other lobes.
+    void askCache(const PathState& path, const Rgb& viewFactor, bool mixed) {
+        if (!accepted_) {
+            ++sample_.counts.refused;
+            return;
+        }
+        if (!shown_) return;
+        ++sample_.counts.asked;
+        const Rgb factor = cacheableFactor(viewFactor);
+        CacheAnswer answer;
+        answered_ = sample_.cache.lookUp(point_, answer);
+        if (answered_) {
+            ++sample_.counts.answered;
+            add(path.throughput * share_ * factor * answer.perFactor);
+            shown_ = mixed;
+        }
+        // Deposits are made where look-ups are, and nowhere else, so that both have the same distribution.
+        trainsHere_ =
+            random_.nextFloat() < answer.training * sample_.training && trainings_.begin(point_, factor, path.depth);
+    }
+    // f_separable / f_all for a direction, where one sample of all lobes serves two estimates: the deposit takes this
+    // share; the picture takes the rest if the cache answered for the separable lobes.
+    Rgb separableShare(const Vec3& wi) const {
+        return divided_ ? shareOf(bsdf_->f(at_->wo, wi, separable_), bsdf_->f(at_->wo, wi)) : Rgb(1.f);
+    }
+
+    FinalGather::Sample& sample_;
+    const int maxDepth_;
+    Pcg32 random_;
+    Trainings trainings_;
+    // The part of the path's throughput that the picture shows. Where the cache has answered for the separable lobes,
+    // it is that of the others.
+    Rgb share_{1.f};
+    bool shown_ = true;  // whether share_ is not zero
+    // Since the last non-specular vertex, and of its direction.
+    float distance_ = 0, pdf_ = DirectLighting::kSpecular;
+
+    // The present vertex.
+    const SurfaceInteraction* at_ = nullptr;
+    const Bsdf* bsdf_ = nullptr;
+    CachePoint point_{};
+    LobeMask separable_ = LobeFlags::None;
+    bool mayAsk_ = false, accepted_ = false;
+    bool answered_ = false;    // by the cache, for the separable lobes
+    bool trainsHere_ = false;  // whether the path makes a deposit here
+    bool divided_ = false;     // whether its direction is sampled for the separable lobes and the others together
+};
+
+}  // namespace
+
+Rgb FinalGather::radiance(const Ray& ray, Sample& sample) const {
+    GatherVisitor visitor(walker_, sample);
+    walker_.walk(PathState(ray), sample.sampler, visitor);
+    return visitor.finish();
 }
 
 }  // namespace drc

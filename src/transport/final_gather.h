@@ -9,8 +9,8 @@
 #pragma once
 #include <vector>
 
-#include "transport/path_walker.h"
 #include "transport/radiance_cache.h"
+#include "transport/radiance_visitor.h"
 
 namespace drc {
 
@@ -36,21 +36,17 @@ class FinalGather {
         uint64_t seed;                        // of the random numbers for look-ups
         std::vector<CacheDeposit>& deposits;  // are appended
         Counts& counts;
-        PathSinks sinks{};  // of the camera sample; without firstHit
+        SampleParts parts{};  // what else is wanted
     };
 
     // Both must outlive this object.
-    FinalGather(const DirectLighting& lighting, const PathSettings& settings)
-        : lighting_(lighting), walker_(lighting, settings) {}
+    FinalGather(const DirectLighting& lighting, const PathSettings& settings) : walker_(lighting, settings) {}
 
     // All light that arrives at the ray's origin along it. A path trains the cache, that is it goes on and makes
     // deposits, with the probability that the cache asks for, times Sample::training.
     Rgb radiance(const Ray& ray, Sample& sample) const;
 
   private:
-    Rgb follow(PathState path, Sample& sample, Pcg32& random) const;
-
-    const DirectLighting& lighting_;
     PathWalker walker_;
 };
 

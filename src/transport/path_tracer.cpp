@@ -1,5 +1,7 @@
 #include "transport/path_tracer.h"
 
+#include "transport/incident_visitor.h"
+
 namespace drc {
 namespace {
 
@@ -7,74 +9,119 @@ namespace {
 // eight times as many gained no more.
 constexpr float kGlossyPaths = 4;
 
+// f_part / f_all for each channel; f_all was sampled.
+Rgb ratioOf(const Rgb& part, const Rgb& all) {
+    Rgb ratio(0.f);
+    for (int c = 0; c < 3; ++c) ratio[c] = all[c] > 0 ? part[c] / all[c] : 0;
+    return ratio;
+}
+
+// A path that leaves a primary point by its non-specular lobes. What comes straight from emitters is direct light. The
+// rest is indirect light, of which the part that the broad lobes scatter is wanted, or none of it.
+class ScatteredOnce : public PathVisitor {
+  public:
+    // traceBroad: whether indirect light is wanted. All must outlive the visitor.
+    ScatteredOnce(const PathTracer& tracer, const SurfaceInteraction& at, const Bsdf& bsdf, bool traceBroad)
+        : tracer_(tracer), at_(at), bsdf_(bsdf), traceBroad_(traceBroad) {}
+
+    void emitted(const PathState& path, const Rgb& light) { add(path.throughput * light); }
+    template <class Vertex>
+    bool arrived(PathState& path, const Vertex&) {
+        const bool isSecond = !isIndirect_;
+        isIndirect_ = true;
+        if (!traceBroad_ || path.depth >= tracer_.settings().maxDepth) return false;
+        if (isSecond) path.throughput *= broadShare_;
+        return !isBlack(path.throughput);
+    }
+    void lit(const LitVertex& vertex) { add(vertex.throughput * vertex.light); }
+    void scattered(const PathState& path) {
+        if (isIndirect_ || !traceBroad_ || !bsdf_.hasWithin(tracer_.glossy())) return;
+        const LobeMask all = LobeFlags::NonSpecular;
+        broadShare_ = ratioOf(bsdf_.f(at_.wo, path.ray.d, tracer_.broad()), bsdf_.f(at_.wo, path.ray.d, all));
+    }
+
+    const Rgb& direct() const { return direct_; }
+    const Rgb& indirect() const { return indirect_; }
+
+  private:
+    void add(const Rgb& light) { (isIndirect_ ? indirect_ : direct_) += light; }
+
+    const PathTracer& tracer_;
+    const SurfaceInteraction& at_;
+    const Bsdf& bsdf_;
+    const bool traceBroad_;
+    Rgb direct_{0.f}, indirect_{0.f};
+    Rgb broadShare_{1.f};      // of what all lobes scatter in the direction of the path
+    bool isIndirect_ = false;  // whether the path has come to its second vertex
+};
+
 }  // namespace
 
-Rgb PathTracer::bsdfSample(const SurfaceInteraction& at, const BsdfView& view, int group, const Rgb& throughput,
-                           const VertexNumbers& u, Sampler& sampler, Rgb* broadLight) const {
-    Rgb sum(0.f);
-    const Bsdf& bsdf = view.bsdf();
-    const auto s = view.sample(u.lobe, u.direction);
-    if (!s || !(s->pdf > 0)) return sum;
-    const Rgb scale = throughput * (absDot(s->wi, bsdf.frame().n) / s->pdf);
-    Ray next = at.spawnRay(s->wi, spreadAfter(*s, at.coneSpread));
-    SurfaceInteraction hit;
-    const Arrival arrival = toSurface(lighting_.accel(), next, hit, [&](const SurfaceInteraction& surface) {
-        sum += scale * s->f * lighting_.emissionAtHit(surface, at.p, s->pdf);
-    });
-    if (arrival == Arrival::Escaped)
-        return sum + scale * s->f * lighting_.emissionAtInfinity(next, at.p, s->pdf, group);
-    if (arrival == Arrival::Surface && broadLight) {
-        const Rgb f = bsdf.hasWithin(glossy()) ? bsdf.f(at.wo, s->wi, broad()) : s->f;
-        if (!isBlack(f))
-            *broadLight += scale * f * walker_.walk(next, sampler, PathWalker::FirstEmission::Skipped, {}, &hit);
+// D of the split, by the chain of mirrors and smooth glass that the camera sees: at each surface of the chain, light is
+// scattered once by its other lobes.
+class PathTracer::LayersVisitor : public PathVisitor {
+  public:
+    LayersVisitor(const PathTracer& tracer, Sampler& sampler, bool withIndirect, bool traceBroad,
+                  GBufferSample* gBuffer)
+        : tracer_(tracer),
+          sampler_(sampler),
+          broad_(tracer.broad()),
+          withIndirect_(withIndirect),
+          traceBroad_(traceBroad),
+          gBuffer_(gBuffer) {}
+
+    void emitted(const PathState& path, const Rgb& light) { layers_.emission += path.throughput * light; }
+    std::optional<LobeMask> leavesBy(PathState& path, const SurfaceInteraction& at, const Bsdf& bsdf) {
+        if (gBuffer_) {
+            gBuffer_->covered = true;
+            gBuffer_->record(path.throughput, at, bsdf, path.distance);
+        }
+        if (bsdf.hasNonSpecular()) {
+            ScatteredOnce once(tracer_, at, bsdf, traceBroad_);
+            PathState branch = path;
+            branch.playsRoulette = true;
+            tracer_.walker_.walkFrom(at, bsdf, LobeFlags::NonSpecular, branch, sampler_, once);
+            layers_.lit += once.direct();
+            layers_.broad += once.indirect();
+        }
+        if (withIndirect_) addIndirect(path.throughput, at, bsdf);
+        if (!bsdf.hasSpecular()) return {};
+        return kSpecularLobes;
     }
-    return sum;
-}
+    const SampleLayers& layers() const { return layers_; }
+
+  private:
+    void addIndirect(const Rgb& throughput, const SurfaceInteraction& at, const Bsdf& bsdf) {
+        const LobeMask glossy = tracer_.glossy();
+        if (bsdf.hasWithin(glossy)) {
+            layers_.glossy += throughput * tracer_.indirectGlossy(at, bsdf, sampler_);
+            if (isBlack(layers_.glossyAlbedo)) layers_.glossyAlbedo = throughput * bsdf.albedo(at.wo, glossy);
+        }
+        if (isBlack(layers_.broadAlbedo) && bsdf.hasWithin(broad_))
+            layers_.broadAlbedo = throughput * bsdf.albedo(at.wo, broad_);
+        if (layers_.pixelSize == 0 && bsdf.hasNonSpecular()) {
+            layers_.albedo = throughput * bsdf.albedo(at.wo, LobeFlags::NonSpecular);
+            layers_.position = at.p;
+            layers_.normal = bsdf.frame().n;
+            layers_.pixelSize = at.footprint;
+        }
+    }
+
+    const PathTracer& tracer_;
+    Sampler& sampler_;
+    const LobeMask broad_;
+    const bool withIndirect_, traceBroad_;
+    GBufferSample* const gBuffer_;
+    SampleLayers layers_;
+};
 
 SampleLayers PathTracer::directLayers(const Ray& cameraRay, Sampler& sampler, bool withIndirect, bool traceBroad,
                                       GBufferSample* gBuffer) const {
-    SampleLayers layers;
-    SpecularChain chain(lighting_.accel(), cameraRay);
-    const auto met = [&](const SurfaceInteraction& hit) {
-        layers.emission += chain.throughput() * lighting_.emissionAtHit(hit, cameraRay.o, DirectLighting::kSpecular);
-    };
-    const auto atInfinity = [&](const Vec3& from, const Ray& ray) {
-        layers.emission += chain.throughput() *
-                           lighting_.emissionAtInfinity(ray, from, DirectLighting::kSpecular, DirectLighting::kNoGroup);
-    };
-    while (chain.next(met, atInfinity)) {
-        const SurfaceInteraction& hit = chain.surface();
-        const Rgb& throughput = chain.throughput();
-        const Bsdf bsdf = hit.bsdf();
-        if (gBuffer) {
-            gBuffer->covered = true;
-            gBuffer->record(throughput, hit, bsdf, chain.distance());
-        }
-        if (bsdf.hasNonSpecular()) {
-            const int group = lighting_.groupOf(hit, bsdf);
-            const BsdfView view(bsdf, hit.wo, LobeFlags::NonSpecular);
-            const VertexNumbers u(sampler);
-            layers.lit += throughput * walker_.sampleLight(hit, view, group, u);
-            layers.lit += bsdfSample(hit, view, group, throughput, u, sampler, traceBroad ? &layers.broad : nullptr);
-        }
-        if (withIndirect) {
-            if (bsdf.hasWithin(glossy())) {
-                layers.glossy += throughput * indirectGlossy(hit, bsdf, sampler);
-                if (isBlack(layers.glossyAlbedo)) layers.glossyAlbedo = throughput * bsdf.albedo(hit.wo, glossy());
-            }
-            if (isBlack(layers.broadAlbedo) && bsdf.hasWithin(broad()))
-                layers.broadAlbedo = throughput * bsdf.albedo(hit.wo, broad());
-            if (layers.pixelSize == 0 && bsdf.hasNonSpecular()) {
-                layers.albedo = throughput * bsdf.albedo(hit.wo, LobeFlags::NonSpecular);
-                layers.position = hit.p;
-                layers.normal = bsdf.frame().n;
-                layers.pixelSize = hit.footprint;
-            }
-        }
-        if (!bsdf.hasSpecular()) break;
-        const float uLobe = sampler.get1D();
-        if (!chain.follow(bsdf, uLobe, sampler.get2D())) break;
-    }
+    LayersVisitor visitor(*this, sampler, withIndirect, traceBroad, gBuffer);
+    PathState chain(cameraRay);
+    chain.playsRoulette = false;
+    walker_.walk(chain, sampler, visitor);
+    SampleLayers layers = visitor.layers();
     // Each layer is checked by itself, so that a bad sample of one does not change the others.
     for (Rgb* light : {&layers.emission, &layers.lit})
         if (!isFinite(*light)) *light = Rgb(0.f);
@@ -85,31 +132,61 @@ SampleLayers PathTracer::directLayers(const Ray& cameraRay, Sampler& sampler, bo
     return layers;
 }
 
-bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& result) const {
-    SpecularChain chain(lighting_.accel(), cameraRay);
-    while (chain.next([](const SurfaceInteraction&) {}, [](const Vec3&, const Ray&) {})) {
-        const SurfaceInteraction& at = chain.surface();
-        result.bsdf = at.bsdf();
-        const bool specular = result.bsdf.hasSpecular(), other = result.bsdf.hasNonSpecular();
-        if (!specular && !other) return false;
+namespace {
+
+// Ends the chain of mirrors and smooth glass at a primary point.
+class PrimaryVisitor : public PathVisitor {
+  public:
+    PrimaryVisitor(Sampler& sampler, PrimaryHit& result) : sampler_(sampler), result_(result) {}
+
+    std::optional<LobeMask> leavesBy(PathState& path, const SurfaceInteraction& at, const Bsdf& bsdf) {
+        const bool specular = bsdf.hasSpecular(), other = bsdf.hasNonSpecular();
         float probability = other ? 1.f : 0.f;  // of ending the chain here
         if (specular && other) {
-            const float a = luminance(result.bsdf.albedo(at.wo, LobeFlags::NonSpecular));
-            const float b = luminance(result.bsdf.albedo(at.wo, kSpecularLobes));
+            const float a = luminance(bsdf.albedo(at.wo, LobeFlags::NonSpecular));
+            const float b = luminance(bsdf.albedo(at.wo, kSpecularLobes));
             probability = std::clamp(a / std::max(a + b, 1e-8f), 0.1f, 0.9f);
         }
-        const float uLobe = sampler.get1D(), uStop = sampler.get1D();
-        const Vec2 u = sampler.get2D();
-        if (uStop < probability) {
-            result.surface = at;
-            result.throughput = chain.throughput() * (1 / probability);
-            result.distance = chain.distance();
-            result.bounces = chain.bounces();
-            return true;
+        if (sampler_.get1D() < probability) {
+            isFound_ = true;
+            result_.surface = at;
+            result_.bsdf = bsdf;
+            result_.throughput = path.throughput * (1 / probability);
+            result_.distance = path.distance;
+            result_.bounces = path.chain;
+            return {};
         }
-        if (!chain.follow(result.bsdf, uLobe, u, 1 - probability)) return false;
+        path.throughput *= 1 / (1 - probability);
+        return kSpecularLobes;
     }
-    return false;
+    bool isFound() const { return isFound_; }
+
+  private:
+    Sampler& sampler_;
+    PrimaryHit& result_;
+    bool isFound_ = false;
+};
+
+}  // namespace
+
+bool PathTracer::primaryHit(const Ray& cameraRay, Sampler& sampler, PrimaryHit& result) const {
+    PrimaryVisitor visitor(sampler, result);
+    PathState chain(cameraRay);
+    chain.playsRoulette = false;
+    walker_.walk(chain, sampler, visitor);
+    return visitor.isFound();
+}
+
+Rgb PathTracer::radiance(const Ray& ray, Sampler& sampler, const SampleParts& parts) const {
+    RadianceVisitor visitor(walker_, parts);
+    walker_.walk(PathState(ray), sampler, visitor);
+    return visitor.finish();
+}
+
+Rgb PathTracer::incident(const Ray& ray, Sampler& sampler, FirstHit* first) const {
+    IncidentVisitor visitor(walker_, first);
+    walker_.walk(PathState(ray), sampler, visitor);
+    return visitor.finish();
 }
 
 Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, const LobeMask& lobes) const {
@@ -123,7 +200,7 @@ Rgb PathTracer::indirect(const PrimaryHit& hit, Sampler& sampler, const LobeMask
 Rgb PathTracer::indirectGlossy(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const {
     const float uLobe = sampler.get1D();
     const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), glossy());
-    if (!s) return Rgb(0.f);
+    if (!s || !(s->pdf > 0)) return Rgb(0.f);
     const Rgb weight = s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
     // A dim reflection dominates what is seen of a dark surface, and no filter removes all of its noise. So these lobes
     // are traced several times as often as the path tracer would choose them.

@@ -6,7 +6,7 @@
 // A primary point is a non-specular hit that the camera sees through a chain of perfect mirrors and smooth glass. The
 // chain does not count in the path's depth. Radiance is linear RGB.
 #pragma once
-#include "transport/path_walker.h"
+#include "transport/incident_visitor.h"
 
 namespace drc {
 
@@ -53,16 +53,12 @@ class PathTracer {
     void setGuide(EnvironmentGuide* guide) { lighting_.setGuide(guide); }
 
     // All light that arrives at the ray's origin along it.
-    Rgb radiance(const Ray& ray, Sampler& sampler, const PathSinks& sinks = {}) const {
-        return walker_.walk(ray, sampler, PathWalker::FirstEmission::Counted, sinks);
-    }
+    Rgb radiance(const Ray& ray, Sampler& sampler, const SampleParts& parts = {}) const;
 
     // R of the split: radiance() without Le of the first surface itself, or of the environment if the ray escapes.
     // Emitters seen through a mirror or glass are included. The ray's origin is a vertex of the path, and counts in its
     // depth.
-    Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const {
-        return walker_.walk(ray, sampler, PathWalker::FirstEmission::Skipped, {.firstHit = first});
-    }
+    Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const;
 
     // D: Le seen through the specular chain, and one bounce of light at each non-specular hit along it. Where a surface
     // has both kinds of lobes, both are followed.
@@ -93,15 +89,12 @@ class PathTracer {
     LobeMask glossy() const { return glossyLobes(settings().broadAlpha); }
 
   private:
+    class LayersVisitor;
     // withIndirect: whether more than emission and lit is needed.
     SampleLayers directLayers(const Ray& ray, Sampler& sampler, bool withIndirect, bool traceBroad,
                               GBufferSample* gBuffer) const;
     // One sample of the glossy lobes' indirect light. Russian roulette skips paths of little weight.
     Rgb indirectGlossy(const SurfaceInteraction& at, const Bsdf& bsdf, Sampler& sampler) const;
-    // The BSDF sample of direct light at a primary point; if broadLight is not null, the path continues and adds broad
-    // indirect light to it.
-    Rgb bsdfSample(const SurfaceInteraction& at, const BsdfView& bsdf, int group, const Rgb& throughput,
-                   const VertexNumbers& u, Sampler& sampler, Rgb* broadLight) const;
 
     const Scene& scene_;
     DirectLighting lighting_;

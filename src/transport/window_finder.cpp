@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "math/rng.h"
 #include "math/warp.h"
-#include "transport/path_walker.h"
+#include "transport/to_surface.h"
 
 namespace drc {
 namespace {

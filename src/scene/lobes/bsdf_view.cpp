@@ -56,6 +56,10 @@ BsdfView::BsdfView(const Bsdf& bsdf, const Vec3& wo, const LobeMask& mask, Trans
     for (int k = 0; k < count_; ++k) choices_[k].probability /= sum;
 }
 
+bool BsdfView::hasNonSpecular() const {
+    return std::any_of(choices_, choices_ + count_, [](const Choice& choice) { return !isSpecular(choice.flags); });
+}
+
 // The geometric normal decides, so that shading normals leak no light.
 LobeFlags BsdfView::sideOf(const Vec3& wi) const {
     return dot(wi, bsdf_.ng()) * woSide_ > 0 ? LobeFlags::Reflection : LobeFlags::Transmission;

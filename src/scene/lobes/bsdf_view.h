@@ -12,6 +12,8 @@ class BsdfView {
              TransportMode mode = TransportMode::Radiance);
 
     const Bsdf& bsdf() const { return bsdf_; }
+    // Whether one of its lobes is not specular.
+    bool hasNonSpecular() const;
     // Sum of the non-specular lobes; wi in world space.
     Rgb f(const Vec3& wi) const { return evaluate(wi).f; }
     // f(wi) and the pdf of sample() per solid angle, both without the specular lobes. Where f is zero the pdf may be

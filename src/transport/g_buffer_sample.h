@@ -1,20 +1,11 @@
-// Records of a path, filled in while it is walked.
+// The surfaces that the camera sees in a sample, for denoisers.
 #pragma once
-#include "accel/interaction.h"
+#include "accel/accel.h"
 
 namespace drc {
 
-// The first surface of a path, as a radiance map records it.
-struct FirstHit {
-    float distance = -1;   // world units; -1: the path escaped
-    Vec3 normal{0, 0, 0};  // geometric, turned towards the origin; zero if it escaped
-    // The albedo of the surface towards the origin (Bsdf::albedo), in [0, 1]. For an emitter without a material, that
-    // of the surface behind it; zero if the path escaped.
-    Rgb albedo{0.f};
-    // The part of the sample's radiance that reaches the first non-specular vertex straight from emitters; the rest has
-    // met at least one more such vertex.
-    Rgb direct{0.f};
-};
+struct MediumPassage;
+struct PathState;
 
 // The G-buffer of a camera sample: surfaces in the pixel, seen directly or through mirrors and smooth glass. All zero
 // if there are none.
@@ -36,15 +27,10 @@ struct GBufferSample {
         normal = faceForward(bsdf.frame().n, at.wo);
         depth = distance;
     }
-};
-
-// Each may be null.
-struct PathSinks {
-    FirstHit* firstHit = nullptr;
-    GBufferSample* gBuffer = nullptr;
-    // The part of the sample's radiance that comes straight from emitters or has met a single non-specular vertex: what
-    // path tracing to a depth of 1 gives.
-    Rgb* direct = nullptr;
+    // For a visitor's passed(): adds what the medium shows, and, if the path is scattered in it, the surface behind, as
+    // if media did not scatter paths but only hid a part of what is behind them. All samples of a pixel then record
+    // nearly the same, whether they are scattered or not.
+    void recordMedium(const Accel& accel, const PathState& path, const MediumPassage& passage);
 };
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-#include "transport/path_walker.h"
+#include "transport/path_state.h"
 
 #include <gtest/gtest.h>
 
