@@ -1,7 +1,7 @@
 """The renderer's command lines, of the settings that the panels show."""
 
 
-def render_command(program, scene_file, output, settings, port=None, threads=0):
+def render_command(program, scene_file, output, settings, viewer=None, threads=0):
     command = [
         program,
         "render",
@@ -29,8 +29,8 @@ def render_command(program, scene_file, output, settings, port=None, threads=0):
     command += ["--denoise", "auto" if settings.denoise else "off"]
     if threads:
         command += ["--nthreads", str(threads)]
-    if port is not None:
-        command += ["--display-server", f"127.0.0.1:{port}"]
+    if viewer is not None:
+        command += ["--display-server", viewer]
     return command + ["--quiet"]
 
 

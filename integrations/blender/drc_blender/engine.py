@@ -4,7 +4,6 @@ The renderer is a child process: whatever happens to it, Blender goes on, and it
 """
 
 import os
-import tempfile
 import threading
 import time
 
@@ -12,7 +11,8 @@ import bpy
 
 from .commands import render_command
 from .export.camera_maths import pixel_bounds
-from .export.scene import SceneExporter, Settings
+from .export.scene import SceneExporter
+from .export_place import export_folder, exporter_settings
 from .frame_renderer import FrameRenderer
 from .program import UserError
 from .properties import preferences, program
@@ -23,23 +23,6 @@ LOOK_EVERY = 0.05  # seconds
 DRAIN = 15.0  # seconds that the last picture may take to come
 CANCEL = 0.2  # seconds that a cancelled renderer has to end by itself; nobody wants what it would write
 LEAVE = 0.5  # seconds in which Blender has left a render after our part of it
-
-
-def exporter_settings(drc):
-    return Settings(
-        max_depth=drc.max_bounces,
-        filter_kind=drc.filter_kind,
-        filter_width=drc.filter_width,
-        texture_side=drc.texture_side,
-        atlas_side=2 * drc.texture_side,
-        world_side=drc.world_side,
-    )
-
-
-def export_folder(scene, use):
-    """use: "render" or "view", which may run at once."""
-    chosen = bpy.path.abspath(scene.drc.keep_files) if scene.drc.keep_files else ""
-    return os.path.join(chosen or bpy.app.tempdir or tempfile.gettempdir(), f"drc-{use}")
 
 
 class DrcRenderEngine(bpy.types.RenderEngine):
@@ -103,8 +86,8 @@ class DrcRenderEngine(bpy.types.RenderEngine):
         return exported
 
     def _render(self, scene, exported):
-        def command(scene_file, output, port):
-            return render_command(program(), scene_file, output, scene.drc, port, preferences().threads)
+        def command(scene_file, output, viewer):
+            return render_command(program(), scene_file, output, scene.drc, viewer, preferences().threads)
 
         renderer = FrameRenderer.of_animation(command)
         done = False
@@ -172,6 +155,8 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             self.end_result(result)
 
     # Viewport
+
+    # Without a window there is no GPU, which the viewport draws with.
 
     def view_update(self, context, depsgraph):
         from .viewport import viewport_of

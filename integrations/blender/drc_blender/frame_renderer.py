@@ -17,7 +17,7 @@ class FrameRenderer:
     _kept = None  # between the frames of an animation
 
     def __init__(self, command_for, key):
-        """command_for(scene file, output, port): the renderer's command line. key: of renderers that are alike."""
+        """command_for(scene file, output, viewer): the renderer's command line. key: of renderers that are alike."""
         self._command_for, self.key = command_for, key
         self.receiver = TevReceiver()
         self._child = self._folder = self._output = None
@@ -25,7 +25,7 @@ class FrameRenderer:
     @classmethod
     def of_animation(cls, command_for):
         """The renderer that is kept, if it would be started by the same command and is running."""
-        key = command_for("", "", 0)
+        key = command_for("", "", "")
         kept, cls._kept = cls._kept, None
         if kept is not None and kept.key == key and kept.running():
             return kept
@@ -48,7 +48,7 @@ class FrameRenderer:
             self._folder = tempfile.TemporaryDirectory(prefix="picture-", dir=os.path.dirname(scene_file))
         self._output = os.path.join(self._folder.name, f"{time.monotonic_ns()}.exr")
         if self._child is None:
-            command = self._command_for(scene_file, self._output, self.receiver.port)
+            command = self._command_for(scene_file, self._output, self.receiver.address)
             self._child = Child(command + list(NEXT_FRAMES), keep_output=True, asks=True) if more else Child(command)
         else:
             self._child.lines.clear()

@@ -4,8 +4,10 @@ A thread of its own reads packets into one numpy array; it touches nothing of Bl
 type and a payload, all little-endian; see https://github.com/Tom94/tev.
 """
 
+import os
 import socket
 import struct
+import tempfile
 import threading
 import time
 from dataclasses import dataclass
@@ -63,11 +65,15 @@ class Picture:
 
 
 class TevReceiver:
-    """Listens on a free port of this machine until close()."""
+    """Listens until close(), on a socket in a folder of this user alone: what comes is trusted with memory."""
 
     def __init__(self):
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.port = self._listener.getsockname()[1]
+        self._folder = tempfile.TemporaryDirectory(prefix="drc-")
+        path = os.path.join(self._folder.name, "picture")
+        self._listener = socket.socket(socket.AF_UNIX)
+        self._listener.bind(path)
+        self._listener.listen()
+        self.address = f"unix:{path}"
         self._lock = threading.Lock()
         self._picture, self._version, self._taken, self._came_at = None, 0, 0, 0.0
         self._quiet = threading.Event()  # nobody is connected, and nobody waits to be
@@ -80,6 +86,7 @@ class TevReceiver:
         self._closing.set()
         self._thread.join(timeout=5)
         self._listener.close()
+        self._folder.cleanup()
 
     def changed(self):
         """The picture, if there is a new one since the last call and no more of it has come for a moment. It is the

@@ -7,7 +7,8 @@ import bpy
 from bpy_extras.io_utils import ExportHelper
 
 from .commands import view_command
-from .engine import DrcRenderEngine, export_folder
+from .engine import DrcRenderEngine
+from .export_place import export_folder
 from .program import Child, UserError
 from .properties import preferences, program
 

@@ -14,8 +14,8 @@ import numpy as np
 from gpu_extras.batch import batch_for_shader
 
 from .commands import view_command
-from .engine import export_folder, exporter_settings
 from .export.scene import SceneExporter
+from .export_place import exporter_settings, private_folder, viewport_folder
 from .program import UserError
 from .properties import preferences, program
 from .view_camera import frame_size, is_view, view_of
@@ -49,6 +49,7 @@ class Viewport:
     def __init__(self, engine):
         self._engine = weakref.ref(engine)
         self._client, self._exporter, self._renders, self._error = None, None, None, None
+        self._folder = None  # goes with this object
         self._changed_at, self._moved_at, self._view = time.monotonic(), 0.0, None
         self._sphere, self._frame, self._texture = None, None, None
         # The renderer ends with the engine, which Blender frees when the shading changes or the window closes.
@@ -95,9 +96,9 @@ class Viewport:
         scene = depsgraph.scene
         self._changed_at, self._error = None, None
         try:
-            folder = export_folder(scene, "view")
-            if self._exporter is None or self._exporter.folder != folder:
-                self._exporter = SceneExporter(folder, exporter_settings(scene.drc))
+            if self._folder is None:
+                self._folder = viewport_folder()
+                self._exporter = SceneExporter(self._folder.name, exporter_settings(scene.drc))
             self._exporter.settings = exporter_settings(scene.drc)
             exported = self._exporter.export(depsgraph, size=AT_FIRST, view=view)
             self._sphere = exported.sphere
@@ -107,7 +108,7 @@ class Viewport:
                 return  # Blender has told of a change of nothing that is rendered, such as the selection
             client = ViewClient(command)
         except OSError as error:
-            self._error = f"cannot write the scene to {folder}: {error.strerror or error}"
+            self._error = f"cannot write the scene to {self._exporter.folder if self._exporter else private_folder()}: {error.strerror or error}"
             return
         except (UserError, ValueError) as error:
             self._error = str(error)

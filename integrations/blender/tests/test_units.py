@@ -402,7 +402,8 @@ class Receiver(unittest.TestCase):
         self.addCleanup(self.receiver.close)
 
     def send(self, *pieces):
-        with socket.create_connection(("127.0.0.1", self.receiver.port)) as connection:
+        with socket.socket(socket.AF_UNIX) as connection:
+            connection.connect(self.receiver.address.removeprefix("unix:"))
             for piece in pieces:
                 connection.sendall(piece)
 
@@ -420,6 +421,12 @@ class Receiver(unittest.TestCase):
         np.testing.assert_array_equal(picture.planes[0], [[0, 0, 2, 0], [0, 4, 6, 0]])
         np.testing.assert_array_equal(picture.planes[1], [[0, 1, 3, 0], [0, 5, 7, 9]])
         self.assertIsNone(self.receiver.changed())
+
+    def test_nobody_else_can_connect(self):
+        folder = os.path.dirname(self.receiver.address.removeprefix("unix:"))
+        self.assertEqual(os.stat(folder).st_mode & 0o077, 0)
+        self.receiver.close()
+        self.assertFalse(os.path.exists(folder))
 
     def test_nonsense_ends_a_connection_and_no_more(self):
         bad = [
@@ -513,13 +520,13 @@ class Programs(unittest.TestCase):
                 3,
             )
 
-        command = render_command("drc", "s.pbrt", "o.exr", Drc, 5, 2)
+        command = render_command("drc", "s.pbrt", "o.exr", Drc, "unix:here", 2)
         for words in (
             ["--noise-threshold", "0.05", "--time", "9"],
             ["--cells", "off"],
             ["--denoise", "off"],
             ["--nthreads", "2"],
-            ["--display-server", "127.0.0.1:5"],
+            ["--display-server", "unix:here"],
         ):
             self.assertIn(" ".join(words), " ".join(command))
         self.assertEqual(
@@ -552,7 +559,7 @@ class WithTheProgram(unittest.TestCase):
                     "64x48",
                     "--quiet",
                     "--display-server",
-                    f"127.0.0.1:{receiver.port}",
+                    receiver.address,
                 ]
             )
             self.assertEqual(child.finish(), 0, child.lines)
