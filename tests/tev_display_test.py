@@ -290,7 +290,7 @@ class Viewers(RenderTest):
             run = subprocess.run([self.drc, "render", SCENE, "--display-server", wrong], cwd=self.folder,
                                  capture_output=True, text=True)
             self.assertNotEqual(run.returncode, 0)
-            self.assertIn(f"'{wrong}' is not HOST:PORT", run.stderr)
+            self.assertIn(f"'{wrong}' is neither HOST:PORT", run.stderr)
 
 
 class Tevclient(RenderTest):

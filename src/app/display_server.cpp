@@ -9,7 +9,7 @@ namespace drc {
 std::unique_ptr<TevDisplay> showInTev(const RenderOptions& options, const Session& session,
                                       const RenderSettings& settings) {
     TevSettings shown;
-    shown.server = parseTcpAddress(options.displayServer);
+    shown.server = parseStreamAddress(options.displayServer);
     shown.name = fmt::format("{} ({})", sceneTitle(options.scene), sceneTitle(options.outputs.front()));
     // A pixel tells the layers that there are.
     const PixelRegion region = session.film().region();

@@ -8,7 +8,7 @@
 #include "app/usage_error.h"
 #include "base/limits.h"
 #include "integrators/integrator.h"
-#include "view/tcp_sender.h"
+#include "view/stream_sender.h"
 
 namespace drc {
 namespace {
@@ -17,16 +17,16 @@ namespace {
 constexpr const char* kMapGroup = "Radiance maps, with --integrator drc-maps alone";
 constexpr const char* kCellGroup = "Radiance cells, with --integrator drc alone";
 
-CLI::Validator tcpAddress() {
+CLI::Validator streamAddress() {
     return {[](std::string& text) -> std::string {
                 try {
-                    parseTcpAddress(text);
+                    parseStreamAddress(text);
                     return "";
                 } catch (const Error& error) {
                     return error.what();
                 }
             },
-            "HOST:PORT"};
+            "HOST:PORT|unix:PATH"};
 }
 
 void addAmounts(CLI::App& command, RenderOptions& o) {
@@ -194,10 +194,11 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
         ->excludes("--lookat")
         ->excludes("--timing");
     command
-        .add_option("--display-server", o.displayServer,
-                    "HOST:PORT at which tev, the image viewer, listens: shows the picture there while it refines, and "
-                    "when it is finished. tev's own port is 14158")
-        ->check(tcpAddress());
+        .add_option(
+            "--display-server", o.displayServer,
+            "HOST:PORT at which tev, the image viewer, listens, or unix:PATH of another program's socket: shows "
+            "the picture there while it refines, and when it is finished. tev's own port is 14158")
+        ->check(streamAddress());
     command.add_flag("--stats", o.stats, "Print counts and times at the end");
     command.add_flag("--quiet", o.quiet, "Print only warnings and errors");
     command.add_flag("-v,--verbose", o.verbose, "Print more messages");

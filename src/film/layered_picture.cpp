@@ -49,6 +49,21 @@ Image LayeredPicture::variance() const {
     return sum;
 }
 
+Rgb LayeredPicture::partAt(const std::string& name, int x, int y) const {
+    if (direct && name == "direct") return direct->rgb(x, y);
+    Rgb sum(0.f);
+    for (const PictureLayer& layer : layers)
+        if (direct || name.empty() || layer.part == name) sum += layer.mean.rgb(x, y);
+    return direct && name == "indirect" ? sum - direct->rgb(x, y) : sum;
+}
+
+Rgb LayeredPicture::varianceAt(int x, int y) const {
+    Rgb sum(0.f);
+    for (const PictureLayer& layer : layers)
+        if (layer.variance) sum += layer.variance->rgb(x, y);
+    return sum;
+}
+
 void LayeredPicture::compose() {
     beauty = part("");
     // Pixel filters with negative lobes undershoot beside bright areas. As in pbrt the picture is clamped at zero; its

@@ -54,6 +54,9 @@ struct LayeredPicture {
     Image part(const std::string& name) const;
     // Variance of the sum of the layers.
     Image variance() const;
+    // part() and variance() of one pixel, counted from the region's corner.
+    Rgb partAt(const std::string& name, int x, int y) const;
+    Rgb varianceAt(int x, int y) const;
     // Sets beauty to the sum of the layers.
     void compose();
     // Maps the colours of the layers and of the beauty, which is clamped at zero again. Variances become upper bounds.

@@ -71,7 +71,6 @@ std::vector<FilmLayerSpec> Session::layers() const {
 }
 
 void Session::begin() {
-    Film::requireMemory(sensor_.settings, layers());  // for another film than that of the constructor
     distance_ = medianDistance();
     integrator_ =
         makeIntegrator(params_.integrator, {scene_, sensor_, accel_, lights_, tracer_, params_, distance_, stats_});
@@ -81,16 +80,22 @@ void Session::begin() {
     if (params_.guide && traitsOf(params_.integrator).guided) startGuide();
 }
 
+void Session::setSensor(std::shared_ptr<const Camera> camera, const FilmGeometry& film) {
+    Sensor changed = sensor_;
+    changed.camera = std::move(camera);
+    changed.settings.film = film;
+    if (!(film == sensor_.settings.film)) Film::requireMemory(changed.settings, layers());
+    sensor_ = std::move(changed);
+}
+
 void Session::setCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film) {
-    sensor_.camera = std::move(camera);
-    sensor_.settings.film = film;
+    setSensor(std::move(camera), film);
     begin();
     restart();
 }
 
 void Session::moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film) {
-    sensor_.camera = std::move(camera);
-    sensor_.settings.film = film;
+    setSensor(std::move(camera), film);
     if (!integrator_->cameraMoved()) {
         begin();
     } else if (sensor_.settings.region() == film_->region()) {

@@ -41,7 +41,7 @@ class Session {
     void endSampling();
 
     // Changes the camera: the film is cleared and may have another size, the prepared scene stays. Not while other
-    // calls run.
+    // calls run. Throws Error, with all as it was, if the film does not fit into memory.
     void setCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
     // Like setCamera(), for a camera that looks around in the same room: keeps what was learned about the scene, such
     // as radiance cells. This helps the new picture, which therefore depends on where the camera has been.
@@ -72,6 +72,8 @@ class Session {
     // The present camera and its film.
     const Sensor& sensor() const { return sensor_; }
     const RenderParams& params() const { return params_; }
+    // The layers of its film.
+    std::vector<FilmLayerSpec> layers() const;
     // Complete samples a pixel, and complete map passes.
     int samplesDone() const;
     int mapPassesDone() const { return film_->mapPasses(); }
@@ -99,7 +101,8 @@ class Session {
     float medianDistance() const;
     // Warns of pictures that can only be black.
     void warnIfBlack() const;
-    std::vector<FilmLayerSpec> layers() const;
+    // Throws Error, with the sensor as it was, if the film does not fit into memory.
+    void setSensor(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
     // Makes the integrator, the film, and all else that depends on the camera.
     void begin();
     void restart();

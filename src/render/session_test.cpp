@@ -469,6 +469,19 @@ TEST(Session, PicturesBeyondTheMemoryAreRefused) {
     EXPECT_THAT(errorFor(*other), StartsWith("a picture of 60000 x 60000 pixels needs"));
 }
 
+// A camera whose film does not fit leaves the session as it was.
+TEST(Session, CamerasBeyondTheMemoryAreRefused) {
+    for (const std::string& integrator : kIntegrators) {
+        Rendered whole(paramsOf(integrator, 2)), r(paramsOf(integrator, 2));
+        r.session.step();
+        const FilmGeometry film{65536, 65536};
+        const std::shared_ptr<const Camera> camera = r.scene->sensor.camera->withFilm(film);
+        EXPECT_THAT(drc::errorOf([&] { r.session.setCamera(camera, film); }), HasSubstr("65536 x 65536 pixels needs"));
+        EXPECT_THAT(drc::errorOf([&] { r.session.moveCamera(camera, film); }), HasSubstr("65536 x 65536 pixels needs"));
+        EXPECT_TRUE(sameBits(whole.finish().session.film(), r.finish().session.film())) << integrator;
+    }
+}
+
 TEST(Session, UnknownIntegratorsAreNamed) {
     EXPECT_THAT(drc::errorOf([&] { Rendered r(paramsOf("photon", 1)); }),
                 AllOf(HasSubstr("no integrator 'photon'"), HasSubstr("drc, drc-maps, path, bdpt, direct")));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "base/log.h"
 #include "film/sample_pass.h"
 
@@ -20,6 +21,8 @@ constexpr std::chrono::milliseconds kLeastInterval{150};
 
 LiveRender::LiveRender(Session& session, Callbacks callbacks)
     : session_(session),
+      settings_(session.sensor().settings),
+      layers_(session.layers()),
       callbacks_(std::move(callbacks)),
       abandon_(callbacks_.outdated ? *callbacks_.outdated : own_),
       thread_([this] { run(); }) {}
@@ -122,18 +125,8 @@ void LiveRender::work() {
                 if (move_) {
                     Move move = std::move(*move_);
                     move_.reset();
-                    session_.moveCamera(move.make(), move.film);
-                    moving_ = move.moving;
-                    movedInPause_ = state_.paused;
-                    owesFrame_ = true;
-                    state_.done = false;
-                    state_.focus.reset();
-                    isCurrent_ = false;
-                    error_ = nullptr;
-                    errors_ = NoiseThreshold(0);
-                    framePasses_ = 0;
-                    ++view_;
-                    began_ = Clock::now();
+                    applyMove(std::move(move), lock);
+                    continue;
                 }
                 if (nextFocus_) {
                     applyFocus(*nextFocus_);
@@ -170,6 +163,37 @@ void LiveRender::work() {
         }
         if (session_.hasPicture() && (isResting || isFrameDue())) makeFrame();
     }
+}
+
+void LiveRender::applyMove(Move move, std::unique_lock<std::mutex>& lock) {
+    owesFrame_ = true;
+    lock.unlock();
+    try {
+        session_.moveCamera(move.make(), move.film);
+    } catch (const Error& error) {
+        // Memory has become short since requireMemory(). What was being sampled has been abandoned, so the picture of
+        // the present camera begins anew.
+        logError(error.what());
+        move = {.make = {}, .film = session_.sensor().settings.film, .moving = false};
+        session_.moveCamera(session_.sensor().camera, move.film);
+    }
+    lock.lock();
+    moving_ = move.moving;
+    movedInPause_ = state_.paused;
+    state_.done = false;
+    state_.focus.reset();
+    isCurrent_ = false;
+    error_ = nullptr;
+    errors_ = NoiseThreshold(0);
+    framePasses_ = 0;
+    ++view_;
+    began_ = Clock::now();
+}
+
+void LiveRender::requireMemory(const FilmGeometry& film) const {
+    RenderSettings settings = settings_;
+    settings.film = film;
+    Film::requireMemory(settings, layers_);
 }
 
 void LiveRender::applyFocus(const std::optional<PicturePart>& part) {

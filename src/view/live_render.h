@@ -75,6 +75,8 @@ class LiveRender {
     std::shared_ptr<const LiveFrame> waitForFrame(uint64_t after, std::chrono::milliseconds most) const;
     LiveState state() const;
 
+    // Throws Error if a film of this size does not fit into memory. For setCamera(), which must not be told of such.
+    void requireMemory(const FilmGeometry& film) const;
     // While it is paused, a camera that is moved is seen all the same, by a sample of each pixel.
     void pause(bool paused);
     // Renders from another camera, for a film of any size. make: called on the render's thread, and must not throw.
@@ -93,6 +95,8 @@ class LiveRender {
         FilmGeometry film;
         bool moving = false;
     };
+    // Moves the camera. lock: of mutex_, which others may have meanwhile.
+    void applyMove(Move move, std::unique_lock<std::mutex>& lock);
     void applyFocus(const std::optional<PicturePart>& part);
     void run();
     void work();
@@ -106,6 +110,9 @@ class LiveRender {
     bool isFrameDue() const;
 
     Session& session_;
+    // Copied from the session at first, whose settings change with the camera, on the render's thread.
+    const RenderSettings settings_;
+    const std::vector<FilmLayerSpec> layers_;
     Callbacks callbacks_;
     CancelToken cancel_;
     CancelToken own_;

@@ -103,7 +103,7 @@ void TevDisplay::work() {
                 std::max<Clock::duration>(settings_.interval, std::chrono::duration_cast<Clock::duration>(rest));
             (all ? allDue : due) = again;
             if (all) due = Clock::now() + settings_.interval;
-        } catch (const TcpSender::GaveUp&) {
+        } catch (const StreamSender::GaveUp&) {
             throw;
         } catch (const Error& error) {
             complain(error.what());
@@ -135,7 +135,7 @@ void TevDisplay::connect() {
     if (sender_) return;
     creation_.clear();
     sender_.emplace(settings_.server, [&](Clock::duration idle) { return idle < kConnect && waits(idle); });
-    logDebug(fmt::format("--display-server: connected to {}:{}", settings_.server.host, settings_.server.port));
+    logDebug("--display-server: connected to " + settings_.server.text());
 }
 
 void TevDisplay::makeImage(const tev::Picture& outline) {
@@ -175,7 +175,7 @@ void TevDisplay::showLast() {
         try {
             makeImage(*last_);
             return show(*last_);
-        } catch (const TcpSender::GaveUp&) {
+        } catch (const StreamSender::GaveUp&) {
             throw;
         } catch (const Error& error) {
             complain(error.what());
@@ -196,8 +196,7 @@ bool TevDisplay::isLate(const tev::Picture& picture) const {
 }
 
 void TevDisplay::complain(const std::string& reason) {
-    const std::string text =
-        fmt::format("--display-server {}:{}: {}", settings_.server.host, settings_.server.port, reason);
+    const std::string text = fmt::format("--display-server {}: {}", settings_.server.text(), reason);
     if (complained_)
         logDebug(text);
     else

@@ -11,13 +11,13 @@
 #include <thread>
 #include <vector>
 
-#include "view/tcp_sender.h"
+#include "view/stream_sender.h"
 #include "view/tev_picture.h"
 
 namespace drc {
 
 struct TevSettings {
-    TcpAddress server;
+    StreamAddress server;
     std::string name;                           // of the image in the viewer
     std::chrono::milliseconds interval{1000};   // between pictures, at least
     std::chrono::milliseconds retry{2000};      // after a failure, until the next attempt to connect
@@ -56,9 +56,9 @@ class TevDisplay {
     std::optional<tev::Picture> taken(Extent extent);
     // Makes a connection if there is none that works. Throws Error if that fails.
     void connect();
-    // Makes the image that can show these layers, if the viewer has another one or none. Throws as TcpSender::send.
+    // Makes the image that can show these layers, if the viewer has another one or none. Throws as StreamSender::send.
     void makeImage(const tev::Picture& outline);
-    // Sends the tiles that the viewer does not have yet, until there is a later picture. Throws as TcpSender::send.
+    // Sends the tiles that the viewer does not have yet, until there is a later picture. Throws as StreamSender::send.
     void show(const tev::Picture& picture);
     void showLast();
     // Whether to go on waiting for the viewer, which has taken nothing for so long.
@@ -79,7 +79,7 @@ class TevDisplay {
     bool ending_ = false;
 
     // Used by the thread alone.
-    std::optional<TcpSender> sender_;
+    std::optional<StreamSender> sender_;
     std::string creation_;  // the packet that made the image that the viewer has; empty: it has none
     PixelRegion region_;    // that the image shows
     std::map<std::string, std::vector<uint64_t>> sums_;  // checksums of the tiles of each layer

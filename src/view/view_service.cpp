@@ -166,19 +166,38 @@ std::vector<std::string> layersOf(const LiveFrame& frame) {
     return names;
 }
 
+namespace {
+
+// The image of a layer that the frame holds as it is; null: it has to be computed.
+const Image* heldLayer(const LiveFrame& frame, const std::string& name) {
+    const LayeredPicture& picture = frame.picture;
+    if (name == "beauty") return &picture.beauty;
+    if (name == "unfiltered") return &frame.unfiltered;
+    if (name == "albedo") return &picture.gBuffer->albedo;
+    if (name == "normal") return &picture.gBuffer->normal;
+    if (name == "depth") return &picture.gBuffer->depth;
+    if (name == "samples") return &*picture.samples;
+    if (name == "error") return &frame.error->local;
+    return nullptr;
+}
+
+}  // namespace
+
 Image layerOf(const LiveFrame& frame, const std::string& name) {
     const std::vector<std::string> names = layersOf(frame);
     if (std::find(names.begin(), names.end(), name) == names.end()) return {};
-    const LayeredPicture& picture = frame.picture;
-    if (name == "beauty") return picture.beauty;
-    if (name == "unfiltered") return frame.unfiltered;
-    if (name == "albedo") return picture.gBuffer->albedo;
-    if (name == "normal") return picture.gBuffer->normal;
-    if (name == "depth") return picture.gBuffer->depth;
-    if (name == "variance") return picture.variance();
-    if (name == "samples") return *picture.samples;
-    if (name == "error") return frame.error->local;
-    return picture.part(name);
+    if (const Image* held = heldLayer(frame, name)) return *held;
+    return name == "variance" ? frame.picture.variance() : frame.picture.part(name);
+}
+
+std::vector<float> layerAt(const LiveFrame& frame, const std::string& name, int x, int y) {
+    std::vector<float> values;
+    if (const Image* held = heldLayer(frame, name)) {
+        for (int c = 0; c < held->channels(); ++c) values.push_back(held->at(x, y, c));
+        return values;
+    }
+    const Rgb value = name == "variance" ? frame.picture.varianceAt(x, y) : frame.picture.partAt(name, x, y);
+    return {value.x, value.y, value.z};
 }
 
 ViewService::ViewService(const Scene& scene, const Accel& accel, LiveRender& render, Settings settings)
@@ -342,12 +361,8 @@ HttpResponse ViewService::pixel(const HttpRequest& request, bool withLayers) con
     if (frame->picture.samples) value["samples"] = frame->picture.samples->at(*x, *y, 0);
     if (!withLayers) return json(value);
     for (const std::string& name : layersOf(*frame)) {
-        const Image image = layerOf(*frame, name);
         Json& values = value["layers"][name] = Json::array();
-        for (int c = 0; c < image.channels(); ++c) {
-            const float v = image.at(*x, *y, c);
-            values.push_back(std::isfinite(v) ? Json(v) : Json());
-        }
+        for (const float v : layerAt(*frame, name, *x, *y)) values.push_back(std::isfinite(v) ? Json(v) : Json());
     }
     return json(value);
 }
@@ -385,6 +400,11 @@ HttpResponse ViewService::setCamera(const HttpRequest& request) {
     };
     if (!side("width", film.width) || !side("height", film.height))
         return wrong(fmt::format("width and height must be whole numbers from {} to {}", kLeastSide, kMostSide));
+    try {
+        render_.requireMemory(film);
+    } catch (const Error& error) {
+        return wrong(error.what());
+    }
     const auto moving = object.find("moving");
     const bool isMoving = moving != object.end() && moving->is_boolean() && moving->get<bool>();
     Json answer = asJson(camera, scene_);

@@ -75,6 +75,8 @@ bool isToken(std::string_view text);
 // The names of what can be seen of a frame, and the image of one; an empty image if there is none of this name.
 std::vector<std::string> layersOf(const LiveFrame& frame);
 Image layerOf(const LiveFrame& frame, const std::string& name);
+// The values of one of these layers in a pixel, without making its image.
+std::vector<float> layerAt(const LiveFrame& frame, const std::string& name, int x, int y);
 
 // The page, one HTML file.
 std::string_view viewerPage();

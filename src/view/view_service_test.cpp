@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/memory.h"
 #include "pbrt/scene_file.h"
 
 namespace drc {
@@ -262,6 +263,40 @@ TEST(ViewService, AnswersWithNamesInOtherEncodings) {
         text.replace(at, 6, "Nu\xdf");
     Served served(text);
     EXPECT_EQ(served.surface(columnOf(4, 5), 10)["surface"]["material"], "Nu\xef\xbf\xbd");
+}
+
+// A page that asks for more than there is memory for is told so, and the view goes on.
+TEST(ViewService, RefusesSizesBeyondTheMemory) {
+    Served served;
+    const std::string camera = R"({"eye": [0, 0, 0], "look": [0, 0, 5], "up": [0, 1, 0], "width": )";
+    {
+        // Nearly all that claims may use.
+        const MemoryClaim held(0.85 * double(availableMemory()), "a test");
+        const HttpResponse refused = served.post("camera", camera + "4096, \"height\": 4096}");
+        if (availableMemory() < (uint64_t(40) << 30)) {
+            EXPECT_EQ(refused.status, 400);
+            EXPECT_THAT(refused.body, testing::HasSubstr("a picture of 4096 x 4096 pixels needs"));
+        }
+    }
+    EXPECT_EQ(served.post("camera", camera + "40, \"height\": 30}").status, 200);
+    const uint64_t view = served.render->frame()->view;
+    auto frame = served.render->frame();
+    while (frame->view == view && frame->picture.beauty.height() != 30)
+        frame = served.render->waitForFrame(frame->number, kLong);
+    EXPECT_EQ(served.render->state().error, "");
+}
+
+TEST(ViewService, ValuesOfAPixelAreThoseOfTheLayers) {
+    const Served served;
+    const auto frame = served.render->frame();
+    for (const std::string& name : layersOf(*frame)) {
+        const Image image = layerOf(*frame, name);
+        for (const auto& [x, y] : {std::pair(0, 0), std::pair(17, 5), std::pair(39, 19)}) {
+            std::vector<float> values;
+            for (int c = 0; c < image.channels(); ++c) values.push_back(image.at(x, y, c));
+            EXPECT_EQ(layerAt(*frame, name, x, y), values) << name;
+        }
+    }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ struct FilmGeometry {
     int width = 1280;
     int height = 720;
     float diagonal = 35;  // of the film, in millimetres; used only by the realistic camera
+    bool operator==(const FilmGeometry&) const = default;
 };
 
 struct CameraRay {

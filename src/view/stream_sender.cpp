@@ -1,8 +1,10 @@
-#include "view/tcp_sender.h"
+#include "view/stream_sender.h"
 
+#include <fmt/core.h>
 #include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
@@ -22,7 +24,7 @@ using AddressList = std::shared_ptr<const addrinfo>;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-AddressList lookUp(const TcpAddress& address) {
+AddressList lookUp(const StreamAddress& address) {
     addrinfo hints{}, *list = nullptr;
     hints.ai_family = AF_UNSPEC;
     hints.ai_socktype = SOCK_STREAM;
@@ -33,13 +35,13 @@ AddressList lookUp(const TcpAddress& address) {
 
 // The system cannot be told to give up, and may ask name servers for many seconds: it does so on a thread that is left
 // to itself.
-AddressList lookUp(const TcpAddress& address, const TcpSender::Patience& patience) {
+AddressList lookUp(const StreamAddress& address, const StreamSender::Patience& patience) {
     std::packaged_task<AddressList()> task([address] { return lookUp(address); });
     std::future<AddressList> found = task.get_future();
     std::thread(std::move(task)).detach();
-    const auto start = TcpSender::Clock::now();
+    const auto start = StreamSender::Clock::now();
     while (found.wait_for(kTick) != std::future_status::ready)
-        if (!patience(TcpSender::Clock::now() - start)) throw Error("its name is not found in time");
+        if (!patience(StreamSender::Clock::now() - start)) throw Error("its name is not found in time");
     return found.get();
 }
 
@@ -50,12 +52,12 @@ bool isReady(int socket) {
 }
 
 // 0, or the reason why not. The socket does not block.
-int connectTo(int socket, const addrinfo& to, const TcpSender::Patience& patience) {
+int connectTo(int socket, const addrinfo& to, const StreamSender::Patience& patience) {
     if (connect(socket, to.ai_addr, to.ai_addrlen) == 0) return 0;
     if (errno != EINPROGRESS && errno != EINTR) return errno;
-    const auto start = TcpSender::Clock::now();
+    const auto start = StreamSender::Clock::now();
     while (!isReady(socket))
-        if (!patience(TcpSender::Clock::now() - start)) return ETIMEDOUT;
+        if (!patience(StreamSender::Clock::now() - start)) return ETIMEDOUT;
     int error = 0;
     socklen_t size = sizeof error;
     return getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size) == 0 ? error : errno;
@@ -63,8 +65,22 @@ int connectTo(int socket, const addrinfo& to, const TcpSender::Patience& patienc
 
 }  // namespace
 
-TcpAddress parseTcpAddress(const std::string& text) {
-    TcpAddress address;
+std::string StreamAddress::text() const {
+    if (!path.empty()) return "unix:" + path;
+    const bool hasColons = host.find(':') != std::string::npos;
+    return hasColons ? fmt::format("[{}]:{}", host, port) : fmt::format("{}:{}", host, port);
+}
+
+StreamAddress parseStreamAddress(const std::string& text) {
+    StreamAddress address;
+    constexpr std::string_view kUnix = "unix:";
+    if (text.starts_with(kUnix)) {
+        address.path = text.substr(kUnix.size());
+        const size_t most = sizeof(sockaddr_un::sun_path) - 1;
+        if (address.path.empty() || address.path.size() > most)
+            throw Error(fmt::format("'{}' is not unix:PATH with a path of 1 to {} bytes", text, most));
+        return address;
+    }
     const size_t colon = text.rfind(':');
     if (colon != std::string::npos) {
         address.host = text.substr(0, colon);
@@ -75,25 +91,39 @@ TcpAddress parseTcpAddress(const std::string& text) {
     const bool inBrackets = address.host.size() >= 2 && address.host.front() == '[' && address.host.back() == ']';
     if (inBrackets) address.host = address.host.substr(1, address.host.size() - 2);
     if (address.port == 0 || address.host.empty() || (!inBrackets && address.host.find(':') != std::string::npos))
-        throw Error("'" + text + "' is not HOST:PORT, as localhost:14158");
+        throw Error("'" + text + "' is neither HOST:PORT, as localhost:14158, nor unix:PATH");
     return address;
 }
 
-TcpSender::TcpSender(const TcpAddress& address, const Patience& patience) {
-    const AddressList addresses = lookUp(address, patience);
+StreamSender::StreamSender(const StreamAddress& address, const Patience& patience) {
     int error = EADDRNOTAVAIL;
-    for (const addrinfo* to = addresses.get(); to != nullptr; to = to->ai_next) {
-        socket_ = socket(to->ai_family, to->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, to->ai_protocol);
-        error = socket_ < 0 ? errno : connectTo(socket_, *to, patience);
-        if (error == 0) return;
-        if (socket_ >= 0) close(socket_);
+    const auto tryTo = [&](const addrinfo& to) {
+        socket_ = socket(to.ai_family, to.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, to.ai_protocol);
+        error = socket_ < 0 ? errno : connectTo(socket_, to, patience);
+        if (error != 0 && socket_ >= 0) close(socket_);
+        return error == 0;
+    };
+    if (!address.path.empty()) {
+        sockaddr_un place{};
+        place.sun_family = AF_UNIX;
+        address.path.copy(place.sun_path, sizeof place.sun_path - 1);
+        addrinfo to{};
+        to.ai_family = AF_UNIX;
+        to.ai_socktype = SOCK_STREAM;
+        to.ai_addr = reinterpret_cast<sockaddr*>(&place);
+        to.ai_addrlen = sizeof place;
+        if (tryTo(to)) return;
+        throw Error(reason(error));
     }
+    const AddressList addresses = lookUp(address, patience);
+    for (const addrinfo* to = addresses.get(); to != nullptr; to = to->ai_next)
+        if (tryTo(*to)) return;
     throw Error(reason(error));
 }
 
-TcpSender::~TcpSender() { close(socket_); }
+StreamSender::~StreamSender() { close(socket_); }
 
-void TcpSender::send(std::string_view bytes, const Patience& patience) {
+void StreamSender::send(std::string_view bytes, const Patience& patience) {
     auto lastSent = Clock::now();
     while (!bytes.empty()) {
         // Not a signal but an error is what a connection that was closed gives.
@@ -109,7 +139,7 @@ void TcpSender::send(std::string_view bytes, const Patience& patience) {
     }
 }
 
-bool TcpSender::isOpen() {
+bool StreamSender::isOpen() {
     std::array<char, 4096> dropped;
     for (;;) {
         const ssize_t received = recv(socket_, dropped.data(), dropped.size(), MSG_DONTWAIT);

@@ -1,4 +1,5 @@
-// A TCP connection that is only written to, by a thread that must not be held up: whoever waits says for how long.
+// A connection by TCP or a Unix socket that is only written to, by a thread that must not be held up: whoever waits
+// says for how long.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -10,15 +11,20 @@
 
 namespace drc {
 
-struct TcpAddress {
+struct StreamAddress {
     std::string host;  // a name, or an address of IPv4 or IPv6
     uint16_t port = 0;
+    // A Unix socket, which other users of the machine reach only if its folder lets them; empty: the connection is TCP.
+    std::string path = {};
+    // As parseStreamAddress() reads it.
+    std::string text() const;
 };
 
-// "localhost:14158", or "[::1]:14158" for addresses that have colons of their own. Throws Error on anything else.
-TcpAddress parseTcpAddress(const std::string& text);
+// "localhost:14158", "[::1]:14158" for addresses that have colons of their own, or "unix:/run/me/viewer". Throws Error
+// on anything else.
+StreamAddress parseStreamAddress(const std::string& text);
 
-class TcpSender {
+class StreamSender {
   public:
     using Clock = std::chrono::steady_clock;
     // Whether to go on waiting, given for how long nothing has happened. Asked every 50 ms or more often.
@@ -30,10 +36,10 @@ class TcpSender {
 
     // Connects to the first address of the host's that answers. Throws Error, with the reason alone, if none does, or
     // if the patience is at an end before.
-    TcpSender(const TcpAddress& address, const Patience& patience);
-    ~TcpSender();
-    TcpSender(const TcpSender&) = delete;
-    TcpSender& operator=(const TcpSender&) = delete;
+    StreamSender(const StreamAddress& address, const Patience& patience);
+    ~StreamSender();
+    StreamSender(const StreamSender&) = delete;
+    StreamSender& operator=(const StreamSender&) = delete;
 
     // Hands all bytes to the system, which delivers them even after this object is gone. Throws Error, with the reason
     // alone, if the connection is broken. After any exception a part may have been sent: nothing more makes sense.
