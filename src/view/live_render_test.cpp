@@ -230,6 +230,8 @@ TEST(LiveRender, SamplesAPart) {
     EXPECT_FALSE(render->state().focus);
     // The least part is a pixel.
     render->setFocus(PicturePart{1, 0, 1, 0});
+    // The latest frame may still be one of the focus before.
+    while (!render->state().focus) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     w.waitFor(*render, [](const LiveFrame& f) { return f.focusSamples >= 2; });
     EXPECT_EQ(render->state().focus, (PixelRegion{47, 0, 48, 1}));
     const Scene* scene = w.scene.get();
