@@ -31,5 +31,6 @@ void addEvaluateCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addViewCommand(CLI::App& app);
 void addImageCommand(CLI::App& app);
+void addCellsCommand(CLI::App& app);
 
 }  // namespace drc

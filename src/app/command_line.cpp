@@ -175,6 +175,7 @@ std::unique_ptr<CLI::App> makeCommandLine() {
     addViewCommand(*app);
     addCompareCommand(*app);
     addImageCommand(*app);
+    addCellsCommand(*app);
     addInfoCommand(*app);
     addReferenceCommand(*app);
     addEvaluateCommand(*app);

@@ -12,11 +12,14 @@
 #include "app/render_files.h"
 #include "app/usage_error.h"
 #include "base/atomic_file.h"
+#include "base/checksum.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
+#include "base/mapped_file.h"
 #include "base/parallel_time.h"
 #include "base/progress.h"
+#include "render/cells_file.h"
 #include "render/frame_checkpoint.h"
 #include "render/frame_sequence.h"
 #include "render/render_run.h"
@@ -43,12 +46,16 @@ enum class RenderEnd {
 };
 
 // Inputs besides the render parameters that change the bits of the picture. p: resolved parameters.
-Checkpoint::Identity othersOf(const RenderOptions& o, const RenderParams& p, const std::string& weightsHash) {
-    Checkpoint::Identity others;
+Identity othersOf(const RenderOptions& o, const RenderParams& p, const std::string& weightsHash) {
+    Identity others;
     for (const std::string& replaced : o.overrides.parameters)
         others.emplace_back("-D " + replaced.substr(0, replaced.find('=')), replaced);
     if (!o.overrides.lookAt.empty())
         others.emplace_back("--lookat", fmt::format("{}", fmt::join(o.overrides.lookAt, " ")));
+    if (namesCellsFile(o)) {
+        others.emplace_back("--cells file", fmt::format("{:016x}", checksum(MappedFile(o.cells).bytes())));
+        others.emplace_back("--freeze-cells", p.freezeCells ? "on" : "off");
+    }
     if (o.overrides.fov) others.emplace_back("--fov", fmt::format("{}", *o.overrides.fov));
     if (!traitsOf(p.integrator).maps) return others;
     others.insert(others.end(), {{"--map-denoiser", o.mapDenoiser},
@@ -80,7 +87,7 @@ struct LoadedScene {
     ChosenDenoiser denoiser;
     std::string weightsHash;
     std::optional<Session> session;
-    Checkpoint::Identity files;  // of the scene, once a checkpoint needs them: reading large ones takes long
+    Identity files;  // of the scene, once a checkpoint needs them: reading large ones takes long
 };
 
 bool hasAovs(const RenderOptions& o, const RenderSettings& settings) { return o.aovs || settings.auxiliaryLayers; }
@@ -99,6 +106,21 @@ RenderParams paramsOf(const RenderOptions& o, const RenderSettings& settings, co
     return params;
 }
 
+// Reads the cells that --cells names.
+void useCells(const RenderOptions& o, const Scene& scene, RenderParams& params) {
+    params.cells = o.cells != "off";
+    if (!namesCellsFile(o)) {
+        if (params.freezeCells) throw UsageError("--freeze-cells: there is nothing to freeze without --cells FILE");
+        return;
+    }
+    if (params.cellSize > 0) throw UsageError("--cell-size: cells that --cells names have the size of their file");
+    CellCollection cells = loadCells("--cells " + o.cells, o.cells, cellsIdentity(scene, params));
+    if (cells.lightScale != scene.sensor.settings.filmScale || cells.origin != scene.origin)
+        throw Error(fmt::format("--cells {}: they are of a film of scale {:g}, here {:g}", o.cells, cells.lightScale,
+                                scene.sensor.settings.filmScale));
+    params.startCells = std::make_shared<const CellCollection>(std::move(cells));
+}
+
 // Loads the scene of the present frame, and prepares it. start: when the time of its picture began.
 std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clock::time_point start) {
     auto loaded = std::make_unique<LoadedScene>();
@@ -111,6 +133,7 @@ std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clo
         chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
     if (!o.oidnLibrary.empty() && !loaded->denoiser.oidn)
         throw UsageError("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
+    useCells(o, *scene, params);
     if (traitsOf(params.integrator).maps) loaded->weightsHash = chooseMapDenoiser(o, params.indirect);
     loaded->stats.timer("load").add(Clock::now() - start);
     params.denoise = loaded->denoiser.denoise;
@@ -134,12 +157,12 @@ bool moveCamera(LoadedScene& loaded, const RenderOptions& o) {
 }
 
 // frame: of an animation.
-Checkpoint::Identity identity(LoadedScene& loaded, const RenderOptions& o, const std::optional<FramePosition>& frame) {
-    if (loaded.files.empty()) loaded.files = identityOfFiles(*loaded.scene);
-    Checkpoint::Identity others = othersOf(o, loaded.params, loaded.weightsHash);
+Identity identity(LoadedScene& loaded, const RenderOptions& o, const std::optional<FramePosition>& frame) {
+    if (loaded.files.empty()) loaded.files = checkpointFiles(*loaded.scene);
+    Identity others = othersOf(o, loaded.params, loaded.weightsHash);
     others.insert(others.end(), loaded.files.begin(), loaded.files.end());
     if (frame) {
-        const Checkpoint::Identity place = frameIdentity(*frame, o.scene);
+        const Identity place = frameIdentity(*frame, o.scene);
         others.insert(others.end(), place.begin(), place.end());
     }
     return identityOf(loaded.session->sensor().settings, loaded.params, others);

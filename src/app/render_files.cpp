@@ -16,6 +16,7 @@ DistinctFiles filesOf(const RenderOptions& o) {
     reads("the scene", o.scene);
     reads("--frames", o.frames);
     reads("--weights", o.weights);
+    if (namesCellsFile(o)) reads("--cells", o.cells);
     reads("--oidn-library", o.oidnLibrary);
     // A checkpoint that is gone on from may be saved anew.
     if (!isSameFile(o.resume, o.checkpoint)) reads("--resume", o.resume);

@@ -11,6 +11,9 @@ namespace drc {
 // Those of the present frame. Throws Error if an output would replace another, or what the command line says is read.
 DistinctFiles filesOf(const RenderOptions& options);
 
+// Whether --cells names a file.
+inline bool namesCellsFile(const RenderOptions& options) { return options.cells != "on" && options.cells != "off"; }
+
 // Refuses outputs that would replace a file that the scene names.
 void keepFrom(const std::vector<std::string>& filesOfScene, DistinctFiles files);
 

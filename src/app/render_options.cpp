@@ -124,8 +124,13 @@ void addMaps(CLI::App& command, RenderOptions& o) {
 void addCells(CLI::App& command, RenderOptions& o) {
     const std::string group = command.option_defaults()->get_group();
     command.option_defaults()->group(kCellGroup);
-    addChoice<bool>(command, "--cells", o.params.cells, {{"on", true}, {"off", false}},
-                    "on, or off, with which drc is the path tracer. Default: on");
+    command
+        .add_option("--cells", o.cells,
+                    "on, off, with which drc is the path tracer, or a file of drc cells to begin with")
+        ->capture_default_str();
+    command.add_flag("--freeze-cells", o.params.freezeCells,
+                     "Learn nothing beyond the file of --cells: a frame then has the same bits in any order of frames "
+                     "and on any machine");
     command
         .add_option("--cell-size", o.params.cellSize,
                     "Edge of the smallest cells at first, in the scene's units. Default: by the distances that the "

@@ -11,6 +11,7 @@
 
 #include "base/state_file.h"
 #include "cells/cell_answers.h"
+#include "cells/cell_collection.h"
 #include "cells/cell_deposits.h"
 
 namespace drc {
@@ -31,6 +32,9 @@ class RadianceCells final : public RadianceCache {
     static constexpr size_t bytesPerCell() { return sizeof(CellAnswer) + sizeof(CellSums); }
 
     explicit RadianceCells(const RadianceCellSettings& settings);
+    // Cells that know what a collection does, as far as the capacity allows; where a bucket of the table is full, the
+    // cells with the most deposits stay.
+    RadianceCells(const CellCollection& collection, size_t capacity);
 
     bool accepts(const CachePoint& at) const override { return at.reach >= grid_.reachFor(0); }
     void prefetch(const CachePoint& at) const override;
@@ -46,12 +50,16 @@ class RadianceCells final : public RadianceCache {
     // only the destructor may follow that. Not while others look up.
     void save(StateWriter& to) const;
     void load(StateReader& from);
+    // All cells, for a file. origin: Scene::origin. Not while others look up.
+    CellCollection collect(const Vec3& origin) const;
     // The number of commits so far.
     int commits() const { return int(now_ - 1); }
 
     // With the size of the finest cells as it is now.
     const RadianceCellSettings& settings() const { return settings_; }
     size_t used() const { return totals_.used; }
+    // The mean of the answers' relative standard errors, weighted by deposits; 1 if there are none.
+    double error() const { return totals_.any ? totals_.error : 1; }
     size_t bytes() const { return table_.size() * bytesPerCell(); }
 
   private:

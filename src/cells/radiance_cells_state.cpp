@@ -1,4 +1,5 @@
-// Radiance cells in checkpoints.
+// Radiance cells in checkpoints and in files of their own.
+#include <algorithm>
 #include <bit>
 
 #include "cells/radiance_cells.h"
@@ -73,6 +74,81 @@ void RadianceCells::load(StateReader& from) {
         table_.sums(at) = sums;
     }
     renewAnswers();
+}
+
+RadianceCells::RadianceCells(const CellCollection& collection, size_t capacity)
+    : RadianceCells({.size = collection.size,
+                     .sizes = collection.sizes,
+                     .capacity = capacity,
+                     .lightScale = collection.lightScale}) {
+    while (grid_.refined() < collection.refined) refine();
+    deposits_ = collection.deposits;
+    // At this load one bucket of 300 has more cells than there is room for.
+    constexpr size_t kPlacesPerCell = 4;
+    table_ = CellTable(std::clamp(std::bit_ceil(std::max<size_t>(1, collection.cells.size()) * kPlacesPerCell),
+                                  CellTable::kWays, settings_.capacity));
+    for (CollectedCell cell : collection.cells) {
+        cell.reduce(CellStatistics::kMostDeposits);
+        CellSums sums;
+        for (int c = 0; c < 3; ++c) {
+            sums.cube.at[c] = cell.place.cube[c];
+            sums.light[c] = cell.light[c];
+            sums.viewFactor[c] = uint32_t(cell.viewFactor[c]);
+            sums.position[c] = int32_t(cell.position[c]);
+            sums.normal[c] = int32_t(cell.normal[c]);
+        }
+        sums.square = cell.square;
+        sums.generation = cell.place.generation;
+        sums.facing = cell.place.facing;
+        sums.count = uint32_t(cell.count);
+        CellAnswer answer;
+        answer.points = cell.place.points;
+        answer.key = CellGrid::keyOf(sums.cube, cell.place.facing, cell.place.generation, cell.place.points);
+        answer.lastUse = uint16_t(now_);
+        const size_t bucket = table_.bucketOf(answer.key) * CellTable::kWays;
+        size_t at = bucket;
+        for (size_t other = bucket; other < bucket + CellTable::kWays; ++other) {
+            if (table_.answer(other).key == 0) {
+                at = other;
+                break;
+            }
+            if (table_.sums(other).count < table_.sums(at).count) at = other;
+        }
+        if (table_.answer(at).key != 0 && table_.sums(at).count >= sums.count) continue;
+        table_.answer(at) = answer;
+        table_.sums(at) = sums;
+    }
+    renewAnswers();
+}
+
+CellCollection RadianceCells::collect(const Vec3& origin) const {
+    CellCollection all;
+    all.size = settings_.size * float(1 << grid_.refined());
+    all.sizes = grid_.levels();
+    all.refined = grid_.refined();
+    all.lightScale = settings_.lightScale;
+    all.origin = origin;
+    all.deposits = deposits_;
+    for (size_t i = 0; i < table_.size(); ++i) {
+        const CellAnswer& answer = table_.answer(i);
+        if (answer.key == 0) continue;
+        const CellSums& sums = table_.sums(i);
+        CollectedCell& cell = all.cells.emplace_back();
+        for (int c = 0; c < 3; ++c) {
+            cell.place.cube[c] = sums.cube.at[c];
+            cell.light[c] = sums.light[c];
+            cell.viewFactor[c] = sums.viewFactor[c];
+            cell.position[c] = sums.position[c];
+            cell.normal[c] = sums.normal[c];
+        }
+        cell.place.generation = uint8_t(sums.generation);
+        cell.place.facing = uint8_t(sums.facing);
+        cell.place.points = answer.points;
+        cell.square = sums.square;
+        cell.count = sums.count;
+    }
+    std::ranges::sort(all.cells, {}, &CollectedCell::place);
+    return all;
 }
 
 }  // namespace drc

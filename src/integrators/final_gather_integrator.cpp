@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "cells/cell_size.h"
 #include "cells/radiance_cells.h"
 #include "integrators/sample_planner.h"
 #include "integrators/sampled_integrator.h"
@@ -11,9 +12,6 @@
 namespace drc {
 namespace {
 
-// The finest cells at first, as a share of the median distance that the picture shows: about 16 pixels of a picture
-// 1280 pixels wide.
-constexpr float kCellSize = 0.0144f;
 // The sizes of cells are halved when the picture has had so many camera samples, and again with every kRefineFactor
 // times as many. Cells then still get four times as many deposits each, so that with the number of samples both the
 // size and the noise of cells fall towards zero.
@@ -32,11 +30,18 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         : SampledIntegrator(context),
           region_(context.sensor.settings.region()),
           gather_(context.tracer.lighting(), context.tracer.settings()) {
-        if (!context.params.cells || !(context.distance > 0)) return;
+        const RenderParams& params = context.params;
+        if (!params.cells) return;
         RadianceCellSettings& settings = cellSettings_;
-        // A power of two, so that the frames of an animation have the same cells.
-        settings.size = context.params.cellSize > 0 ? context.params.cellSize
-                                                    : std::exp2(std::round(std::log2(kCellSize * context.distance)));
+        if (params.startCells) {
+            cells_.emplace(*params.startCells, settings.capacity);
+            settings = cells_->settings();
+            settings.size = params.startCells->size;  // as checkpoints begin
+            plan();
+            return;
+        }
+        if (!(context.distance > 0)) return;
+        settings.size = params.cellSize > 0 ? params.cellSize : cellSizeFor(context.distance);
         settings.lightScale = context.sensor.settings.filmScale;
         cells_.emplace(settings);
         plan();
@@ -61,7 +66,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     void samplePassDone(int samples) override {
         if (!cells_) return;
         planner_->update(samples, samples > 0);
-        if (hasMoved_ && samples == 0 && mostIsKnown()) return;
+        if (isFrozen() || (hasMoved_ && samples == 0 && mostIsKnown())) return;
         if (samples > 0 && double(samples) * double(region_.count()) >= refineAt_) {
             cells_->refine();
             refineAt_ *= kRefineFactor;
@@ -73,8 +78,10 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     }
 
     void focusPassesDone() override {
-        if (cells_) commit();
+        if (cells_ && !isFrozen()) commit();
     }
+
+    const RadianceCells* cells() const override { return cells_ ? &*cells_ : nullptr; }
 
     void endSampling() override {
         cells_.reset();
@@ -136,7 +143,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         FinalGather::Sample sample{
             .sampler = sampler,
             .cache = *cells_,
-            .training = planner_->training(place.x, place.y),
+            .training = training(place),
             .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
             .deposits = row.deposits,
             .counts = row.counts,
@@ -155,6 +162,14 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         return int(std::bit_floor(unsigned(std::max(1.0, wanted))));
     }
 
+    bool isFrozen() const { return context_.params.freezeCells; }
+    // FinalGather::Sample::training.
+    float training(const Place& place) const {
+        // Cells ask for deposits by at least one path of eight.
+        constexpr float kAll = 8;
+        if (isFrozen()) return 0;
+        return planner_->training(place.x, place.y) * (context_.params.trainCells ? kAll : 1);
+    }
     FinalGather::Counts counts() const {
         FinalGather::Counts all;
         for (const Row& row : rows_) all.add(row.counts);

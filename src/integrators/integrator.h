@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/stats.h"
+#include "cells/radiance_cells.h"
 #include "film/film.h"
 #include "film/layered_picture.h"
 #include "film/preview.h"
@@ -69,6 +70,8 @@ class Integrator {
     virtual void endSampling() {}
     // Null unless there are map passes beside the sample passes.
     virtual const MapPasses* mapPasses() const { return nullptr; }
+    // The radiance cells; null if there are none.
+    virtual const RadianceCells* cells() const { return nullptr; }
     // The layers of the picture, unfiltered.
     virtual LayeredPicture picture(std::shared_ptr<const Film> film) const = 0;
     // The beauty of that, of a film that others may add to meanwhile, under lockRow. Cheaper, where it can be, than a

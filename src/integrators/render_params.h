@@ -1,9 +1,11 @@
 // All that determines a picture besides its scene, set by the command line or by another program. resolved() fills in
 // what is left open, from the quality and from the scene's file.
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "cells/cell_collection.h"
 #include "maps/indirect_pass.h"
 #include "reconstruct/open_image_denoise.h"
 #include "transport/path_state.h"
@@ -48,7 +50,13 @@ struct RenderParams {
     // (DenoisedError): each has a sequence of samples and a G-buffer of its own. Else one sequence is well distributed
     // over both.
     bool independentHalves = false;
-    bool cells = true;   // whether paths of integrator drc end in radiance cells; false: it is the path tracer
+    bool cells = true;  // whether paths of integrator drc end in radiance cells; false: it is the path tracer
+    // Cells to begin with, in place of none; null: none. cellSize is then theirs.
+    std::shared_ptr<const CellCollection> startCells;
+    // The cells stay as they are at first: pictures depend on them, the seed and the samples alone.
+    bool freezeCells = false;
+    // Every path deposits that may, as if the cells were all that is wanted.
+    bool trainCells = false;
     float cellSize = 0;  // edge of the finest cells at first, world units; 0: by the distances that the picture shows
     bool guide = true;   // whether sampling of the environment learns where its light enters (EnvironmentGuide)
 };

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/checksum.h"
 #include "math/sampler.h"
 #include "pbrt/file_search.h"
 #include "pbrt/token_stream.h"
@@ -25,7 +26,7 @@ std::optional<uint64_t> worldKey(const std::string& path) {
     const std::shared_ptr<const Source> main = Source::fromFile(path);
     const FileSearch files(main->directory());
     TokenStream tokens(main);
-    uint64_t key = std::hash<std::string>()(main->directory());
+    uint64_t key = 0;
     bool inWorld = false, counts = true, isArgument = false;
     for (Token token = tokens.next(); token.kind != TokenKind::End; token = tokens.next()) {
         // The argument of ActiveTransform looks like a directive.
@@ -40,8 +41,7 @@ std::optional<uint64_t> worldKey(const std::string& path) {
             inWorld = inWorld || token.text == "WorldBegin";
             counts = inWorld || !isOfTheCamera(token.text);
         }
-        if (counts)
-            key = hashCombine(key, hashCombine(uint64_t(token.kind), std::hash<std::string_view>()(token.text)));
+        if (counts) key = hashCombine(key, hashCombine(uint64_t(token.kind), checksum(token.text)));
     }
     return key;
 }

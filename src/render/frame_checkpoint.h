@@ -15,7 +15,7 @@ struct FramePosition {
 
 // Identifies the state of this frame, in addition to its scene. file: the frame's scene file. Throws Error if it cannot
 // be read.
-Checkpoint::Identity frameIdentity(const FramePosition& position, const std::string& file);
+Identity frameIdentity(const FramePosition& position, const std::string& file);
 
 // The frame that a checkpoint is of; none if it is not of an animation. Throws Error if the file cannot be read or is
 // no checkpoint.

@@ -19,12 +19,18 @@ bool sameFilm(const RenderSettings& a, const RenderSettings& b) {
            a.auxiliaryLayers == b.auxiliaryLayers;
 }
 
+std::filesystem::path folderOf(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored).parent_path();
+}
+
 }  // namespace
 
 SameWorld::SameWorld(const Scene& scene) : settings_(scene.sensor.settings) {
     // A pipe cannot be read again.
     if (scene.files.empty() || !isRegularFile(scene.files[0])) return;
     key_ = pbrt::worldKey(scene.files[0]);
+    folder_ = folderOf(scene.files[0]);
     for (size_t i = 1; i < scene.files.size(); ++i) files_.push_back(stampOf(scene.files[i]));
 }
 
@@ -35,7 +41,7 @@ SameWorld::Stamp SameWorld::stampOf(const std::string& path) {
 
 std::unique_ptr<Scene> SameWorld::cameraIn(const std::string& path, const Scene& loaded,
                                            const pbrt::LoadOptions& options) const {
-    if (!key_ || !isRegularFile(path) || pbrt::worldKey(path) != key_) return nullptr;
+    if (!key_ || !isRegularFile(path) || folderOf(path) != folder_ || pbrt::worldKey(path) != key_) return nullptr;
     for (const Stamp& file : files_)
         if (stampOf(file.path) != file) return nullptr;
     std::unique_ptr<Scene> camera = pbrt::loadPbrtCamera(path, loaded.origin, options);

@@ -34,6 +34,7 @@ class SameWorld {
     static Stamp stampOf(const std::string& path);
 
     std::optional<uint64_t> key_;
+    std::filesystem::path folder_;  // in which names of files are looked up
     std::vector<Stamp> files_;
     RenderSettings settings_;
 };

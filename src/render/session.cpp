@@ -96,7 +96,8 @@ void Session::setCamera(std::shared_ptr<const Camera> camera, const FilmGeometry
 
 void Session::moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film) {
     setSensor(std::move(camera), film);
-    if (!integrator_->cameraMoved()) {
+    // With frozen cells a picture depends on no other camera, nor does the guide.
+    if (params_.freezeCells || !integrator_->cameraMoved()) {
         begin();
     } else if (sensor_.settings.region() == film_->region()) {
         film_->clear();

@@ -47,6 +47,14 @@ class Session {
     // as radiance cells. This helps the new picture, which therefore depends on where the camera has been.
     void moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
 
+    // The index of the first sample of each pixel in later films, RenderParams::firstSample: for cameras that are
+    // visited more than once, and are to have other samples each time.
+    void setFirstSample(int index) { params_.firstSample = index; }
+    // RenderParams::cellSize for the cells of cameras that are set from now on.
+    void setCellSize(float size) { params_.cellSize = size; }
+    // The radiance cells so far; null if there are none. Not while step runs.
+    const RadianceCells* cells() const { return integrator_->cells(); }
+
     // Once every pixel has a sample, all further ones go to this part of the film's region, none: to whole passes,
     // which go on where they stopped. The samples count as any other, and are different ones. Setting or moving the
     // camera ends it. Not while other calls run. Throws std::out_of_range if the part is empty or not within the
