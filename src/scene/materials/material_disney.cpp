@@ -53,8 +53,8 @@ class Disney final : public Material {
             return TrowbridgeReitz(rough * rough / aspect, rough * rough * aspect, TrowbridgeReitz::Masking::Separable);
         };
         const Rgb dielectric = lerp(params_.specularTint->eval(at), Rgb(1.f), tint) * reflectanceOf(eta);
-        // pbrt applies total internal reflection to the whole highlight and adds the diffuse part, which creates
-        // energy.
+        // Total internal reflection applies only to the transmissive share. pbrt applies it to the whole highlight and
+        // adds the diffuse part, which creates energy.
         const Fresnel fresnel =
             Fresnel::metallic(lerp(metallic, dielectric, color), metallic, eta, std::clamp(specTrans, 0.f, 1.f));
         bsdf.add(MicrofacetReflection(Rgb(1.f), distribution(roughness), fresnel), weight);
