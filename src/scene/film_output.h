@@ -1,4 +1,4 @@
-// The output files that a scene's film asks for.
+// The output files that a scene's film specifies.
 #pragma once
 #include <string>
 #include <vector>

@@ -63,7 +63,8 @@ class Disney final : public Material {
         if (clearcoat > 0)
             bsdf.add(DisneyClearcoat(clearcoat, lerp(params_.clearcoatGloss->eval(at), 0.1f, 0.001f)), weight);
 
-        // The square root, because light crosses two such surfaces on its way through an object.
+        // The square root of the colour at each surface, because light crosses two surfaces on its way through an
+        // object.
         const Rgb transmitted = sqrt(color) * std::max(0.f, (1 - metallic) * specTrans);
         if (!isBlack(transmitted)) {
             if (eta == 1)  // does not refract, however rough

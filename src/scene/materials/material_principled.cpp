@@ -178,7 +178,8 @@ class Principled final : public Material {
             addSheet(point, atNormal, distribution, weight, bsdf, above);
             return;
         }
-        // The square root, because light crosses two such surfaces on its way through an object.
+        // The square root of the colour at each surface, because light crosses two surfaces on its way through an
+        // object.
         const Rgb transmittance = sqrt(point.baseColor);
         const bool isTinted = point.specularTint != Rgb(1.f);
         const Fresnel fresnel =
