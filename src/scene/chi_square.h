@@ -1,5 +1,5 @@
-// Pearson's chi-square test, for tests that samples follow their claimed pdf. The bins cover the sphere of directions;
-// bins with a small expectation are pooled.
+// Pearson's chi-square test of whether samples follow their claimed pdf, for tests. The bins cover the sphere of
+// directions; bins with a small expected count are pooled.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -49,7 +49,8 @@ double integrateCell(const F& g, double x0, double x1, double y0, double y1, int
            integrateCell(g, xm, x1, ym, y1, depth + 1, tolerance);
 }
 
-// Integral of a function of direction over each bin of the sphere.
+// Integral of g over solid angle, over one bin of the sphere: kZBins equal intervals of z times kPhiBins of the
+// azimuth.
 inline constexpr int kZBins = 16, kPhiBins = 24;
 template <typename F>
 double integrateBin(const F& g, int iz, int iphi, double tolerance = 1e-6) {
@@ -69,7 +70,8 @@ double integrateSphere(const F& g, double tolerance = 1e-6) {
 }
 
 // sample(rng) returns a unit vector or none; pdf(w) is its density per solid angle. The probability of none must be one
-// minus the integral of the pdf. tolerance: of the integrals, for pdfs with discontinuities.
+// minus the integral of the pdf. tolerance: absolute error at which a cell's integral is refined no further; pdfs with
+// discontinuities need a larger one.
 template <typename Sample, typename Pdf>
 ChiSquare chiSquareTest(const Sample& sample, const Pdf& pdf, int samples, uint32_t seed, double tolerance = 1e-6) {
     std::mt19937 rng(seed);

@@ -9,9 +9,9 @@ namespace drc {
 // y1.
 using CropWindow = std::array<float, 4>;
 
-// The window of these numbers, read as pbrt does: x0 x1 y0 y1, with the two edges in either order, clipped to the film.
-// Throws Error with the complaint alone ("must be ..."), so that the caller can name the parameter: if there are not
-// four values, if one is NaN, or if the window lies outside the film.
+// Returns the window of `values`, read as pbrt reads them: x0 x1 y0 y1, with the two edges of an axis in either order,
+// clipped to the film. Throws Error if there are not four values, if one is NaN, or if the clipped window is empty. The
+// message lacks the name of the parameter ("must be ..."), for the caller to put in front.
 CropWindow cropWindowOf(std::span<const double> values);
 
 }  // namespace drc

@@ -9,7 +9,7 @@ namespace drc {
 std::vector<std::string> filmOutputs(const RenderSettings& settings) {
     const std::filesystem::path file(settings.outputFile);
     const std::string name = file.filename().string();
-    // To std::filesystem, ".exr" is a hidden file without an extension.
+    // std::filesystem takes ".exr" for a hidden file without an extension, and returns all of it as the stem.
     if (name.empty() || name == "." || name == ".." || name == ".exr" || name == ".png") {
         const std::string folder = name.starts_with(".") ? "" : file.parent_path().string() + "/";
         throw Error(settings.outputFileAt, "the film's file name '" + settings.outputFile +

@@ -1,4 +1,4 @@
-// The output files that a scene's film asks for.
+// The output files that a scene's film specifies.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,8 +7,9 @@
 
 namespace drc {
 
-// The files that are written if the user names none: an EXR and a PNG in the current folder, with the stem of the
-// film's file name. Throws Error, at the place of that name, if it names no file ("pictures/", "..").
+// The files to write if the user names none: an EXR and a PNG in the current folder, with the stem of the film's file
+// name. Throws Error, located at settings.outputFileAt, if the film's file name has no stem ("pictures/", "..",
+// ".exr").
 std::vector<std::string> filmOutputs(const RenderSettings& settings);
 
 }  // namespace drc

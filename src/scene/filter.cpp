@@ -42,7 +42,7 @@ class TriangleFilter final : public Filter {
     Vec2 radius_;
 };
 
-// One axis of a separable filter. Its positive and its negative part are tabulated apart.
+// One axis of a separable filter. Its positive and its negative part are tabulated separately.
 class Axis {
   public:
     Axis(float radius, std::function<float(float)> f) : radius_(radius), f_(std::move(f)) {
@@ -60,7 +60,7 @@ class Axis {
     }
 
     float eval(float x) const { return std::abs(x) <= radius_ ? f_(x) : 0.f; }
-    // The share of |f| where f is positive or negative.
+    // The share of the integral of |f| that comes from where f is negative, or from where it is positive.
     double share(bool negative) const { return negative ? negative_ : 1 - negative_; }
     float sample(float u, bool negative) const { return (2 * parts_[negative].sampleContinuous(u).x - 1) * radius_; }
     float radius() const { return radius_; }
@@ -68,16 +68,16 @@ class Axis {
   private:
     float radius_;
     std::function<float(float)> f_;
-    Distribution1D parts_[2];  // |f| over [-radius, radius] where f is positive, and where it is negative
+    Distribution1D parts_[2];  // |f| over [-radius, radius]: [0] where f is positive, [1] where it is negative
     double negative_ = 0;
 };
 
-// f(x, y) = fx(x) fy(y), as for all of these filters.
+// f(x, y) = fx(x) fy(y): the Gaussian, Mitchell and sinc filters.
 class SeparableFilter final : public Filter {
   public:
     SeparableFilter(Axis x, Axis y) : x_(std::move(x)), y_(std::move(y)) {
         const double negative = x_.share(false) * y_.share(true) + x_.share(true) * y_.share(false);
-        // A filter that is negative for the most part is taken for its opposite.
+        // A filter whose integral is negative is sampled as -f, so that the mean weight is still 1.
         opposite_ = negative > 0.5;
         minority_ = opposite_ ? 1 - negative : negative;
         weight_ = minority_ < 0.5 ? float(1 / (1 - 2 * minority_)) : 1;
@@ -85,7 +85,8 @@ class SeparableFilter final : public Filter {
     Vec2 radius() const override { return Vec2(x_.radius(), y_.radius()); }
     float eval(const Vec2& p) const override { return x_.eval(p.x) * y_.eval(p.y); }
     FilterSample sample(const Vec2& u, uint32_t index, uint64_t pixel) const override {
-        // The first two of a group lie in the majority: after K, at least (K - 2) (1 - 2 minority) more do than do not.
+        // Each group starts with two samples in the majority. Among its first K samples, the majority is therefore
+        // ahead by at least (K - 2) (1 - 2 minority).
         const double phase = double(hashCombine(pixel, 0)) * 0x1p-64 * (1 - 2 * minority_);
         const auto inMinority = [&](uint32_t number) { return uint64_t(double(number) * minority_ + phase); };
         const uint32_t number = index / kGroups;
@@ -105,7 +106,7 @@ class SeparableFilter final : public Filter {
 
     Axis x_, y_;
     bool opposite_ = false;
-    double minority_ = 0;  // the share of |f| where f has not the sign of its integral
+    double minority_ = 0;  // share of the integral of |f| where the sign of f differs from that of its integral
     float weight_ = 1;
 };
 

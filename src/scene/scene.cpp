@@ -24,8 +24,8 @@ Bounds moved(const Bounds& b, const Transform& t) {
 
 Bounds moved(const Bounds& b, const AnimatedTransform& t) {
     if (!t.isAnimated()) return moved(b, t.start());
-    // Between two of these times, a rotating point deviates from a straight line by less than a thousandth of its path,
-    // even if one half turn is composed with another.
+    // Between two successive times, a rotating point deviates from a straight line by less than a thousandth of its
+    // path, even if two half turns are composed. The margin below covers this deviation.
     constexpr int kTimes = 64;
     Bounds result;
     for (int i = 0; i <= kTimes; ++i) result.extend(moved(b, t.at(float(i) / kTimes)));
@@ -45,7 +45,8 @@ size_t triangles(const std::vector<Primitive>& primitives) {
 }  // namespace
 
 double Instance::memory() const {
-    // Measured with thousands of instances and rounded up, in bytes.
+    // Bytes for an instance that stands still, in addition for one that moves, and per step of its motion: measured
+    // with thousands of instances and rounded up.
     constexpr double kStill = 1500, kMotion = 2000, kStep = 100;
     return kStill + (objectToWorld.isAnimated() ? kMotion + kStep * objectToWorld.steps() : 0);
 }

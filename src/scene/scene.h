@@ -20,16 +20,16 @@ struct Primitive {
     ShapePtr shape;
     MaterialPtr material;                        // null: pbrt's "none"; light passes through unhindered
     std::shared_ptr<const AreaLight> areaLight;  // null if it does not emit; also listed in Scene::lights
-    FloatTexturePtr alpha;                       // transparent where 0, for all rays; null: opaque
-    FloatTexturePtr shadowAlpha;                 // the same for shadow rays only; null: as alpha
-    bool alphaIsShare = false;                   // of the rays that alpha lets hit the surface (pbrt-v4), at random
+    FloatTexturePtr alpha;                       // for all rays, see alphaIsShare; null: opaque
+    FloatTexturePtr shadowAlpha;                 // replaces alpha for shadow rays; null: alpha
+    bool alphaIsShare = false;                   // true: alpha is a hit probability (pbrt-v4); false: 0 is a hole
     bool visibleToCamera = true;                 // if not, rays from the camera pass through
-    bool visibleToDiffuse = true;                // if not, shadow rays and all but Camera and Mirrored ones pass
-    uint32_t name = SurfaceNames::kNone;         // its row in Scene::names
+    bool visibleToDiffuse = true;                // if not, shadow rays and rays neither fromCamera nor mirrored pass
+    uint32_t name = SurfaceNames::kNone;         // row in Scene::names
     MediumInterface media = {};                  // owned by Scene::media
 };
 
-// A pbrt object: primitives in their own space, to be instanced.
+// A pbrt object: primitives in object space, to be instanced.
 struct ObjectDefinition {
     std::string name;
     std::vector<Primitive> primitives;
@@ -38,7 +38,7 @@ struct ObjectDefinition {
 struct Instance {
     int object = 0;  // index into Scene::objects
     AnimatedTransform objectToWorld;
-    // Memory that the instance takes, its acceleration structure included, in bytes.
+    // Memory for the instance, including its acceleration structure, in bytes.
     double memory() const;
 };
 
@@ -48,12 +48,12 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<LightPtr> lights;  // all lights, including those of emissive primitives
     std::vector<std::shared_ptr<const Medium>> media;
-    Sensor sensor;  // the file's own; a render may have another one
+    Sensor sensor;  // as the file describes it; a render may use another one
     // Offset subtracted from the file's world coordinates, because floats are finest near zero.
     Vec3 origin{0.f};
-    // Names that the file gives the surfaces, for those who ask; may be empty.
+    // Names of the surfaces in the scene file, only for display; may be empty.
     SurfaceNames names;
-    // The files that it was read from: the one with the scene first, then those that it names, each once.
+    // The files from which the scene was read, each once: the scene file first, then the files that it refers to.
     std::vector<std::string> files;
 
     // Bounds of all primitives over their whole motion.
@@ -62,7 +62,7 @@ struct Scene {
 };
 
 // Copies a scene with empty space in place of all media, and without names. The copy shares meshes, textures, materials
-// and lights; its surfaces have the same rows in the names of the scene.
+// and lights; Primitive::name still refers to rows of the original's names.
 std::unique_ptr<Scene> withoutMedia(const Scene& scene);
 
 }  // namespace drc

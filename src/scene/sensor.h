@@ -29,21 +29,21 @@ struct RenderSettings {
     int samplesPerPixel = 16;
     std::string sampler = "halton";
     std::string outputFile = "pbrt.exr";
-    SourceLocation outputFileAt;  // where the file names that, for messages; empty: it does not
+    SourceLocation outputFileAt;  // where the file sets outputFile, for messages; empty if it does not
     FilmGeometry film;
     SourceLocation filmAt;                   // where the file sets the film's size, for messages; empty if it does not
-    float cropWindow[4] = {0, 1, 0, 1};      // as cropWindowOf() gives it (crop_window.h)
+    float cropWindow[4] = {0, 1, 0, 1};      // as returned by cropWindowOf() (crop_window.h)
     std::optional<PixelRegion> pixelBounds;  // of the film; none: the whole film
     // The region to render: the crop window, rounded to pixels as in pbrt, intersected with the pixel bounds; at least
     // one pixel.
     PixelRegion region() const;
     float filmScale = 1;
-    // Whether the camera sees nothing in place of lights at infinity, and the picture says how much of each pixel
-    // surfaces cover: its alpha.
+    // Whether lights at infinity are invisible to camera rays and the picture has an alpha channel: the share of each
+    // pixel that surfaces cover.
     bool transparentFilm = false;
-    // Whether EXR files are to have the layers of `drc render --aovs`, as pbrt-v4's film "gbuffer" asks.
+    // Whether EXR files contain the layers of `drc render --aovs`, as pbrt-v4's film "gbuffer" requests.
     bool auxiliaryLayers = false;
-    std::optional<RgbMatrix> whiteBalance;  // of the finished picture
+    std::optional<RgbMatrix> whiteBalance;  // applied to the finished picture
     float maxSampleLuminance = kInfinity;
     FilterPtr filter;  // not null
 };
@@ -51,7 +51,7 @@ struct RenderSettings {
 // A camera and its film, and the medium around it.
 struct Sensor {
     std::shared_ptr<const Camera> camera;
-    const Medium* medium = nullptr;  // that the camera is in, owned by Scene::media; null: empty space
+    const Medium* medium = nullptr;  // around the camera, owned by Scene::media; null: empty space
     RenderSettings settings;
 };
 

@@ -9,7 +9,7 @@
 namespace drc {
 namespace {
 
-// lobe: a separable one.
+// lobe: must be separable.
 Rgb viewFactorOf(const Lobe& lobe, const Vec3& wo) {
     return visitLobe(
         [&](const auto& l) {
@@ -21,8 +21,8 @@ Rgb viewFactorOf(const Lobe& lobe, const Vec3& wo) {
         lobe);
 }
 
-// Whether the view factors of two separable lobes are the same function but for a constant. They depend on the cosine
-// alone, and smoothly, so that a few directions tell.
+// Whether the view factors of two separable lobes are proportional. View factors are smooth functions of the cosine
+// alone, so that a comparison at a few directions is enough.
 bool dependAlikeOnView(const Lobe& a, const Lobe& b) {
     constexpr float kTolerance = 1e-4f;
     const Vec3 normal(0, 0, 1);
@@ -64,10 +64,10 @@ Bsdf& Bsdf::operator=(const Bsdf& other) {
 }
 
 void Bsdf::bend(const Vec3& wo) {
-    // Whatever has its view above the horizon of the mirrored view needs nothing: the lobes are asked only for the
-    // rest.
+    // KeepAbove::MirroredView is the stricter condition. If it holds, nothing is bent, and there is no need to look at
+    // the lobes.
     if (!bentNormal(frame_.n, ng_, wo, KeepAbove::MirroredView)) return;
-    // Fibres do not tell reflection from transmission by a horizon.
+    // Hair lobes have no horizon, see hasSides().
     bool hasSides = false, mirrors = false;
     for (int i = 0; i < size(); ++i) {
         if (!this->hasSides(i)) continue;
@@ -126,7 +126,7 @@ Rgb Bsdf::viewFactor(const Vec3& woWorld, LobeSet lobes) const {
 LobeSet Bsdf::separableLobes() const {
     const LobeSet all = lobes_->separable;
     if (std::has_single_bit(all) || all == 0) return all;
-    // Chosen by the albedo along the normal, so that all views choose the same lobes.
+    // The main lobe has the greatest albedo along the normal, so that all views choose the same lobes.
     const Vec3 normal(0, 0, 1);
     int main = 0;
     float greatest = -1;

@@ -1,8 +1,8 @@
 // The BSDF at one point of a surface: a weighted sum of lobes in the shading frame (PBR 3e, chapters 8 and 9).
 //
 // All directions are unit vectors in world space and point away from the surface. f is the BSDF itself, without the
-// cosine. Which of the reflection and transmission lobes take part is decided by the geometric normal, their values
-// by the shading frame, so that shading normals leak no light (PBR 3e, section 9.1).
+// cosine. The geometric normal decides whether reflection or transmission lobes contribute, and the shading frame
+// determines their values, so that shading normals leak no light (PBR 3e, section 9.1).
 #pragma once
 #include <array>
 #include <cstddef>
@@ -19,10 +19,10 @@ namespace drc {
 
 struct BsdfSample {
     Vec3 wi;            // world space
-    Rgb f;              // BSDF value; for a specular lobe f / pdf is the weight divided by |cos|
-    float pdf = 0;      // per solid angle; for a specular lobe the probability of having chosen it
-    LobeFlags flags{};  // of the lobe that was sampled
-    float eta = 1;      // relative index of refraction crossed, 1 if none; for Russian roulette
+    Rgb f;              // BSDF value; for a specular lobe, f |cos theta_i| / pdf scales the throughput
+    float pdf = 0;      // per solid angle; for a specular lobe, the probability of choosing it
+    LobeFlags flags{};  // of the sampled lobe, or of its sampled branch if it reflects and transmits
+    float eta = 1;      // after refraction, index of wi's side over that of wo's; else 1; for Russian roulette
     bool isSpecular() const { return any(flags & LobeFlags::Specular); }
     bool isTransmission() const { return any(flags & LobeFlags::Transmission); }
 };
@@ -38,8 +38,8 @@ class Bsdf {
     Bsdf(const Bsdf& other);
     Bsdf& operator=(const Bsdf& other);
 
-    // Lobes beyond kMaxLobes and lobes of zero weight are not added; front ends check materials against
-    // kMaxLobes (Material::maxLobes).
+    // Drops lobes beyond kMaxLobes and lobes of zero weight. Front ends check materials against kMaxLobes in advance
+    // (Material::maxLobes).
     template <class L>
     void add(const L& lobe, const Rgb& weight = Rgb(1.f)) {
         if (own_.count == kMaxLobes || isBlack(weight)) return;
@@ -64,7 +64,7 @@ class Bsdf {
     bool hasSpecular() const { return has(LobeFlags::Specular); }
     int size() const { return lobes_->count; }
 
-    // The functions of a BsdfView of wo through the mask; a view is cheaper for more than one call.
+    // Shorthands for a BsdfView of wo and mask. For more than one call, a BsdfView is cheaper.
     Rgb f(const Vec3& wo, const Vec3& wi, const LobeMask& mask = LobeFlags::All,
           TransportMode mode = TransportMode::Radiance) const;
     float pdf(const Vec3& wo, const Vec3& wi, const LobeMask& mask = LobeFlags::All) const;
@@ -79,29 +79,33 @@ class Bsdf {
     }
     const Vec3& ng() const { return ng_; }
 
-    // Bends the shading frame where a viewer in direction wo would be below its horizon, or would see a reflection of
-    // what is below the surface (bent_normal.h). It depends on the lobes, which must have been added. f, pdf and sample
-    // then hold for this wo: for another one, ask seenFrom().
+    // Bends the shading frame (bent_normal.h) where a viewer in direction wo would be below its horizon, or where a
+    // glossy or specular lobe would reflect the view into the surface. The bend depends on the lobes, so all of them
+    // must have been added. f, pdf and sample are then valid for this wo only; seenFrom() gives the BSDF for another
+    // one.
     void bendFor(const Vec3& wo) {
         if (unbent_) setFrame(Frame(*unbent_));
         if (mayBend(wo)) bend(wo);
     }
-    // Whether the frame was bent. If so, all that is scattered here depends on the view, even by diffuse lobes.
+    // Whether bendFor() has bent the frame. If so, all scattering depends on wo through the frame, even by diffuse
+    // lobes.
     bool bentForView() const { return unbent_.has_value(); }
-    // This surface as a viewer in direction wo meets it, with the frame bent where wo needs it. Borrows the lobes.
+    // A copy of this BSDF with the frame bent for a viewer in direction wo, if needed. It borrows the lobes of this
+    // one.
     Bsdf seenFrom(const Vec3& wo) const;
 
-    // The albedo towards wo: an estimate for the G-buffer and for choosing lobes.
+    // Estimate of the directional albedo for wo, for the G-buffer and for choosing lobes.
     Rgb albedo(const Vec3& wo, const LobeMask& mask = LobeFlags::All) const;
 
-    // Separable lobes with one and the same dependence on the view: the radiance that they scatter towards wo is
-    // viewFactor(wo) times a function of the light alone, so that all views can share what one of them has found out.
-    // Where lobes of several dependences are mixed, those of the greatest albedo; empty if no lobe is separable.
+    // Separable lobes that depend on the view in the same way. The radiance that they scatter towards wo is
+    // viewFactor(wo) times a function of the incident light alone, so that a result found for one view holds for all
+    // views. If the separable lobes differ in this dependence, only those that share it with the lobe of greatest
+    // albedo are returned. The set is empty if no lobe is separable.
     LobeSet separableLobes() const;
-    // wo in world space. lobes: from separableLobes().
+    // The factor that depends on the view, for lobes from separableLobes(). wo: world space.
     Rgb viewFactor(const Vec3& wo, LobeSet lobes) const;
 
-    // i in [0, size()).
+    // The lobe of index i in [0, size()), and its properties.
     const Lobe& lobe(int i) const { return reinterpret_cast<const Lobe*>(lobes_->storage)[i]; }
     LobeFlags flags(int i) const { return lobes_->flags[size_t(i)]; }
     float alpha(int i) const { return lobes_->alphas[size_t(i)]; }
@@ -109,12 +113,13 @@ class Bsdf {
         return mask.has(flags(i), alpha(i)) && (mask.lobes >> i & 1) != 0;
     }
     const Rgb& weight(int i) const { return lobes_->weights[size_t(i)]; }
-    // Whether light that the lobe scatters from wi to wo is reflected if both are on the same side of the shading
-    // frame, and transmitted otherwise.
+    // Whether the lobe reflects light if wo and wi are on the same side of the shading frame, and transmits it
+    // otherwise. False for hair (kWithoutSides in lobe.h).
     bool hasSides(int i) const { return lobes_->hasSides[size_t(i)]; }
 
   private:
-    // False where even the mirrored view is well above the surface, as nearly everywhere: this is asked at every hit.
+    // A cheap test for every hit. False where even the mirrored view is well above the surface, which is nearly
+    // everywhere.
     bool mayBend(const Vec3& wo) const {
         const float cosine = dot(frame_.n, ng_), view = dot(wo, ng_), mirrored = 2 * dot(wo, frame_.n) * cosine - view;
         return !(cosine > 0 && (view < 0 ? -mirrored : mirrored) >= kElevationKept);
@@ -140,15 +145,14 @@ class Bsdf {
         std::array<float, kMaxLobes> alphas;
         std::array<Rgb, kMaxLobes> weights;
         std::array<bool, kMaxLobes> hasSides;
-        // Raw memory, because a Bsdf is made at every hit, and constructing sixteen lobes where two are used would be
-        // wasteful.
+        // Raw memory: a Bsdf is made at every hit, and constructing sixteen lobes where two are used would be wasteful.
         alignas(Lobe) std::byte storage[kMaxLobes * sizeof(Lobe)];
     };
 
     Frame frame_;
-    std::optional<Frame> unbent_;  // the shading frame, where frame_ is a bent one
+    std::optional<Frame> unbent_;  // the original shading frame; set only if frame_ is bent
     Vec3 ng_{0, 0, 1};
-    const Lobes* lobes_ = &own_;  // or those of another
+    const Lobes* lobes_ = &own_;  // or those of another Bsdf, see borrowLobes()
     Lobes own_;
 };
 static_assert(std::is_trivially_destructible_v<Lobe>, "Bsdf does not destroy its lobes");

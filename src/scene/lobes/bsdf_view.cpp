@@ -5,8 +5,8 @@
 namespace drc {
 namespace {
 
-// A lobe that is not specular is chosen with at least this part of the probability of the likeliest one: its albedo is
-// only an estimate, and may be zero where the lobe is not.
+// Least probability of a non-specular lobe, relative to that of the likeliest lobe. The albedo is only an estimate, and
+// may be zero where the lobe is not.
 constexpr float kFloor = 0.05f;
 
 bool isSpecular(LobeFlags flags) { return any(flags & LobeFlags::Specular); }
@@ -60,13 +60,13 @@ bool BsdfView::hasNonSpecular() const {
     return std::any_of(choices_, choices_ + count_, [](const Choice& choice) { return !isSpecular(choice.flags); });
 }
 
-// The geometric normal decides, so that shading normals leak no light.
+// The side is that of the geometric normal, so that shading normals leak no light.
 LobeFlags BsdfView::sideOf(const Vec3& wi) const {
     return dot(wi, bsdf_.ng()) * woSide_ > 0 ? LobeFlags::Reflection : LobeFlags::Transmission;
 }
 
-// A lobe that both reflects and transmits takes the one for the other where the shading frame has wi on another side
-// than the geometry has it.
+// A lobe that both reflects and transmits chooses between the two by the side of wi in the shading frame. Where the
+// geometric normal puts wi on the other side, the lobe has evaluated the wrong one, and does not contribute.
 bool BsdfView::scatters(const Choice& choice, const Vec3& wi, LobeFlags side) const {
     constexpr LobeFlags kBoth = LobeFlags::Reflection | LobeFlags::Transmission;
     if ((choice.flags & kBoth) != kBoth || !bsdf_.hasSides(choice.lobe)) return any(choice.flags & side);
@@ -91,8 +91,8 @@ LobeValue BsdfView::evaluate(const Vec3& wi) const {
 }
 
 std::optional<BsdfSample> BsdfView::sample(float uLobe, const Vec2& u) const {
-    // After the choice of a lobe, the rest of uLobe is uniform again, for lobes that choose within themselves. Rounding
-    // may carry uLobe past the last lobe, which is then the choice.
+    // After the choice of a lobe, the rest of uLobe is uniform again, for lobes that choose within themselves. If
+    // rounding carries uLobe past the last lobe, the last one is chosen.
     const Choice* chosen = nullptr;
     float below = 0;
     for (const Choice* c = choices_; c != choices_ + count_; ++c) {

@@ -3,8 +3,8 @@
 namespace drc {
 namespace {
 
-// Increase of the base's roughness that models the blur by a rough interface. Each of the two refractions deflects
-// light by (1 - 1/eta) times the slope of a facet, a reflection by twice the slope.
+// Roughness alpha by which the base is widened to model the blur by a rough interface. Each of the two refractions
+// deflects light by (1 - 1/eta) times the slope of a facet, a reflection by twice the slope.
 float blurThrough(float eta, float coatAlpha) { return std::sqrt(0.5f) * (1 - 1 / eta) * coatAlpha; }
 
 }  // namespace
@@ -13,8 +13,8 @@ CoatedConductor::CoatedConductor(const DielectricCoat& coat, float coatAlpha, co
                                  const Fresnel& base)
     : coat_(coat), distribution_(distribution.widened(blurThrough(coat.eta(), coatAlpha))), base_(base) {
     alpha_ = distribution_.meanAlpha();
-    // Fits to random walks, here and below, of the energy that single scattering off microfacets conserves. Without a
-    // difference of indices there is no critical angle.
+    // The constants, here and below, are fits to random walks. kept_ is the energy that single scattering off
+    // microfacets conserves. trapped_ is 0 for eta = 1, because there is no critical angle.
     kept_ = 1 / (1 + 1.8f * sqr(alpha_));
     trapped_ = std::min(1.f, 1.8f * (1 - 1 / sqr(coat.eta())));
 }

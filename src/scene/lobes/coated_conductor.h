@@ -1,5 +1,5 @@
-// A conductor under a dielectric coat, without the reflection off the coat itself, which is a lobe of its own if the
-// surface is rough (pbrt-v4's "coatedconductor" in closed form; see docs/layered-materials.md).
+// A conductor under a dielectric coat (pbrt-v4's "coatedconductor" in closed form; see docs/layered-materials.md). The
+// reflection off the coat itself is a separate lobe, except for CoatedMirror.
 #pragma once
 #include "scene/lobes/dielectric_coat.h"
 #include "scene/lobes/fresnel.h"
@@ -25,17 +25,17 @@ class CoatedConductor {
 
   private:
     Vec3 refractIn(const Vec3& w) const;
-    // Share of the light reflected by the base along this direction that roughness scatters so far from the mirror
-    // direction that the coat's interface may reflect it totally.
+    // Share of the light reflected by the base that its roughness scatters far enough from the mirror direction for the
+    // coat's interface to reflect it totally. cosTheta, here and below: outside the coat.
     float scatteredAway(float cosTheta) const;
-    // Share of the light reflected by the base along this direction that the coat sends back to the base.
+    // Share of the light reflected by the base that the coat sends back to the base.
     float comesBack(float cosTheta) const;
 
     DielectricCoat coat_;
     TrowbridgeReitz distribution_;
     Fresnel base_;
     float alpha_;    // roughness of the base
-    float kept_;     // share of unabsorbed light that one single-scattering reflection off the base conserves
+    float kept_;     // energy that single scattering off the base conserves, absorption apart
     float trapped_;  // share of the scatteredAway() light that is totally reflected
 };
 

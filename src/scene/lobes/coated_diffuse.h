@@ -1,5 +1,5 @@
-// A Lambertian base under a dielectric coat, without the reflection off the coat itself, which is a lobe of its own
-// (pbrt-v4's "coateddiffuse" in closed form; see docs/layered-materials.md).
+// A Lambertian base under a dielectric coat (pbrt-v4's "coateddiffuse" in closed form; see docs/layered-materials.md).
+// The reflection off the coat itself is a separate lobe.
 #pragma once
 #include "scene/lobes/dielectric_coat.h"
 #include "scene/lobes/lobe_sampling.h"

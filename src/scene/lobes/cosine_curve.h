@@ -1,6 +1,6 @@
-// A function of the cosine between a direction and the normal, as a table: what a layer of a material reflects or lets
-// pass. Tables of layers multiply node by node, and their mean over the hemisphere is exact, so that sums of layers
-// conserve energy to rounding.
+// A tabulated function of the cosine between a direction and the normal, such as the albedo or the transmittance of a
+// layer. Curves of stacked layers are multiplied node by node, and the mean of a curve over the hemisphere is exact, so
+// that the layers together conserve energy to rounding.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -22,13 +22,13 @@ class CosineCurve {
     constexpr float& operator[](int node) { return values_[size_t(node)]; }
     constexpr float operator[](int node) const { return values_[size_t(node)]; }
 
-    // cosTheta: its sign is ignored; between the nodes the curve is linear in the square root of its magnitude.
+    // The value at |cosTheta|. Between the nodes the curve is linear in sqrt(|cosTheta|).
     float at(float cosTheta) const {
         const float x = std::sqrt(std::min(1.f, std::abs(cosTheta))) * (kNodes - 1);
         const size_t i = std::min(size_t(x), size_t(kNodes - 2));
         return lerp(x - float(i), values_[i], values_[i + 1]);
     }
-    // The mean over the hemisphere, weighted by the cosine.
+    // The cosine-weighted mean over the hemisphere: the integral of 2 c at(c) over c in [0, 1].
     float mean() const;
 
   private:

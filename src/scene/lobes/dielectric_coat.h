@@ -2,7 +2,8 @@
 // on the way, and the share of the light scattered by the base that the interface sends back. docs/layered-materials.md
 // has the formulas and their error against a random walk.
 //
-// Cosines are those to the normal outside the coat, and not negative. Both sides of the surface have the same coat.
+// Cosines are to the normal, not negative, and measured outside the coat unless they are named `inside`. Both sides of
+// the surface have the same coat.
 #pragma once
 #include "math/vec.h"
 
@@ -31,8 +32,8 @@ class DielectricCoat {
 
   private:
     float eta_, depth_;
-    // A rough interface reflects like a smooth one at another angle, whose squared cosine is interpolated linearly, in
-    // the squared cosine of the actual angle, between these.
+    // A rough interface reflects like a smooth one at an effective angle, whose squared cosine is lerp(cos^2 theta,
+    // atHorizon_, atNormal_).
     float atHorizon_, atNormal_;
     float internalReflectance_, meanTransmittance_;
 };

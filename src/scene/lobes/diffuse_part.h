@@ -1,5 +1,5 @@
-// Rough diffuse reflection is added to a Bsdf as two lobes, whose sum it is: one that is separable (see lobe.h), as
-// large as is simply told, and the rest, which no factor of the view alone describes.
+// A rough diffuse BRDF is added to a Bsdf as the sum of two lobes: a separable one (see lobe.h), which is as large a
+// part as a simple formula describes, and the rest, which is not a product of a function of wo and one of wi.
 #pragma once
 
 namespace drc {

@@ -6,7 +6,7 @@
 namespace drc {
 namespace {
 
-// Reflectance at normal incidence, of an index of 1.5.
+// Reflectance at normal incidence for an index of 1.5.
 const Rgb kAtNormal(0.04f);
 
 // Smith's masking of Trowbridge and Reitz's distribution with Burley's fixed alpha of 0.25, divided by 2 cos theta.

@@ -1,6 +1,6 @@
 // The clear coat of Burley's models ("Physically Based Shading at Disney", SIGGRAPH 2012 course, section 5.6): a second
-// highlight of index 1.5 and a quarter of the strength, whose distribution of microfacets, Trowbridge and Reitz's with
-// an exponent of one in place of two, has the long tails that are seen on lacquer.
+// specular highlight of index 1.5, at a quarter of the strength. Its distribution of microfacets is that of Trowbridge
+// and Reitz with an exponent of one in place of two, whose long tails match lacquer.
 #pragma once
 #include "scene/lobes/lobe.h"
 
@@ -17,10 +17,10 @@ class DisneyClearcoat {
     Rgb f(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).f; }
     float pdf(const Vec3& wo, const Vec3& wi) const { return evaluate(wo, wi).pdf; }
     LobeSample sample(const Vec3& wo, float uLobe, const Vec2& u, TransportMode mode) const;
-    Rgb albedo(const Vec3& wo) const;  // of the smooth coat
+    Rgb albedo(const Vec3& wo) const;  // that of a smooth coat
 
   private:
-    // Density of microfacets; its integral times the cosine is one.
+    // Density of microfacet normals; times the cosine it integrates to one.
     float distribution(float cosThetaH) const;
 
     float weight_, alpha2_;

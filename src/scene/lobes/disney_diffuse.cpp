@@ -33,8 +33,8 @@ Rgb DisneyDiffuse::viewFactor(const Vec3& wo) const {
     return colors_.base * (1 - 0.5f * schlickWeight(absCosTheta(wo)));
 }
 
-// The formulas above, evaluated at means over a cosine-weighted wi: schlickI 1/21 (exact for the base), cos2D (1 + 2/3
-// cos theta_o) / 2, inverse sum of cosines 2 (1 - c ln (1 + 1/c)). The sheen's term is a fit.
+// The terms of f(), evaluated at means over a cosine-weighted wi: schlickI = 1/21 (exact for the base), cos2D = (1 +
+// 2/3 cos theta_o) / 2 and, with c = cos theta_o, inverseCosines = 2 (1 - c ln (1 + 1/c)). The sheen term is a fit.
 Rgb DisneyDiffuse::albedo(const Vec3& wo) const {
     const float cosO = absCosTheta(wo);
     const float schlickO = schlickWeight(cosO), schlickI = 1 / 21.f;

@@ -1,10 +1,11 @@
 // The diffuse part of Burley's models ("Physically Based Shading at Disney", SIGGRAPH 2012 course, section 5.3, and
 // "Extending the Disney BRDF to a BSDF with Integrated Subsurface Scattering", SIGGRAPH 2015 course, sections 4 and 5):
 // a diffuse base that darkens towards grazing angles, the flatter look of shallow subsurface scattering,
-// retro-reflection of rough surfaces, and the sheen of cloth. One class for all four, which are broad and sampled in
-// the same way; a material adds the base as a lobe of its own, because it alone is separable (Bsdf::separableLobes).
+// retro-reflection of rough surfaces, and the sheen of cloth. One class covers all four terms, because all are broad
+// and cosine-sampled. Materials add the base as a separate lobe, because only the base is separable
+// (Bsdf::separableLobes).
 //
-// Burley fitted them to measurements without regard to energy conservation: near the horizon, a white base of full
+// Burley fitted the terms to measurements without regard to energy conservation: near the horizon, a white base of full
 // roughness reflects more light than it receives.
 #pragma once
 #include "scene/lobes/lobe_sampling.h"
@@ -25,7 +26,7 @@ class DisneyDiffuse : public DiffuseReflectionLobe<DisneyDiffuse> {
 
     Rgb f(const Vec3& wo, const Vec3& wi) const;
     Rgb albedo(const Vec3& wo) const;
-    // Only the base is a product over both directions.
+    // Only the base term is a product of a function of wo and one of wi.
     bool isSeparable() const { return isBlack(colors_.flat) && isBlack(colors_.retro) && isBlack(colors_.sheen); }
     Rgb viewFactor(const Vec3& wo) const;
 

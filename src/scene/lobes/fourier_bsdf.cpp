@@ -11,7 +11,7 @@ float sinTheta(const Vec3& w) { return std::sqrt(w.x * w.x + w.y * w.y); }
 
 LobeValue FourierBsdf::evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     if (wo.z == 0 || wi.z == 0) return {};
-    // The table's incident direction is the one in which the light travels.
+    // The table's incident direction is -wi, in which the light travels.
     const float across = sinTheta(wo) * sinTheta(wi);
     const float cosAzimuth = across > 0 ? std::clamp(-(wo.x * wi.x + wo.y * wi.y) / across, -1.f, 1.f) : 1;
     const FourierTable::Value value = table_->evaluate(-wi.z, wo.z, cosAzimuth);

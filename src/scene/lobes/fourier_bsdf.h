@@ -1,5 +1,5 @@
-// A lobe that is a table of Fourier series: reflection, transmission or both, of an isotropic surface (pbrt-v3's BSDF
-// files; PBR 3e, sections 8.6 and 14.1.4).
+// A lobe tabulated as Fourier series: reflection, transmission or both, of an isotropic surface (pbrt-v3's BSDF files;
+// PBR 3e, sections 8.6 and 14.1.4).
 #pragma once
 #include "scene/lobes/fourier_table.h"
 
@@ -10,7 +10,8 @@ class FourierBsdf {
     // The table must outlive the lobe, and scatter some light.
     explicit FourierBsdf(const FourierTable& table) : table_(&table) {}
 
-    // A table does not say what its surface is made of: it is glossy, and broad if its alpha is large.
+    // A table does not tell diffuse from glossy reflection. The lobe counts as glossy, and as broad if its alpha is
+    // large (broadLobes() in lobe.h).
     LobeFlags flags() const {
         return (table_->reflects() ? LobeFlags::Reflection : LobeFlags::None) |
                (table_->transmits() ? LobeFlags::Transmission : LobeFlags::None) | LobeFlags::Glossy;

@@ -8,9 +8,9 @@
 namespace drc {
 namespace {
 
-// Cosine-weighted sums are accumulated in so many independent parts, which fit a SIMD register.
+// dotProduct() accumulates this many independent partial sums, which fit a SIMD register.
 constexpr int kLanes = 8;
-// Cosines of multiples of the azimuth are computed for so many orders at a time.
+// Number of orders k for which cos(k azimuth) is computed at a time.
 constexpr int kChunk = 64;
 
 float dotProduct(const float* a, const float* b, int count) {
@@ -68,7 +68,7 @@ void FourierTable::findSides() {
             reflects_ = reflects_ || nodes_[i] * nodes_[o] < 0;
             transmits_ = transmits_ || nodes_[i] * nodes_[o] > 0;
         }
-    // On a side to which no light goes there is only noise.
+    // Series of a side that receives no light contain only noise, and are removed.
     for (int o = 0; o < nodes_.size(); ++o)
         for (int i = 0; i < nodes_.size(); ++i)
             if (!isPossible(sideOf(i), sideOf(o))) series_.orders[pair(o, i)] = 0;
@@ -91,8 +91,8 @@ void FourierTable::integrateAlbedo() {
 }
 
 std::vector<FourierTable::Extremes> FourierTable::findExtremes() const {
-    // With four azimuths for each order, parabolas through three of them find the dips of the highest one. What very
-    // many orders could hide between so many azimuths is noise.
+    // With four azimuths per order, parabolas through three neighbouring values find the dips of the highest order.
+    // Beyond kMostAzimuths, dips that lie between the azimuths are noise.
     constexpr uint32_t kMostAzimuths = 512;
     std::vector<Extremes> found(size_t(nodes_.size()) * size_t(nodes_.size()));
     parallelFor(0, int(found.size()), nodes_.size(), [&](int begin, int end) {
@@ -118,7 +118,7 @@ std::vector<FourierTable::Extremes> FourierTable::findExtremes() const {
 }
 
 void FourierTable::findAlpha(const std::vector<Extremes>& extremes) {
-    // At grazing angles series of few terms are negative where they should be small.
+    // Series of few terms are negative at grazing angles, where they should be small.
     constexpr float kLeastCosine = 0.1f;
     for (int o = 0; o < nodes_.size(); ++o) {
         const float energy = luminance(albedo_[size_t(o)]), cosine = std::abs(nodes_[o]);
@@ -138,8 +138,8 @@ void FourierTable::findAlpha(const std::vector<Extremes>& extremes) {
 }
 
 void FourierTable::raise(const std::vector<Extremes>& extremes) {
-    // Raise each series by at least this times the largest mean among its neighbours. Where a spline reaches only by
-    // its outer two nodes, their share is at most .005.
+    // Each series is raised by at least this share of the largest mean among its neighbours. Where only the outer nodes
+    // of both splines carry light, its weight is a product of two negative weights, about 0.005 at most.
     constexpr float kSpread = 0.005f;
     const int n = nodes_.size();
     raise_.resize(extremes.size());
@@ -176,7 +176,8 @@ FourierTable::Value FourierTable::evaluate(float incident, float outgoing, float
     const SplineWeights in = nodes_.at(incident);
     const Rows rows = rowsAt(outgoing);
 
-    // The values of the sixteen series, of which the inner four are also those of the density.
+    // The 4 x 4 series that the splines combine. The inner 2 x 2 also contribute to the density, by their linear
+    // weights.
     struct Term {
         size_t pair;
         int orders;
@@ -195,7 +196,7 @@ FourierTable::Value FourierTable::evaluate(float incident, float outgoing, float
             most = std::max(most, terms[count++].orders);
         }
     float cosines[kChunk];
-    double current = 1, previous = cosAzimuth;  // cos of k times the azimuth, and of k - 1 times
+    double current = 1, previous = cosAzimuth;  // cos(k azimuth) and cos((k - 1) azimuth)
     for (int first = 0; first < most; first += kChunk) {
         const int size = std::min(kChunk, most - first);
         for (int k = 0; k < size; ++k) {
@@ -226,7 +227,8 @@ float FourierTable::sampleIncident(int outgoing, float u, int& segment, float& t
     const float target = u * row[nodes_.size() - 1];
     const int above = int(std::upper_bound(row, row + nodes_.size(), target) - row);
     segment = std::clamp(above - 1, 0, nodes_.size() - 2);
-    // The integral of a linear density from a to b over the fraction t of the segment: t (a + t (b - a) / 2).
+    // A density that is linear from a to b has the integral t (a + t (b - a) / 2) over the first fraction t of the
+    // segment, which is solved for t.
     const float a = sampledMean(pair(outgoing, segment)), b = sampledMean(pair(outgoing, segment + 1));
     const float width = nodes_[segment + 1] - nodes_[segment];
     const float x = width > 0 ? (target - row[segment]) / width : 0;
@@ -271,8 +273,8 @@ std::optional<FourierTable::Direction> FourierTable::sample(float outgoing, floa
     const Rows rows = rowsAt(outgoing);
     const float sum = rows.first + rows.second;
     if (!(sum > 0)) return std::nullopt;
-    // A row, an incident cosine in proportion to its interpolated means, and one of the two series on either side, with
-    // what the choice of the row has left of its random number.
+    // Choose a row, then an incident cosine in proportion to the interpolated means of the row, then the series of one
+    // of the two nodes around this cosine. The last choice uses the rest of u0, which is uniform again.
     const float pFirst = rows.first / sum;
     const bool first = u0 < pFirst;
     const float rest = first ? u0 / pFirst : (u0 - pFirst) / (1 - pFirst);

@@ -2,9 +2,10 @@
 // difference of the azimuths (PBR 3e, section 8.6; Jakob et al., "A Comprehensive Framework for Rendering Layered
 // Materials", 2014).
 //
-// Directions are named as in the files: `incident` is the cosine of the direction in which the light travels towards
-// the surface, `outgoing` of the one in which it leaves, both to the normal. Light is reflected where their signs
-// differ, and transmitted where they agree. The azimuth is that between the two, zero if the light goes straight on.
+// Directions are named as in the files: `incident` is the cosine (to the normal) of the direction in which light
+// travels towards the surface, `outgoing` that of the direction in which it leaves. Light is reflected where their
+// signs differ, and transmitted where they agree. `azimuth` is the difference of the azimuths of both directions, zero
+// if the light goes straight on.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -17,10 +18,11 @@ namespace drc {
 
 // The series of f |incident| for every pair of cosines: sum over k of a_k cos(k azimuth).
 struct FourierSeries {
-    // From -1 to 1, ascending. 0 may be there twice, for the two sides of the surface.
+    // From -1 to 1, ascending. 0 may occur twice, once for each side of the surface.
     std::vector<float> cosines;
-    // For each pair of cosines, [outgoing * cosines.size() + incident]: where the coefficients of its series begin, and
-    // how many there are per channel. The channels follow each other.
+    // For each pair of cosines, at [outgoing * cosines.size() + incident]: the position of its series in
+    // `coefficients`, and the number of coefficients per channel. The coefficients of all channels are stored one
+    // channel after the other.
     std::vector<uint32_t> offsets, orders;
     std::vector<float> coefficients;  // finite
     int channels = 1;                 // 1: luminance. 3: luminance, red, blue (the files' order)
@@ -30,39 +32,40 @@ struct FourierSeries {
 class FourierTable {
   public:
     explicit FourierTable(FourierSeries series);
-    // Memory that a table of so many cosines needs beside its series.
+    // Memory, in bytes, that a table of this many cosines needs in addition to its series.
     static double bytesBeside(double cosines) { return cosines * cosines * 3 * sizeof(float); }
 
     struct Value {
         Rgb fCosine{0.f};   // f times |incident|, without the scaling of radiance by refraction
-        float density = 0;  // of sample(), per unit of incident cosine and azimuth
+        float density = 0;  // pdf of sample(), per unit of incident cosine and azimuth
     };
     Value evaluate(float incident, float outgoing, float cosAzimuth) const;
 
     struct Direction {
         float incident, azimuth;
     };
-    // Chooses a direction about in proportion to the luminance of f |incident|. None: no light leaves that way.
+    // Samples a direction roughly in proportion to the luminance of f |incident|. None if no light leaves in direction
+    // `outgoing`.
     std::optional<Direction> sample(float outgoing, float u0, const Vec2& u) const;
 
-    // Share of the light that is scattered, without the scaling of radiance.
+    // Directional albedo, without the scaling of radiance by refraction.
     Rgb albedo(float outgoing) const;
     float eta() const { return series_.eta; }
     bool reflects() const { return reflects_; }
     bool transmits() const { return transmits_; }
-    // The least equivalentAlpha() of both sides.
+    // The smallest equivalentAlpha() over reflection, transmission and outgoing cosines, grazing ones excepted.
     float alpha() const { return alpha_; }
 
   private:
-    // Samples are not taken from the interpolated series itself, which may be negative, but from a mixture that cannot
-    // be: of the four pairs of cosines around a place, with the weights of linear interpolation, each with its series
-    // raised by a constant. The latter makes up for dips of the series below zero and spreads a little light to pairs
-    // that splines reach and linear interpolation does not. So the density is known exactly, whatever a file contains.
+    // sample() draws from a density that cannot be negative, unlike the interpolated series: the bilinear interpolation
+    // of the series at the four pairs of cosines around a place, after each has been raised by a constant. The constant
+    // makes up for dips of the series below zero, and gives a little density to pairs that splines reach and linear
+    // interpolation does not. The density is therefore known exactly, whatever a file contains.
     //
-    // The weights of that interpolation, and of the rows' totals, for one outgoing cosine.
+    // Rows: the two outgoing nodes around one outgoing cosine, between which sample() chooses.
     struct Rows {
         SplineWeights at;
-        float first, second;  // of the two rows: weight times total
+        float first, second;  // unnormalised probability of each row: linear weight times total()
     };
     Rows rowsAt(float outgoing) const;
     float total(int outgoing) const { return 2 * kPi * cumulative_[pair(outgoing, nodes_.size() - 1)]; }
@@ -91,9 +94,9 @@ class FourierTable {
 
     FourierSeries series_;
     SplineNodes nodes_;
-    std::vector<float> raise_;       // of each pair's series, for sampling
-    std::vector<float> cumulative_;  // of each pair: integral of the sampled means of its row up to its incident cosine
-    std::vector<Rgb> albedo_;        // of each outgoing cosine
+    std::vector<float> raise_;       // [pair]: constant by which its series is raised for sampling
+    std::vector<float> cumulative_;  // [pair]: integral of sampledMean() over its row, up to its incident cosine
+    std::vector<Rgb> albedo_;        // per outgoing cosine
     bool reflects_ = false, transmits_ = false;
     float alpha_ = kDiffuseAlpha;
 };

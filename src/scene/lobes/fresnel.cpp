@@ -13,7 +13,8 @@ float conductorChannel(float cosTheta, float eta, float k) {
     const float a2b2 = safeSqrt(real * real + 4 * eta2 * k2);
     const float twoACos = 2 * cosTheta * safeSqrt(0.5f * (a2b2 + real));
     const float s = a2b2 + cos2;
-    // The sum is zero only at grazing angles with eta = 1 and k = 0. Without a boundary the limit of the ratio is 1.
+    // The sum is zero only at grazing incidence for eta = 1 and k = 0. The value is then 1, as for all other indices at
+    // grazing incidence.
     const float perpendicular = s + twoACos > 0 ? (s - twoACos) / (s + twoACos) : 1;
     const float p = cos2 * a2b2 + sin2 * sin2;
     const float q = twoACos * sin2;

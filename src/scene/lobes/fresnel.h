@@ -9,7 +9,7 @@ namespace drc {
 class IndexRatio {
   public:
     IndexRatio(float etaI, float etaT) : eta_(etaT / etaI), inverse_(etaI / etaT) {}
-    // As fresnelDielectric().
+    // See fresnelDielectric().
     float reflectance(float cosThetaI) const {
         const bool inside = cosThetaI <= 0;
         const float eta = inside ? inverse_ : eta_, inverse = inside ? eta_ : inverse_;
@@ -44,8 +44,8 @@ inline Rgb fresnelSchlick(float cosTheta, const Rgb& atNormal) {
     return atNormal + (Rgb(1.f) - atNormal) * schlickWeight(cosTheta);
 }
 
-// Schlick's weight s of a smooth dielectric's reflectance, which is F0 + (1 - F0) s. A dielectric with another, perhaps
-// tinted, reflectance at normal incidence takes the weight of the true one.
+// Finds the weight s in Schlick's form F0 + (1 - F0) s of a smooth dielectric's exact reflectance. A dielectric whose
+// reflectance at normal incidence is changed, perhaps tinted, keeps the weight s of the unchanged one.
 class DielectricBlend {
   public:
     // eta: index of refraction relative to the outside.
@@ -57,7 +57,7 @@ class DielectricBlend {
     float atNormal_, scale_;
 };
 
-// One of the Fresnel terms above, as a member of a lobe.
+// A Fresnel term that is chosen at run time, as a member of a lobe.
 class Fresnel {
   public:
     // A reflectance of 1 at all angles.
@@ -84,8 +84,8 @@ class Fresnel {
         return f;
     }
     // Burley's blend of a dielectric of index eta (metallic = 0) and Schlick's approximation of a metal (metallic = 1).
-    // Only the share `transmissive` of the dielectric has an inside, with total internal reflection; the rest is the
-    // same from both sides.
+    // Only the share `transmissive` of the dielectric has an inside, with total internal reflection; the rest reflects
+    // alike on both sides.
     static Fresnel metallic(const Rgb& atNormal, float metallic, float eta, float transmissive = 0) {
         Fresnel f;
         f.kind_ = Kind::Metallic;
@@ -96,9 +96,9 @@ class Fresnel {
         return f;
     }
 
-    // A dielectric of index eta whose reflectance at normal incidence is given, and may be tinted; towards grazing
-    // angles it rises to 1 as the untinted one's does. A coat is seen from outside on both sides of the surface; so is
-    // a sheet, which reflects off both of its faces.
+    // A dielectric of index eta with the given reflectance at normal incidence, which may be tinted; towards grazing
+    // angles the reflectance rises to 1 as that of the untinted dielectric does. A coat is seen from outside on both
+    // sides of the surface; so is a sheet, which reflects off both of its faces.
     enum class Of { Boundary, Coat, Sheet };
     static Fresnel tinted(const Rgb& atNormal, float eta, Of what) {
         Fresnel f;
@@ -108,9 +108,9 @@ class Fresnel {
         f.blend_ = DielectricBlend(eta);
         return f;
     }
-    // Schlick's approximation of a metal, multiplied by a tint at the angle of which the cosine is 1/7, about 82
-    // degrees, where metals differ most from it (Kutz, Hasan and Edmondson, "Novel Aspects of the Adobe Standard
-    // Material", 2021).
+    // Schlick's approximation of a metal, corrected so that it is multiplied by edgeTint at the cosine 1/7, about 82
+    // degrees, where real metals differ most from the approximation (Kutz, Hasan and Edmondson, "Novel Aspects of the
+    // Adobe Standard Material", 2021).
     static Fresnel metalWithEdge(const Rgb& atNormal, const Rgb& edgeTint) {
         Fresnel f;
         f.kind_ = Kind::MetalWithEdge;
@@ -148,7 +148,7 @@ class Fresnel {
         }
         return Rgb(1.f);
     }
-    // The mean of eval() from outside, weighted by the cosine; for metalWithEdge().
+    // The cosine-weighted mean of eval() over the hemisphere outside. Valid for metalWithEdge() only.
     Rgb meanOfMetalWithEdge() const { return eta_ + (Rgb(1.f) - eta_) * (1.f / 21) - k_ * (1.f / 126); }
 
   private:

@@ -1,5 +1,6 @@
 // Smooth glass: specular reflection and refraction in a single lobe, which chooses between them in proportion to the
-// light that each carries (PBR 3e, sections 8.2 and 14.1.3). It only matches masks that allow both.
+// light that each carries (PBR 3e, sections 8.2 and 14.1.3). It matches only masks with both Reflection and
+// Transmission.
 #pragma once
 #include "scene/lobes/lobe.h"
 

@@ -34,8 +34,8 @@ float scaledBesselI0(float x) {
     return sum / std::sqrt(x);
 }
 
-// Distribution along the fibre: d'Eon's normalised one on the sphere, whose integral times cos theta_i over theta_i is
-// one. sinO and cosO are those of the direction mirrored about, after tilting.
+// Longitudinal distribution of variance v, by d'Eon: its product with cos theta_i integrates to one over theta_i. sinO
+// and cosO are those of theta_o after the tilt by the scales; the lobe is centred on theta_i = -theta_o.
 float alongFibre(float cosI, float cosO, float sinI, float sinO, float v) {
     // (cos (theta_i + theta_o) - 1) / v without the cancellation that narrow lobes would suffer.
     const float exponent = -0.5f * (sqr(cosI - cosO) + sqr(sinI + sinO)) / v;
@@ -48,10 +48,10 @@ float logistic(float x, float s) {
 }
 float logisticCdf(float x, float s) { return 1 / (1 + std::exp(-x / s)); }
 
-// Azimuth by which a ray that keeps within the normal plane is turned; p counts its passages through the fibre.
+// Change of azimuth, in radians, of a ray in the normal plane; p is its number of passages through the fibre.
 float turn(int p, float gammaO, float gammaT) { return float(2 * p) * gammaT - 2 * gammaO + float(p) * kPi; }
 
-// The logistic distribution about that turn, cut off at half a turn either way.
+// Azimuthal distribution: logistic of scale s, truncated to [-pi, pi]. phi is the azimuth relative to turn().
 float aroundFibre(float phi, float s) {
     phi = std::remainder(phi, 2 * kPi);
     return logistic(phi, s) / (2 * logisticCdf(kPi, s) - 1);
@@ -65,14 +65,14 @@ float sampleAroundFibre(float u, float s) {
 }  // namespace
 
 struct HairScattering::Outgoing {
-    float sin, cos, phi;   // polar angle and azimuth
-    float gammaO, gammaT;  // to the cylinder's normal, outside and inside
+    float sin, cos, phi;   // sine and cosine of the longitudinal angle; azimuth
+    float gammaO, gammaT;  // angles to the cylinder's normal in the normal plane, outside and inside
     std::array<Rgb, kLobes> attenuation;
     std::array<float, kLobes> probability;
 
     Outgoing(const HairScattering& hair, const Vec3& wo)
         : sin(wo.x), cos(safeSqrt(1 - wo.x * wo.x)), phi(std::atan2(wo.z, wo.y)) {
-        // Within the normal plane light refracts by an index that grows with obliqueness (Marschner's eta').
+        // In the normal plane, light refracts by an index that grows with the longitudinal angle (Marschner's eta').
         const float sinGammaT =
             std::clamp(hair.h_ * cos / std::sqrt(std::max(1e-6f, sqr(hair.eta_) - sin * sin)), -1.f, 1.f);
         gammaO = std::asin(hair.h_);
@@ -86,7 +86,7 @@ struct HairScattering::Outgoing {
         attenuation[1] = passed * sqr(1 - fresnel);
         attenuation[2] = attenuation[1] * passed * fresnel;
         for (int c = 0; c < 3; ++c) {
-            const float kept = passed[c] * fresnel;  // from one reflection inside to the next: a geometric series
+            const float kept = passed[c] * fresnel;  // per further internal reflection: a geometric series
             attenuation[3][c] = kept < 1 ? attenuation[2][c] * kept / (1 - kept) : 0;
         }
         float sum = 0;
@@ -98,11 +98,11 @@ struct HairScattering::Outgoing {
 
 HairScattering::HairScattering(float h, const Rgb& absorption, const Shape& shape)
     : h_(std::clamp(h, -1.f, 1.f)), eta_(shape.eta), absorption_(absorption) {
-    // Chiang's fits of variance and scale, by which roughness looks linear.
+    // Chiang's fits of variance and scale, which make the roughness parameters perceptually linear.
     const float m = clampedRoughness(shape.betaM), n = clampedRoughness(shape.betaN);
     variance_ = sqr(0.726f * m + 0.812f * sqr(m) + 3.7f * power(m, 20));
     scale_ = std::sqrt(kPi / 8) * (0.265f * n + 1.194f * sqr(n) + 5.372f * power(n, 22));
-    // The scales turn R by twice their angle towards the root, TT and TRT the other way by once and four times it.
+    // The scales tilt R by 2 alpha towards the root, TT by alpha and TRT by 4 alpha towards the tip.
     const float alpha = shape.alphaDegrees * kPi / 180;
     const std::array<float, kLobes> tilt = {-2 * alpha, alpha, 4 * alpha, 0};
     for (size_t p = 0; p < kLobes; ++p) {
@@ -126,14 +126,14 @@ LobeValue HairScattering::evaluate(const Vec3& wo, const Vec3& wi) const {
         const size_t i = size_t(p);
         const float sinO = out.sin * tiltCos_[i] + out.cos * tiltSin_[i];
         const float cosO = std::abs(out.cos * tiltCos_[i] - out.sin * tiltSin_[i]);
-        // Light that is left after many reflections leaves evenly over all azimuths.
+        // The last lobe, light after many internal reflections, is uniform over all azimuths.
         const float around =
             p + 1 < kLobes ? aroundFibre(phi - turn(p, out.gammaO, out.gammaT), scale_) : 0.5f * kInvPi;
         const float density = alongFibre(cosI, cosO, sinI, sinO, variance(p)) * around;
         sum.f += out.attenuation[i] * density;
         sum.pdf += out.probability[i] * density;
     }
-    // The model gives what a fibre scatters, and has no cosine to a normal; the integrators put one in.
+    // The model has no cosine to a normal. The division cancels the |cos theta_i| by which integrators multiply f.
     sum.f *= 1 / absCosTheta(wi);
     return sum;
 }
@@ -147,8 +147,8 @@ LobeSample HairScattering::sample(const Vec3& wo, float uLobe, const Vec2& u, Tr
     if (!(out.probability[size_t(p)] > 0)) return s;
     const float uRest = std::clamp(uLobe / out.probability[size_t(p)], 0.f, kOneMinusEpsilon);
 
-    // Along the fibre: a cosine to the mirrored direction and a turn about it (d'Eon et al., "Importance Sampling for
-    // Physically-Based Hair Fiber Models", 2013).
+    // The longitudinal angle follows from an angle to the mirrored direction, sampled by its cosine, and a rotation
+    // about that direction (d'Eon et al., "Importance Sampling for Physically-Based Hair Fiber Models", 2013).
     const size_t i = size_t(p);
     const float sinO = out.sin * tiltCos_[i] + out.cos * tiltSin_[i];
     const float cosO = std::abs(out.cos * tiltCos_[i] - out.sin * tiltSin_[i]);

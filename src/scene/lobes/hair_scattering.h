@@ -46,8 +46,8 @@ class HairScattering {
 
     float h_, eta_;
     Rgb absorption_;
-    float variance_;  // of the R lobe along the fibre
-    float scale_;     // of the logistic distributions around it
+    float variance_;  // longitudinal variance of the R lobe
+    float scale_;     // of the logistic azimuthal distributions
     std::array<float, kLobes> tiltSin_, tiltCos_;
 };
 

@@ -9,9 +9,10 @@
 namespace drc {
 namespace {
 
-// Directions of each hemisphere, of which the first half are beyond the critical angle, if there is one.
+// Number of directions (streams) per hemisphere. The first kHalf are beyond the critical angle, if there is one.
 constexpr int kHalf = 8, kStreams = 2 * kHalf;
-// Terms of the phase function. Half as many streams as terms integrate each of them exactly.
+// Legendre terms of the phase function, of degrees 0 to kTerms - 1. The kHalf Gauss nodes on either side of the
+// critical angle integrate each term exactly.
 constexpr int kTerms = kStreams;
 
 using Vector = std::array<double, kStreams>;
@@ -34,7 +35,7 @@ Matrix operator+(Matrix a, const Matrix& b) {
         for (size_t j = 0; j < kStreams; ++j) a[i][j] += b[i][j];
     return a;
 }
-// The inverse of 1 - m, for an m of reflections, which lose energy: Gauss-Jordan elimination needs no pivoting.
+// The inverse of 1 - m. m describes reflections, which lose energy, so that Gauss-Jordan elimination needs no pivoting.
 Matrix inverseOfOneMinus(const Matrix& m) {
     Matrix a = identity(), inverse = identity();
     for (size_t i = 0; i < kStreams; ++i)
@@ -57,7 +58,7 @@ Matrix inverseOfOneMinus(const Matrix& m) {
     return inverse;
 }
 
-// Cosines of the streams, and weights that sum to one.
+// Cosines of the streams, and quadrature weights that sum to one.
 struct Streams {
     Vector cosine, weight;
 
@@ -66,7 +67,7 @@ struct Streams {
                                                    0.9602898564975363};
         static constexpr double gauss[kHalf / 2] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
                                                     0.1012285362903763};
-        // Without a critical angle, any division is as good.
+        // Without a critical angle, any split of [0, 1] is as good.
         const double middle = critical > 0 ? critical : 0.5;
         const auto fill = [&](size_t first, double a, double b) {
             for (size_t i = 0; i < kHalf; ++i) {
@@ -87,18 +88,18 @@ std::array<double, kTerms> legendre(double x) {
     return p;
 }
 
-// From stream j to stream i: how radiance that goes down is scattered up, and how what goes on is scattered forward, in
-// a unit of optical depth; for a medium that scatters and absorbs nothing else.
+// Scattering from stream j into stream i per unit of optical depth, for a single-scattering albedo of 1: up[i][j]
+// reverses the vertical direction, on[i][j] keeps it.
 struct Scattering {
     Matrix up{}, on{};
-    double straight;  // the share of the phase function's peak, which the streams cannot resolve and which goes on
+    double straight;  // share of the forward peak, which the streams cannot resolve; it counts as unscattered
 
     Scattering(double g, const Streams& streams) : straight(std::pow(g, kTerms)) {
         for (size_t i = 0; i < kStreams; ++i)
             for (size_t j = 0; j < kStreams; ++j) {
                 const auto a = legendre(streams.cosine[i]), b = legendre(streams.cosine[j]);
                 for (size_t l = 0; l < kTerms; ++l) {
-                    // Without its peak (Wiscombe, "The Delta-M Method", 1977).
+                    // The Legendre moment without the forward peak (Wiscombe, "The Delta-M Method", 1977).
                     const double moment = (std::pow(g, double(l)) - straight) / (1 - straight);
                     const double term = 0.5 * double(2 * l + 1) * moment * a[l] * b[l] * streams.weight[j];
                     on[i][j] += term;
@@ -108,7 +109,7 @@ struct Scattering {
     }
 };
 
-// Reflection of an infinitely deep medium without a boundary.
+// Reflection matrix of an infinitely deep medium without a boundary.
 Matrix reflectionOf(double albedo, const Scattering& scattering, const Streams& streams) {
     // A layer so thin that light is scattered at most once is doubled until nothing comes through.
     constexpr double kThin = 0x1p-20, kThrough = 1e-9;
@@ -124,7 +125,7 @@ Matrix reflectionOf(double albedo, const Scattering& scattering, const Streams& 
         }
     }
     for (int doubling = 0; doubling < kMostDoublings; ++doubling) {
-        // Through the first layer, back and forth between both, and on.
+        // `between` sums all paths that pass the first layer and bounce between both layers any number of times.
         const Matrix between = transmitted * inverseOfOneMinus(reflected * reflected);
         reflected = reflected + between * reflected * transmitted;
         transmitted = between * transmitted;

@@ -1,5 +1,5 @@
-// A diffuse lobe of a layered surface: its value is a product over both directions, so that it is reciprocal, and its
-// albedo is known exactly.
+// A diffuse lobe under layers: f is a product of a function of wo and one of wi, so that it is reciprocal, and its
+// albedo is known exactly (except for rough()).
 #pragma once
 #include <optional>
 
@@ -13,12 +13,14 @@ namespace drc {
 class LayeredDiffuse {
   public:
     enum class Side { Reflects, Transmits };
-    // albedo: of all the light that passes the layers. Towards wo the lobe's albedo is this times what passes there.
+    // albedo: share that the base scatters of the light that passes the layers. The directional albedo of the lobe is
+    // `albedo` times the layers' transmittance for wo.
     LayeredDiffuse(const Rgb& albedo, const LayersAbove& above, Side side = Side::Reflects)
         : LayeredDiffuse(albedo, above.passed, above.colour, side) {}
     LayeredDiffuse(const Rgb& albedo, const CosineCurve& curve, const CoatColour& colour = {},
                    Side side = Side::Reflects);
-    // Reflects as this part of RoughDiffuse does; its albedo is then as near as that lobe's is even.
+    // The base reflects as this part of RoughDiffuse. albedo() is then approximate: exact only if that part's albedo
+    // does not depend on direction.
     static LayeredDiffuse rough(const Rgb& albedo, float roughness, const LayersAbove& above, DiffusePart part);
 
     LobeFlags flags() const {

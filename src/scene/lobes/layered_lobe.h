@@ -1,4 +1,4 @@
-// A lobe under layers, turned about the normal, and with the light that its microfacets scatter more than once.
+// A lobe under layers, rotated about the normal, with the light that its microfacets scatter more than once.
 #pragma once
 #include "scene/lobes/layers_above.h"
 #include "scene/lobes/lobe.h"
@@ -10,7 +10,7 @@ namespace drc {
 class LobeTurn {
   public:
     LobeTurn() = default;
-    // Counterclockwise, in turns.
+    // turns: counterclockwise angle, 1 for a full turn.
     explicit LobeTurn(float turns) : cosine_(std::cos(2 * kPi * turns)), sine_(std::sin(2 * kPi * turns)) {}
     Vec3 toLobe(const Vec3& w) const { return {cosine_ * w.x + sine_ * w.y, cosine_ * w.y - sine_ * w.x, w.z}; }
     Vec3 fromLobe(const Vec3& w) const { return {cosine_ * w.x - sine_ * w.y, cosine_ * w.y + sine_ * w.x, w.z}; }
@@ -19,7 +19,7 @@ class LobeTurn {
     float cosine_ = 1, sine_ = 0;
 };
 
-// Inner: a lobe of lobes.h. The factors only scale its samples, so its pdf stays.
+// Inner: a lobe of lobes.h. The factors only scale f, so the pdf is that of the inner lobe.
 template <class Inner>
 class LayeredLobe {
   public:
@@ -51,7 +51,7 @@ class LayeredLobe {
         s.f *= factor(wo, s.wi, mode);
         return s;
     }
-    // As near as that of the inner lobe.
+    // As accurate as the albedo of the inner lobe.
     Rgb albedo(const Vec3& wo) const { return inner_.albedo(turn_.toLobe(wo)) * above_.bothWays(wo, wo); }
 
   private:

@@ -3,7 +3,7 @@
 namespace drc {
 
 CoatColour::CoatColour(const Rgb& tint, float eta, float share) : inverseEta_(1 / std::max(1.f, eta)), share_(share) {
-    // Black would absorb infinitely much.
+    // Clamped, since a black tint has an infinite optical depth.
     for (int c = 0; c < 3; ++c) opticalDepth_[c] = -std::log(std::clamp(tint[c], 1e-6f, 1.f));
     clear_ = isBlack(opticalDepth_) || share <= 0;
 }

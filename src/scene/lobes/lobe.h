@@ -1,23 +1,22 @@
-// The interface that all lobes of a BSDF share. Each lobe is a small value type in a file or pair of its own; a new one
-// takes that, a line in lobes.h, and a test.
+// The interface that all lobes of a BSDF share. Each lobe is a small value type in a file of its own, or a pair of
+// files. A new lobe needs these, an entry in lobes.h, and a test.
 //
-// A lobe works in the shading frame: unit vectors, z is the shading normal, and both wo and wi point away from the
-// surface and may be on either side. It offers
+// A lobe works in the shading frame: all vectors are unit, z is the shading normal, and both wo and wi point away from
+// the surface and may be on either side. It offers
 //     LobeFlags flags() const;                       // what it is
 //     float alpha() const;                           // its roughness, see LobeMask
 //     Rgb f(wo, wi) const;                           // BSDF, without cosine; 0 for a specular lobe
-//     float pdf(wo, wi) const;                       // of sample(), per solid angle; 0 for a specular lobe
+//     float pdf(wo, wi) const;                       // of sample(), per solid angle of wi; 0 for a specular lobe
 //     LobeSample sample(wo, uLobe, u, mode) const;   // pdf 0: no sample
 //     Rgb f(wo, wi, mode) const;                     // only if f depends on the transport mode
 //     LobeValue evaluate(wo, wi) const;              // only if f and pdf are cheaper to compute together;
 //                                                    // with a third argument if f depends on the transport mode
 //     Rgb albedo(wo) const;                          // estimate of the directional albedo, for choosing lobes
-//     Rgb viewFactor(wo) const;                      // only if the lobe is separable: f(wo, wi) = viewFactor(wo)
-//     g(wi),
-//                                                    // exactly, for some function g (see Bsdf::separableLobes)
-//     bool isSeparable() const;                      // only if it has a viewFactor that does not hold for all
-//     parameters static constexpr bool kWithoutSides = true;    // only if it does not tell reflection from
-//     transmission
+//     Rgb viewFactor(wo) const;                      // only if the lobe is separable: f(wo, wi) is exactly
+//                                                    // viewFactor(wo) times a function of wi (Bsdf::separableLobes)
+//     bool isSeparable() const;                      // only if viewFactor is valid for some parameters only
+//     static constexpr bool kWithoutSides = true;    // only if the sides of wo and wi do not tell reflection
+//                                                    // from transmission
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -26,8 +25,8 @@
 
 namespace drc {
 
-// Camera paths carry radiance, light paths importance: refraction scales radiance, and only radiance, by
-// (eta_i / eta_t)^2 (PBR 3e, section 16.1.3).
+// As in pbrt, paths from the camera use Radiance and paths from lights use Importance: refraction scales radiance, and
+// only radiance, by (eta_i / eta_t)^2 (PBR 3e, section 16.1.3).
 enum class TransportMode { Radiance, Importance };
 
 enum class LobeFlags : uint8_t {
@@ -49,11 +48,12 @@ constexpr bool any(LobeFlags f) { return f != LobeFlags::None; }
 // A set of lobes of a Bsdf: bit i stands for the lobe of index i.
 using LobeSet = uint16_t;
 
-// Selects lobes: those that have no flags other than these, a roughness within [from, to), and a bit in `lobes`.
+// Selects lobes: those whose flags are all in `flags`, whose roughness is in [from, to), and whose bit is in `lobes`.
 //
-// The roughness is alpha of the Trowbridge-Reitz distribution of microfacets, the larger one of both axes. Specular
-// lobes have 0 and diffuse ones kDiffuseAlpha. Hair has 0 whatever its roughness: a fibre is thinner than a pixel, and
-// its normal turns all the way around across it, so that nothing known at a neighbour holds for it.
+// The roughness is alpha of the Trowbridge-Reitz distribution of microfacets, the larger one of both axes; 0 for
+// specular lobes, kDiffuseAlpha for diffuse ones. It is 0 for hair, whatever the hair's own roughness: a fibre is
+// thinner than a pixel, and its normal turns all the way around across it, so that data of neighbouring points do not
+// apply.
 struct LobeMask {
     constexpr LobeMask(LobeFlags f) : flags(f) {}  // NOLINT: flags alone are a mask
     constexpr LobeMask(LobeFlags f, float fromAlpha, float toAlpha) : flags(f), from(fromAlpha), to(toAlpha) {}
@@ -69,8 +69,8 @@ struct LobeMask {
 
 inline constexpr float kDiffuseAlpha = std::numeric_limits<float>::max();
 
-// Broad lobes: diffuse ones, and others with an alpha of at least the threshold. A map of incident radiance with the
-// resolution of that threshold resolves their light (broadAlpha() of cache/projection.h).
+// Broad lobes: diffuse ones, and other non-specular ones with an alpha of at least `threshold`. The threshold is the
+// alpha down to which a map of incident radiance resolves their light (broadAlpha() of maps/projection.h).
 constexpr LobeMask broadLobes(float threshold) {
     return {LobeFlags::NonSpecular, threshold, std::numeric_limits<float>::infinity()};
 }
@@ -84,10 +84,10 @@ struct LobeValue {
 
 struct LobeSample {
     Vec3 wi{0, 0, 0};
-    Rgb f{0.f};  // for a specular lobe: weight / |cos theta_i| times pdf
+    Rgb f{0.f};  // for a specular lobe, f |cos theta_i| / pdf is the weight of the sample
     float pdf = 0;
     LobeFlags flags{};  // of the branch that was sampled (a lobe may both reflect and transmit)
-    float eta = 1;      // relative index of refraction crossed
+    float eta = 1;      // after refraction, index on the side of wi over that on the side of wo
 };
 
 // The base of specular lobes: f and pdf are zero, because only their own samples carry light.

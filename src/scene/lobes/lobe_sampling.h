@@ -1,5 +1,5 @@
-// The sampling strategies of most reflecting lobes. A lobe that uses one takes both pdf and sampler from it, so that
-// the two cannot disagree.
+// The sampling strategies of most reflecting lobes. Each comes as a pair of pdf and sampler, so that the two cannot
+// disagree.
 #pragma once
 #include "math/warp.h"
 #include "scene/lobes/lobe.h"
@@ -8,7 +8,8 @@
 
 namespace drc {
 
-// A diffusely reflecting lobe: Self adds f and albedo. Sampled in proportion to the cosine, on wo's side.
+// Base of diffusely reflecting lobes, which samples wi in proportion to the cosine, on wo's side. Self adds f and
+// albedo.
 template <class Self>
 class DiffuseReflectionLobe {
   public:
@@ -26,7 +27,7 @@ class DiffuseReflectionLobe {
     }
 };
 
-// A mirror: Self adds albedo, which must be exact, because samples are weighted by it.
+// Base of mirrors. Self adds albedo, which must be exact, because it is the weight of the samples.
 template <class Self>
 class MirrorLobe : public SpecularLobe {
   public:
@@ -49,8 +50,8 @@ LobeSample sampleTowards(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
     return {.wi = wi, .f = value.f, .pdf = value.pdf, .flags = lobe.flags()};
 }
 
-// The sample reflected off a microfacet with this normal. There is none if wo does not see the microfacet, or if it
-// reflects into the surface: that is the energy that single scattering loses.
+// The sample for reflection off a microfacet with the normal wh. Its pdf is 0 if wo does not see the microfacet, or if
+// wi points into the surface: the latter is the energy that single scattering loses.
 template <class Lobe>
 LobeSample sampleOffMicrofacet(const Lobe& lobe, const Vec3& wo, const Vec3& wh) {
     if (dot(wo, wh) <= 0) return {};
@@ -59,7 +60,7 @@ LobeSample sampleOffMicrofacet(const Lobe& lobe, const Vec3& wo, const Vec3& wh)
     return sampleTowards(lobe, wo, wi);
 }
 
-// Samples a visible microfacet and reflects off it (PBR 3e, section 14.1.1).
+// Sampling by visible microfacets: a normal that wo sees is sampled, and wo reflected off it (PBR 3e, section 14.1.1).
 // d: distribution.d of the half vector of wo and wi.
 inline float microfacetPdf(const TrowbridgeReitz& distribution, const Vec3& wo, const Vec3& wi, float d) {
     return sameHemisphere(wo, wi) ? 0.25f * d * distribution.g1OverCosine(wo) : 0;

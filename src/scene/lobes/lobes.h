@@ -1,4 +1,4 @@
-// The list of all lobes. A new one takes a pair of files, a line here and a test.
+// The list of all lobes. A new one needs a pair of files, an entry here and a test.
 #pragma once
 #include <variant>
 

@@ -11,7 +11,7 @@ inline bool sameHemisphere(const Vec3& a, const Vec3& b) { return a.z * b.z > 0;
 inline Vec3 reflect(const Vec3& w, const Vec3& n) { return n * (2 * dot(w, n)) - w; }
 
 // Refraction by Snell's law. w and n point away from the surface, to the same side; eta is the index of refraction on
-// that side divided by the one on the other side. False for total internal reflection.
+// that side divided by the index on the other side. False for total internal reflection.
 inline bool refract(const Vec3& w, const Vec3& n, float eta, Vec3& refracted) {
     const float cosI = dot(w, n);
     const float sin2T = eta * eta * std::max(0.f, 1 - cosI * cosI);

@@ -8,7 +8,7 @@ namespace drc {
 namespace {
 
 float sinTheta(const Vec3& w) { return std::sqrt(w.x * w.x + w.y * w.y); }
-// Exact near the normal, where the square is stretched most.
+// Unlike acos, atan2 is exact near the normal, where the square is stretched most.
 float thetaOf(const Vec3& w) { return std::atan2(sinTheta(w), w.z); }
 float phiOf(const Vec3& w) { return std::atan2(w.y, w.x); }
 Vec2 toSquare(float theta, float phi) {
@@ -39,7 +39,7 @@ MeasuredTable::MeasuredTable(MeasuredData data)
 
 MeasuredTable::Turn MeasuredTable::turnFor(const Vec3& wo) const {
     if (symmetries_ == 1) return {};
-    // Half a turn about the normal; with four symmetries also the reflections at both axes.
+    // Half a turn about the normal; with four symmetries, also the reflections in both axes.
     constexpr Turn kTurns[] = {{1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
     Turn best;
     float nearest = kInfinity;

@@ -1,9 +1,9 @@
 // A measured BRDF in the parameterization of Dupuy and Jakob, "An Adaptive Parameterization for Efficient Material
-// Acquisition and Rendering" (2018): for each measured direction, f |cos| over a square that the visible microfacet
-// normals of a distribution are warped to, so that few values are spent where nothing happens.
+// Acquisition and Rendering" (2018). For each measured direction, f |cos| is tabulated over the unit square, which is
+// warped to the distribution of visible microfacet normals, so that few values are spent where there is little light.
 //
-// The measured direction is called wo here, as the one that is given; f is the same both ways. A normal (theta, phi)
-// is the point (sqrt(2 theta / pi), phi / 2 pi + 1/2) of the square. Directions are above the surface.
+// The measured direction is called wo here; f is reciprocal. A normal (theta, phi) is the point (sqrt(2 theta / pi),
+// phi / 2 pi + 1/2) of the square. Directions are above the surface.
 #pragma once
 #include <optional>
 #include <vector>
@@ -16,15 +16,15 @@ namespace drc {
 // Contents of a file. All values are finite, and none is negative.
 struct MeasuredData {
     // Polar angles and azimuths of wo, ascending, in radians. With one or two azimuths the surface is isotropic, and
-    // phi of a normal counts from that of wo. With more, phi covers the full circle, or as much of it as symmetry
-    // leaves (a half or a quarter).
+    // phi of a normal is relative to that of wo. With more, phi covers the full circle, or a half or a quarter of it if
+    // the surface is symmetric.
     std::vector<float> theta, phi;
     SquareGrid ndfGrid, sigmaGrid, vndfGrid, lightGrid;
     std::vector<float> ndf;        // distribution of normals
-    std::vector<float> sigma;      // projected area of the microfacets towards wo, in the same units
-    std::vector<float> vndf;       // densities of visible normals, for each phi and theta, phi outermost
-    std::vector<float> luminance;  // of colors, for each phi and theta, over the square warped by vndf; for sampling
-    std::vector<Rgb> colors;       // with lightGrid, as luminance is
+    std::vector<float> sigma;      // projected area of the microfacets towards wo, in the units of ndf
+    std::vector<float> vndf;       // densities of visible normals: [phi][theta][vndfGrid]
+    std::vector<float> luminance;  // of colors, for sampling: [phi][theta][lightGrid] over the square warped by vndf
+    std::vector<Rgb> colors;       // same layout as luminance
     bool jacobian = true;          // colors are f |cos| divided by ndf / (4 sigma), not f |cos| itself
 };
 
@@ -33,20 +33,20 @@ class MeasuredTable {
     explicit MeasuredTable(MeasuredData data);
 
     LobeValue evaluate(const Vec3& wo, const Vec3& wi) const;
-    // None: the normal that was chosen reflects into the surface.
+    // None if the sampled normal faces away from wo, or reflects wo into the surface.
     std::optional<Vec3> sample(const Vec3& wo, const Vec2& u) const;
     Rgb albedo(const Vec3& wo) const;
-    // equivalentAlpha().
+    // The smallest equivalentAlpha() over the measured directions, grazing ones excepted.
     float alpha() const { return alpha_; }
 
   private:
-    // The symmetries of an anisotropic surface turn wo into the range of phi that was measured.
+    // A symmetry of an anisotropic surface that takes wo to the measured range of phi: the signs of x and y.
     struct Turn {
         float x = 1, y = 1;
         Vec3 operator()(const Vec3& w) const { return Vec3(x * w.x, y * w.y, w.z); }
     };
     Turn turnFor(const Vec3& wo) const;
-    // wo and what follows from it; turned.
+    // wo after its Turn, and values that depend on wo alone.
     struct Viewed {
         Vec3 wo;
         float phi;
@@ -56,8 +56,8 @@ class MeasuredTable {
     Viewed viewed(const Vec3& wo) const;
     LobeValue evaluate(const Viewed& from, const Vec3& wi) const;
     std::optional<Vec3> sample(const Viewed& from, const Vec2& u) const;
-    // Ratio of the solid angle of wi to the area on the square of normals. sine: of the normal's theta; cosNormal: of
-    // the angle between the normal and wo.
+    // Ratio of the solid angle of wi to the area on the square of normals. square: point of the normal. sine: of the
+    // normal's theta. cosNormal: cosine between the normal and wo.
     static float stretch(const Vec2& square, float sine, float cosNormal);
     void integrate();
 
@@ -67,7 +67,7 @@ class MeasuredTable {
     SquareTable<float> ndf_, sigma_;
     SquareWarp vndf_, light_;
     SquareTable<Rgb> colors_;
-    std::vector<Rgb> albedo_;  // of each member of the family
+    std::vector<Rgb> albedo_;  // per member of the family (measured wo)
     float alpha_ = kDiffuseAlpha;
 };
 

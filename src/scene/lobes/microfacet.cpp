@@ -12,8 +12,8 @@ float roughnessToAlpha(float roughness) {
 Vec3 TrowbridgeReitz::sample(const Vec3& wo, const Vec2& u) const {
     const bool below = wo.z < 0;
     const Vec3 w = below ? -wo : wo;
-    // Stretched so that the distribution becomes the uniform hemisphere, whose projection along w is a disk and the
-    // part of another that the horizon squeezes.
+    // In stretched space the distribution is the uniform hemisphere. Its projection along w is half a disk and half an
+    // ellipse: the disk's other half, foreshortened by the horizon.
     const Vec3 v = normalize(Vec3(alphaX_ * w.x, alphaY_ * w.y, w.z));
     const float l2 = v.x * v.x + v.y * v.y;
     const Vec3 t1 = l2 > 0 ? Vec3(-v.y, v.x, 0) * (1 / std::sqrt(l2)) : Vec3(1, 0, 0);

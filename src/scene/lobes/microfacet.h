@@ -13,8 +13,9 @@ class TrowbridgeReitz {
     // pbrt's lower limit: below it the lobe is a mirror to single precision.
     static constexpr float kMinAlpha = 0.001f;
 
-    // HeightCorrelated: a microfacet that one direction sees is more likely to be seen from the other too, because it
-    // is high. Separable takes the two as independent, as Burley's model does, and is darker.
+    // HeightCorrelated: a microfacet that is visible from one direction is probably high, and thus more likely to be
+    // visible from the other. Separable treats masking and shadowing as independent, as Burley's model does, and is
+    // darker.
     enum class Masking { HeightCorrelated, Separable };
 
     TrowbridgeReitz() : TrowbridgeReitz(1, 1) {}
@@ -41,21 +42,22 @@ class TrowbridgeReitz {
     // Masking divided by |cos w|; finite at the horizon.
     float g1OverCosine(const Vec3& w) const { return 2 / (std::abs(w.z) + stretchedLength(w)); }
 
-    // A microfacet normal that wo sees, on wo's side of the surface. wo.z != 0.
+    // Samples a normal of a microfacet visible from wo, on wo's side of the surface. wo.z must not be 0.
     Vec3 sample(const Vec3& wo, const Vec2& u) const;
-    // Its pdf, per solid angle of wh; wh must face wo.
+    // The pdf of sample() per solid angle of wh; wh must face wo.
     float pdf(const Vec3& wo, const Vec3& wh) const { return d(wh) * g1OverCosine(wo) * absDot(wo, wh); }
 
     // The geometric mean of both axes, and the larger one.
     float meanAlpha() const { return std::sqrt(alphaX_ * alphaY_); }
     float largestAlpha() const { return std::max(alphaX_, alphaY_); }
-    // This surface with normals spread further, by independent ones with this alpha: alpha^2 adds up on both axes.
+    // This distribution with its slopes blurred by an independent distribution of the given alpha: alpha^2 adds up on
+    // both axes.
     TrowbridgeReitz widened(float alpha) const {
         return TrowbridgeReitz(std::sqrt(sqr(alphaX_) + sqr(alpha)), std::sqrt(sqr(alphaY_) + sqr(alpha)), masking_);
     }
 
   private:
-    // The length of w in the space in which the slopes have alpha 1: |cos w| (1 + 2 lambda(w)).
+    // The length of w in the space where the distribution of slopes has alpha 1: |cos w| (1 + 2 lambda(w)).
     float stretchedLength(const Vec3& w) const {
         return std::sqrt(sqr(alphaX_ * w.x) + sqr(alphaY_ * w.y) + w.z * w.z);
     }

@@ -13,11 +13,11 @@ namespace drc {
 namespace {
 
 constexpr int kCosines = CosineCurve::kNodes;
-constexpr int kRoughnesses = 24;       // nodes in the square root of alpha, from 0 to 1
+constexpr int kRoughnesses = 24;       // nodes, evenly spaced in sqrt(alpha) from 0 to 1
 constexpr int kIndices = 20;           // see etaOfNode()
-constexpr float kLargestRoot = 0.75f;  // root of the reflectance at normal incidence, of an index of 7
+constexpr float kLargestRoot = 0.75f;  // square root of the reflectance at normal incidence for an index of 7
 
-// Node and share of the next one.
+// A place between two nodes: the lower node, and the linear weight of the next one.
 struct Position {
     int node;
     float share;
@@ -43,10 +43,11 @@ Vec3 directionOfNode(int node) {
     return Vec3(safeSqrt(1 - c * c), 0, c);
 }
 
-// Calls visit(wh, share) for a grid of microfacets visible from wo; the shares add up to 1. Facets far off the mean lie
-// at the edges of the square of random numbers, where the grid is dense: its lines are spaced as by the polynomial
-// x^3 (10 - 15 x + 6 x^2), whose slope is 30 x^2 (1 - x)^2. Both halves of the first number give facets that mirror
-// each other in the plane of incidence, so one is enough. perAxis is even.
+// Calls visit(wh, share) for a grid of microfacets visible from wo; the shares add up to 1. The grid covers the unit
+// square of random numbers from which visible normals are sampled. Facets far from the mean lie near the square's
+// edges, where the grid is dense: its lines are evenly spaced before the warp x^3 (10 - 15 x + 6 x^2), whose slope is
+// 30 x^2 (1 - x)^2. Both halves of the first coordinate give facets that mirror each other in the plane of incidence,
+// so only one half is visited. perAxis must be even.
 template <typename Visit>
 void visitFacets(const TrowbridgeReitz& surface, const Vec3& wo, int perAxis, const Visit& visit) {
     const auto line = [&](int i) { return (float(i) + 0.5f) / float(perAxis); };
@@ -58,12 +59,13 @@ void visitFacets(const TrowbridgeReitz& surface, const Vec3& wo, int perAxis, co
             visit(surface.sample(wo, Vec2(warped(x), warped(y))), 2 * width(x) * width(y));
         }
 }
-// Masking of both directions over that of wo.
+// Masking-shadowing of both directions divided by the masking of wo: the weight of a facet sampled among those visible
+// from wo.
 float remainingMasking(const TrowbridgeReitz& surface, const Vec3& wo, const Vec3& wi) {
     return 4 * absCosTheta(wi) * surface.visibility(wo, wi) / surface.g1OverCosine(wo);
 }
 
-// Tables that are computed when they are first asked for: a scene needs few.
+// Tables that are computed on first use, because a scene needs few of them. Safe to use from several threads.
 template <typename Table, size_t kCount>
 class OnDemand {
   public:
@@ -89,7 +91,7 @@ struct Reflection {
     CosineCurve albedo;  // of lossless facets
     float meanAlbedo = 1;
     std::array<CosineCurve, kIndices>
-        blend;  // by index: the albedo of facets that reflect as DielectricBlend::weight()
+        blend;  // per index: albedo of facets with the reflectance DielectricBlend::weight()
 
     static const Reflection& get(int node) {
         static OnDemand<Reflection, kRoughnesses> tables;
@@ -123,8 +125,8 @@ struct Reflection {
     }
 };
 
-// Albedo of a lossless boundary, reflection and refraction together, for one roughness and index. [0] is seen from the
-// side of the lower index, [1] from the other.
+// Albedo of a lossless boundary, reflection and refraction together, for one roughness and index. [0]: light arrives on
+// the side of the lower index, [1]: on the other.
 struct Boundary {
     static constexpr int kRough = 40, kEta = 48;
     CosineCurve albedo[2];
@@ -164,7 +166,7 @@ struct Boundary {
     }
 };
 
-// The mean of DielectricBlend::weight() over a smooth surface, weighted by the cosine.
+// The cosine-weighted mean of DielectricBlend::weight() over a smooth surface.
 float meanBlend(const Position& index) {
     static const auto means = [] {
         std::array<float, kIndices> m{};
@@ -178,8 +180,8 @@ float meanBlend(const Position& index) {
     return lerp(index.share, means[size_t(index.node)], means[size_t(index.node) + 1]);
 }
 
-// The share of the light scattered more than once that facets do not absorb, by the geometric series of bounces: single
-// is the share that leaves after each, and reflected what each leaves of it.
+// The unabsorbed share of the light scattered more than once, by the geometric series of bounces. single: share that
+// leaves the surface after each bounce. reflected: share that each bounce does not absorb.
 float leftOfFurtherBounces(float reflected, float single) {
     return reflected * single / (1 - reflected * (1 - single));
 }

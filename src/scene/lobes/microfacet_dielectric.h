@@ -1,7 +1,7 @@
 // Rough glass: reflection and refraction by the same microfacets in one lobe, which chooses between them at each facet
-// by the light that each carries (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007; PBR
-// 4e, section 9.7). Two lobes would have to be chosen before the facet is known, and take the wrong one often: inside
-// glass, most facets of some directions reflect totally while the others hardly reflect at all.
+// in proportion to the light that each carries (Walter et al., "Microfacet Models for Refraction through Rough
+// Surfaces", 2007; PBR 4e, section 9.7). A choice between two lobes would be made before the facet is known, and would
+// often be wrong: for some directions inside glass, most facets reflect totally while the others hardly reflect at all.
 #pragma once
 #include "scene/lobes/microfacet_reflection.h"
 #include "scene/lobes/microfacet_transmission.h"
@@ -10,12 +10,12 @@ namespace drc {
 
 class MicrofacetDielectric {
   public:
-    // etaB: index of refraction on the side away from the shading normal, relative to that on its side; not 1, see
-    // MicrofacetTransmission.
+    // etaB: index of refraction on the side away from the shading normal, relative to the index on the normal's side;
+    // not 1, see MicrofacetTransmission.
     MicrofacetDielectric(const Rgb& reflectance, const Rgb& transmittance, const TrowbridgeReitz& distribution,
                          float etaB)
         : MicrofacetDielectric(reflectance, transmittance, distribution, etaB, Fresnel::dielectric(1, etaB)) {}
-    // fresnel: of the reflection; it may be tinted.
+    // fresnel: Fresnel term of the reflection, which may be tinted.
     MicrofacetDielectric(const Rgb& reflectance, const Rgb& transmittance, const TrowbridgeReitz& distribution,
                          float etaB, const Fresnel& fresnel);
 
@@ -29,8 +29,8 @@ class MicrofacetDielectric {
     Rgb albedo(const Vec3& wo) const { return reflection_.albedo(wo) + transmission_.albedo(wo); }
 
   private:
-    // The probability of reflection at a facet; cosine: between wo and the facet's normal on the side of the shading
-    // normal.
+    // The probability of choosing reflection at a facet. cosine: between wo and the facet's normal, which points to the
+    // side of the shading normal.
     float reflects(float cosine) const;
 
     TrowbridgeReitz distribution_;

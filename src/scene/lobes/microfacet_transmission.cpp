@@ -11,8 +11,8 @@ bool MicrofacetTransmission::halfVector(const Vec3& wo, const Vec3& wi, float et
     const float l2 = lengthSquared(wh);
     if (!(l2 > 0)) return false;
     wh = wh * ((wh.z < 0 ? -1 : 1) / std::sqrt(l2));
-    // A facet that is seen from behind by either direction is hidden by the rest of the surface. sample() never gives
-    // one, so f and pdf must not either.
+    // A facet that is seen from behind by either direction is hidden by the rest of the surface. sample() never returns
+    // directions with such a facet, so f and pdf must be zero for them.
     return dot(wo, wh) * wo.z > 0 && dot(wi, wh) * wi.z > 0;
 }
 
@@ -22,7 +22,7 @@ Rgb MicrofacetTransmission::f(const Vec3& wo, const Vec3& wi, TransportMode mode
     if (!halfVector(wo, wi, eta, wh)) return Rgb(0.f);
     const float cosOH = dot(wo, wh), cosIH = dot(wi, wh);
     const float transmitted = 1 - fresnelDielectric(cosOH, etaA_, etaB_);
-    // Without the scale of radiance by 1 / eta^2 the factor eta^2 of the Jacobian remains.
+    // The scale of radiance by 1 / eta^2 cancels the factor eta^2 of the Jacobian, which remains for importance.
     const float scale = mode == TransportMode::Radiance ? 1 : eta * eta;
     return transmittance_ * (transmitted * scale * 4 * distribution_.d(wh) * distribution_.visibility(wo, wi) *
                              std::abs(cosIH * cosOH) / sqr(cosOH + eta * cosIH));

@@ -22,7 +22,8 @@ class MicrofacetTransmission {
 
     // Index on the far side of wo divided by the index on wo's side.
     float relativeEta(const Vec3& wo) const { return wo.z > 0 ? etaB_ / etaA_ : etaA_ / etaB_; }
-    // The normal, above the surface, of the microfacet that refracts wi to wo; false: there is none that both see.
+    // Sets wh to the normal, above the surface, of the microfacet that refracts wi to wo. False if no microfacet that
+    // both directions see does so.
     bool facet(const Vec3& wo, const Vec3& wi, Vec3& wh) const { return halfVector(wo, wi, relativeEta(wo), wh); }
 
   private:

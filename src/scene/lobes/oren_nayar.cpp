@@ -23,8 +23,8 @@ Rgb OrenNayar::f(const Vec3& wo, const Vec3& wi) const {
     return reflectance_ * (kInvPi * (a_ + b_ * cosDeltaPhi * sinTan));
 }
 
-// The term of the grooves has the integral 2 over the azimuth, where the cosine is positive. Over the polar angle of
-// wi, alpha is theta_o up to theta_o, and theta_i beyond.
+// In the grooves' term B, the positive part of the cosine integrates to 2 over the azimuth. Over the polar angle of wi,
+// alpha (the larger angle) is theta_o up to theta_o (`steeper`), and theta_i beyond (`flatter`).
 Rgb OrenNayar::albedo(const Vec3& wo) const {
     const float cosine = absCosTheta(wo), sine = safeSqrt(1 - cosine * cosine);
     const float angle = std::acos(std::min(cosine, 1.f));

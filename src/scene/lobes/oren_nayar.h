@@ -7,7 +7,8 @@ namespace drc {
 
 class OrenNayar : public DiffuseReflectionLobe<OrenNayar> {
   public:
-    // sigmaDegrees: standard deviation of the grooves' slope angle, in degrees. The separable part is Lambert's.
+    // sigmaDegrees: standard deviation of the grooves' slope angle, in degrees. The separable part is the model's
+    // constant term A, a Lambertian lobe.
     OrenNayar(const Rgb& reflectance, float sigmaDegrees, DiffusePart part);
 
     Rgb f(const Vec3& wo, const Vec3& wi) const;
@@ -17,7 +18,7 @@ class OrenNayar : public DiffuseReflectionLobe<OrenNayar> {
 
   private:
     Rgb reflectance_;
-    float a_ = 0, b_ = 0;  // the model's A and B, as far as they belong to the part
+    float a_ = 0, b_ = 0;  // the model's A and B; 0 if the term belongs to the other part
 };
 
 }  // namespace drc

@@ -3,8 +3,8 @@
 namespace drc {
 
 CosineCurve sheenAlbedo(float roughness) {
-    // A Gaussian in the cosine and a constant, with rational functions of the roughness r that are fits to the paper's
-    // table.
+    // A Gaussian in the cosine plus a constant. Their parameters are rational functions of the roughness r, fitted to
+    // the paper's table.
     const float r = std::clamp(roughness, 0.01f, 1.f);
     const float width = r * (0.0206607f + 1.58491f * r) / (0.0379424f + r * (1.32227f + r));
     const float centre = r * (-0.193854f + r * (-1.14885f + r * (1.7932f - 0.95943f * r * r))) / (0.046391f + r);

@@ -1,4 +1,4 @@
-// The albedo of a layer of fibres on a surface, as of cloth or dust (Zeltner, Burley and Chiang, "Practical
+// The albedo of a layer of fibres on a surface, such as cloth or dust (Zeltner, Burley and Chiang, "Practical
 // Multiple-Scattering Sheen Using Linearly Transformed Cosines", SIGGRAPH 2022 talks).
 #pragma once
 #include "scene/lobes/cosine_curve.h"

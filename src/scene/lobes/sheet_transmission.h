@@ -1,6 +1,6 @@
-// Transmission through a rough glass sheet too thin to displace light: the reflection of both rough faces together,
-// mirrored to the other side (Burley, "Extending the Disney BRDF to a BSDF with Integrated Subsurface Scattering",
-// SIGGRAPH 2015 course, section 5).
+// Transmission through a rough glass sheet too thin to displace light, modelled as a microfacet reflection lobe for
+// both faces together, mirrored to the other side (Burley, "Extending the Disney BRDF to a BSDF with Integrated
+// Subsurface Scattering", SIGGRAPH 2015 course, section 5).
 #pragma once
 #include "scene/lobes/lobe_sampling.h"
 #include "scene/lobes/thin_dielectric.h"
@@ -9,7 +9,7 @@ namespace drc {
 
 class SheetTransmission {
   public:
-    // distribution: of the blur by both faces. eta: index of the glass.
+    // distribution: microfacets that model the blur by both faces. eta: index of the glass.
     SheetTransmission(const Rgb& transmittance, const TrowbridgeReitz& distribution, float eta)
         : transmittance_(transmittance), distribution_(distribution), sheet_(eta) {}
 

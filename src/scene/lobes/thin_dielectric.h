@@ -7,7 +7,7 @@ namespace drc {
 
 class ThinDielectric : public SpecularLobe {
   public:
-    // transmittance: what is left of light that the faces let pass.
+    // transmittance: multiplies the light that the faces let pass.
     explicit ThinDielectric(float eta, const Rgb& transmittance = Rgb(1.f))
         : eta_(eta), transmittance_(transmittance) {}
 
@@ -18,7 +18,7 @@ class ThinDielectric : public SpecularLobe {
         return Rgb(r) + transmittance_ * (1 - r);
     }
 
-    // Reflectance of both faces together.
+    // Reflectance of both faces together, with all interreflections.
     float reflectance(float cosTheta) const;
 
   private:

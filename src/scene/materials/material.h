@@ -14,7 +14,7 @@ struct Relief {
     Relief() = default;
     Relief(FloatTexturePtr h, RgbTexturePtr n = nullptr) : heights(std::move(h)), normals(std::move(n)) {}  // implicit
     FloatTexturePtr heights;
-    RgbTexturePtr normals;  // see normalMapFrame (scene/bump.h)
+    RgbTexturePtr normals;  // see normalMapFrame() (scene/textures/bump.h)
 };
 
 class Material {
@@ -22,18 +22,17 @@ class Material {
     virtual ~Material() = default;
     // Adds this material's lobes to the BSDF, scaled by weight. A mix calls this for each of its two materials.
     virtual void addLobes(const TextureContext& at, const Rgb& weight, Bsdf& bsdf) const = 0;
-    // Whether the lobes are the same everywhere. Relief does not matter, since it only changes the shading frame.
+    // Whether the lobes are the same everywhere. Relief does not count, since it only changes the shading frame.
     virtual bool isConstant() const = 0;
     // Maximum number of lobes that addLobes() adds. Front ends reject materials with more lobes than a Bsdf can hold.
     virtual int maxLobes() const = 0;
     virtual const Relief& relief() const { return relief_; }
     void setRelief(Relief relief) { relief_ = std::move(relief); }
 
-    // Properties of the surface besides scattering. The front end applies them to primitives that use this material
-    // directly, not as a part of a mix.
-    // The share of rays that hit the surface; the others pass through it. Null: all hit it.
+    // Opacity: the share of rays that hit the surface; the others pass through it. Null: all hit it. Front ends apply
+    // opacity and emission only to primitives that use this material directly, not as a part of a mix.
     const FloatTexturePtr& opacity() const { return opacity_; }
-    // Radiance that leaves both sides; null: none.
+    // Radiance emitted on both sides; null: none.
     const RgbTexturePtr& emission() const { return emission_; }
 
   protected:

@@ -34,8 +34,8 @@ class CoatTextures {
     Coat at(const TextureContext& point, bool remap) const {
         const float depth = std::max(0.f, params_.thickness->eval(point));
         const Rgb albedo = evalClamped(*params_.albedo, point);
-        // Forward scattering is taken as no scattering. Two opposite fluxes exchange 3/4 of the rest per unit of depth,
-        // as in the diffusion approximation. Absorption is grey.
+        // Forward scattering counts as no scattering. An upward and a downward flux exchange 3/4 of the rest per unit
+        // of depth, as in the diffusion approximation. Absorption is grey.
         const float backwards = 0.75f * depth * (1 - std::clamp(params_.g->eval(point), -1.f, 1.f));
         Rgb haze;
         for (int c = 0; c < 3; ++c) {

@@ -1,5 +1,5 @@
 // Surfaces under a coat of dielectric (pbrt-v4's "coateddiffuse" and "coatedconductor"; PBR 4e, section 14.3). pbrt
-// walks at random between base and coat; these evaluate a closed form (docs/layered-materials.md).
+// evaluates them by random walks between base and coat; these materials use a closed form (docs/layered-materials.md).
 #pragma once
 #include "scene/materials/material.h"
 
@@ -11,7 +11,7 @@ struct CoatParams {
     FloatTexturePtr uRoughness;  // roughness
     FloatTexturePtr vRoughness;  // roughness
     FloatTexturePtr eta;         // 1.5; less than 1 counts as 1
-    FloatTexturePtr thickness;   // 0.01; optical depth of the medium between coat and base
+    FloatTexturePtr thickness;   // 0.01; optical depth of the medium between interface and base
     RgbTexturePtr albedo;        // 0; single-scattering albedo of that medium
     FloatTexturePtr g;           // 0; mean cosine of its phase function
 };

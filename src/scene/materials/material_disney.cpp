@@ -53,8 +53,8 @@ class Disney final : public Material {
             return TrowbridgeReitz(rough * rough / aspect, rough * rough * aspect, TrowbridgeReitz::Masking::Separable);
         };
         const Rgb dielectric = lerp(params_.specularTint->eval(at), Rgb(1.f), tint) * reflectanceOf(eta);
-        // pbrt applies total internal reflection to the whole highlight and adds the diffuse part, which creates
-        // energy.
+        // Total internal reflection applies only to the transmissive share. pbrt applies it to the whole highlight and
+        // adds the diffuse part, which creates energy.
         const Fresnel fresnel =
             Fresnel::metallic(lerp(metallic, dielectric, color), metallic, eta, std::clamp(specTrans, 0.f, 1.f));
         bsdf.add(MicrofacetReflection(Rgb(1.f), distribution(roughness), fresnel), weight);
@@ -63,7 +63,8 @@ class Disney final : public Material {
         if (clearcoat > 0)
             bsdf.add(DisneyClearcoat(clearcoat, lerp(params_.clearcoatGloss->eval(at), 0.1f, 0.001f)), weight);
 
-        // The square root, because light crosses two such surfaces on its way through an object.
+        // The square root of the colour at each surface, because light crosses two surfaces on its way through an
+        // object.
         const Rgb transmitted = sqrt(color) * std::max(0.f, (1 - metallic) * specTrans);
         if (!isBlack(transmitted)) {
             if (eta == 1)  // does not refract, however rough

@@ -12,7 +12,7 @@ struct DisneyParams {
     FloatTexturePtr metallic;        // 0
     FloatTexturePtr eta;             // 1.5
     FloatTexturePtr roughness;       // 0.5; alpha is its square
-    FloatTexturePtr specularTint;    // 0; how much of the colour's hue the highlight takes on
+    FloatTexturePtr specularTint;    // 0; from 0 (white highlight) to 1 (highlight with the hue of the colour)
     FloatTexturePtr anisotropic;     // 0
     FloatTexturePtr sheen;           // 0
     FloatTexturePtr sheenTint;       // 0.5

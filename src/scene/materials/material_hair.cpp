@@ -25,7 +25,7 @@ class Hair final : public Material {
         bsdf.add(HairScattering(2 * at.uv.y - 1, absorption(at, shape.betaN), shape), weight);
     }
 
-    // Varies across the fibre, even if all parameters are constant.
+    // The lobe varies across the fibre, even if all parameters are constant.
     bool isConstant() const override { return false; }
     int maxLobes() const override { return 1; }
 

@@ -1,12 +1,12 @@
 // Hair and fur (pbrt's "hair"; Chiang et al., "A Practical and Controllable Hair and Fur Model for Production Path
-// Tracing", 2016). The offset across the fibre at which light enters is given by v, which on curves runs from one edge
-// to the other.
+// Tracing", 2016). The texture coordinate v gives the offset across the fibre at which light enters; on curves it runs
+// from one edge to the other.
 #pragma once
 #include "scene/materials/material.h"
 
 namespace drc {
 
-// Absorption coefficient sigma_a of the two pigments in the given concentrations, per fibre radius (d'Eon et al., "An
+// Absorption coefficient sigma_a for the given concentrations of the two pigments, per fibre radius (d'Eon et al., "An
 // Energy-Conserving Hair Reflectance Model", 2011).
 Rgb hairAbsorptionOfPigments(float eumelanin, float pheomelanin);
 // Absorption coefficient for which dense hair, with its multiple scattering, has about this colour (Chiang et al.,
@@ -14,7 +14,8 @@ Rgb hairAbsorptionOfPigments(float eumelanin, float pheomelanin);
 Rgb hairAbsorptionOfColor(const Rgb& color, float betaN);
 
 // The comments give the defaults for null textures, which are those of pbrt. Absorption follows from the first of
-// sigmaA, color and the pigments that is given; without any, from a eumelanin concentration of 1.3, which is brown.
+// sigmaA, color and the pigments that is not null. If all are null, it follows from a eumelanin concentration of 1.3,
+// which is brown.
 struct HairParams {
     RgbTexturePtr sigmaA;         // per fibre radius
     RgbTexturePtr color;          // colour of dense hair

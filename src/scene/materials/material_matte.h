@@ -8,7 +8,7 @@ namespace drc {
 struct MatteParams {
     RgbTexturePtr kd;             // 0.5
     FloatTexturePtr sigma;        // 0; Oren-Nayar roughness in degrees, clamped to [0, 90]
-    FloatTexturePtr roughness{};  // 0; that of RoughDiffuse, clamped to [0, 1]; where it is not 0, sigma does not count
+    FloatTexturePtr roughness{};  // 0; that of RoughDiffuse, clamped to [0, 1]; where it is not 0, sigma is ignored
     Relief relief;                // none
 };
 MaterialPtr makeMatte(MatteParams params);

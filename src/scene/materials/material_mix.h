@@ -5,7 +5,7 @@
 namespace drc {
 
 struct MixParams {
-    MaterialPtr first, second;  // not null; the mix has the bump map of the first
+    MaterialPtr first, second;  // not null; the mix has the relief of the first
     RgbTexturePtr amount;       // weight of the first (null: 0.5); the second has 1 - amount, clamped to zero
 };
 MaterialPtr makeMix(MixParams params);

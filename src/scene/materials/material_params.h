@@ -15,13 +15,13 @@ inline RgbTexturePtr orConstant(RgbTexturePtr texture, const Rgb& value) {
     return texture ? std::move(texture) : std::make_shared<ConstantTexture<Rgb>>(value);
 }
 
-// None of these textures varies; null ones do not.
+// Whether none of these textures varies; a null texture counts as constant.
 template <class... Textures>
 bool areConstant(const Textures&... textures) {
     return (... && (textures == nullptr || textures->isConstant()));
 }
 
-// Reflectances are clamped from below only: like pbrt, a material may be told to create energy.
+// Reflectances are clamped from below only: as in pbrt, parameters may make a material create energy.
 inline Rgb evalClamped(const RgbTexture& texture, const TextureContext& at) {
     return clampNonNegative(texture.eval(at));
 }
@@ -31,9 +31,10 @@ inline TrowbridgeReitz distributionFor(float uRoughness, float vRoughness, bool 
     return TrowbridgeReitz(roughnessToAlpha(uRoughness), roughnessToAlpha(vRoughness));
 }
 
-// The roughness of pbrt-v4's materials: a root for alpha, and perfectly smooth below the least alpha.
+// The roughness of pbrt-v4's materials: alpha is the texture's value, or its square root with `remap`. The surface is
+// perfectly smooth if alpha is below TrowbridgeReitz::kMinAlpha on both axes.
 struct RoughnessTextures {
-    const FloatTexturePtr& both;  // for the axis that has none of its own; never null
+    const FloatTexturePtr& both;  // for an axis whose own texture is null; never null
     const FloatTexturePtr &u, &v;
     bool remap;  // the textures are alpha squared, not alpha
 };

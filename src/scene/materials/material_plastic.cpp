@@ -19,8 +19,8 @@ class Plastic final : public Material {
         const Rgb ks = evalClamped(*params_.ks, at);
         if (isBlack(ks)) return;
         const float roughness = params_.roughness->eval(at);
-        // pbrt has the indices in this order: the highlight is that of the boundary seen from inside, with total
-        // internal reflection beyond the critical angle. Scenes are tuned to it.
+        // pbrt passes the indices in this order, so that the highlight is that of the boundary seen from inside, with
+        // total internal reflection beyond the critical angle. Scenes are tuned to this look.
         bsdf.add(MicrofacetReflection(ks, distributionFor(roughness, roughness, params_.remapRoughness),
                                       Fresnel::dielectric(1.5f, 1.f)),
                  weight);

@@ -22,14 +22,14 @@ float indexOf(float atNormal) {
     return (1 + root) / (1 - root);
 }
 
-// A roughness and what its microfacets look like; none if it is as good as smooth.
+// The distribution of microfacets for a roughness; none if alpha is so small that the surface counts as smooth.
 std::optional<TrowbridgeReitz> distributionOf(float roughness, float anisotropic = 0) {
     const float alpha = sqr(roughness), aspect = std::sqrt(1 - 0.9f * anisotropic);
     if (alpha < TrowbridgeReitz::kMinAlpha) return std::nullopt;
     return TrowbridgeReitz(alpha / aspect, alpha * aspect);
 }
 
-// The parameters at one point, in their ranges.
+// The parameters at one point, clamped to their ranges.
 struct Point {
     Rgb baseColor, specularTint, reflectionTint, coatTint, sheenTint;
     float metallic, roughness, diffuseRoughness, ior, specularLevel, anisotropic, rotation, transmission, coat,
@@ -178,7 +178,8 @@ class Principled final : public Material {
             addSheet(point, atNormal, distribution, weight, bsdf, above);
             return;
         }
-        // The square root, because light crosses two such surfaces on its way through an object.
+        // The square root of the colour at each surface, because light crosses two surfaces on its way through an
+        // object.
         const Rgb transmittance = sqrt(point.baseColor);
         const bool isTinted = point.specularTint != Rgb(1.f);
         const Fresnel fresnel =

@@ -1,13 +1,14 @@
-// A material for everyday surfaces in one set of parameters: those of the Principled BSDF of Blender 4, so that its
-// scenes look the same. The layers, from the top: sheen, coat, and below them metal, glass, or a dielectric over a
+// A material for everyday surfaces. Its parameters are those of the Principled BSDF of Blender 4, so that Blender's
+// scenes look the same. The layers, from the top, are sheen, coat, and below them metal, glass, or a dielectric over a
 // diffuse base, mixed by "metallic" and "transmission".
 //
-// No layer gains energy: what a layer reflects towards the viewer is missing below it. The total towards any direction
-// of view is Blender's to the accuracy of its tables; how it is distributed over the directions of the light differs a
-// little below layers, where the lobes here are reciprocal (see LayersAbove and LayeredDiffuse).
-// Sources: Burley 2012 and 2015 (as in material_disney.h) for the set of parameters, Zeltner, Burley and Chiang,
-// "Practical Multiple-Scattering Sheen Using Linearly Transformed Cosines", SIGGRAPH 2022 talks, for the sheen's
-// albedo, and those named in microfacet_albedo.h and fresnel.h.
+// No layer gains energy: light that a layer reflects towards the viewer is subtracted from the layers below. The
+// directional albedo is Blender's to the accuracy of the tables; the distribution over the directions of the light
+// differs a little below layers, where the lobes here are reciprocal (see LayersAbove and LayeredDiffuse).
+//
+// Sources: Burley 2012 and 2015 (as in material_disney.h) for the parameters; Zeltner, Burley and Chiang, "Practical
+// Multiple-Scattering Sheen Using Linearly Transformed Cosines", SIGGRAPH 2022 talks, for the albedo of the sheen; and
+// the papers named in microfacet_albedo.h and fresnel.h.
 #pragma once
 #include "scene/materials/material.h"
 
@@ -21,24 +22,25 @@ struct PrincipledParams {
     FloatTexturePtr diffuseRoughness;     // 0; of the diffuse base, see RoughDiffuse
     FloatTexturePtr ior;                  // 1.5; index inside, relative to outside
     FloatTexturePtr specularLevel;        // 0.5; scales the dielectric's reflectance at normal incidence by twice this
-    RgbTexturePtr specularTint;           // 1; of that reflectance, and of metal towards grazing angles
+    RgbTexturePtr specularTint;           // 1; tint of that reflectance, and of metal towards grazing angles
     FloatTexturePtr anisotropic;          // 0; up to 1, stretches highlights of metal and dielectric along the tangent
-    FloatTexturePtr anisotropicRotation;  // 0; of the tangent, in turns
+    FloatTexturePtr anisotropicRotation;  // 0; rotation of the tangent, in turns
     FloatTexturePtr transmission;         // 0; weight of glass
-    RgbTexturePtr reflectionTint;         // 1; of all that glass reflects; not of a thin wall's
+    RgbTexturePtr reflectionTint;         // 1; tint of the reflection off glass, except for a thin wall
     FloatTexturePtr coat;                 // 0; weight
     FloatTexturePtr coatRoughness;        // 0.03
     FloatTexturePtr coatIor;              // 1.5
-    RgbTexturePtr coatTint;               // 1; what is left of light that crosses the coat along its normal, both ways
+    RgbTexturePtr coatTint;               // 1; transmittance of the coat along the normal, in and out together
     FloatTexturePtr sheen;                // 0; weight
     FloatTexturePtr sheenRoughness;       // 0.5
     RgbTexturePtr sheenTint;              // 1
-    // 0; weight. What scatters below the surface is taken as diffuse; it leaves a thin wall on both sides alike.
+    // 0; weight of subsurface scattering, which counts as diffuse reflection. In a thin wall, half of this light leaves
+    // on the far side.
     FloatTexturePtr subsurface;
     FloatTexturePtr alpha;             // 1; share of rays that hit the surface (Material::opacity)
-    RgbTexturePtr emission;            // 1; colour of
-    FloatTexturePtr emissionStrength;  // 0; the radiance that leaves both sides (Material::emission)
-    bool thinWall = false;             // a sheet without inside: glass does not bend light
+    RgbTexturePtr emission;            // 1; colour of the emitted light
+    FloatTexturePtr emissionStrength;  // 0; radiance emitted on both sides (Material::emission)
+    bool thinWall = false;             // the surface is a sheet without interior: glass does not bend light
     Relief relief;                     // none
 };
 MaterialPtr makePrincipled(PrincipledParams params);

@@ -30,8 +30,8 @@ class Subsurface final : public Material {
         }
         const Rgb share = shareAt(at);
         if (isBlack(kt) || isBlack(share)) return;
-        // The base under the boundary that sends out the same share of what enters: of the light that the base
-        // scatters, the boundary returns the part `back`.
+        // The reflectance of a diffuse base for which the same share of the entered light leaves again. The boundary
+        // returns the part `back` of the light that the base scatters.
         const DielectricCoat coat(params_.eta, distribution ? distribution->meanAlpha() : 0, 0);
         const float back = coat.internalReflectance();
         Rgb base;
@@ -54,7 +54,7 @@ class Subsurface final : public Material {
         const float u = of(params_.uRoughness), v = of(params_.vRoughness);
         return u == 0 && v == 0 ? std::nullopt : std::optional(distributionFor(u, v, true));
     }
-    // Share of the light that has entered that leaves again.
+    // Share of the entered light that leaves again.
     Rgb shareAt(const TextureContext& at) const {
         Rgb share;
         if (params_.reflectance) {
@@ -71,7 +71,7 @@ class Subsurface final : public Material {
     }
 
     SubsurfaceParams params_;
-    std::shared_ptr<const HalfSpaceAlbedo> share_;  // null with a reflectance
+    std::shared_ptr<const HalfSpaceAlbedo> share_;  // null if params_.reflectance is set
 };
 
 }  // namespace

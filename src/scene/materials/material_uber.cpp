@@ -24,7 +24,8 @@ class Uber final : public Material {
         if (!isBlack(straight)) bsdf.add(SpecularTransmission(straight, 1, 1), weight);
         const Rgb kd = opacity * evalClamped(*params_.kd, at);
         if (!isBlack(kd)) bsdf.add(LambertReflection(kd), weight);
-        // An index of 1 reflects nothing. A lobe that is always zero would still be sampled now and then.
+        // An index of 1 reflects nothing. The lobes are left out, because lobes that are always zero would still be
+        // sampled now and then.
         const bool reflects = eta != 1;
         const Rgb ks = reflects ? opacity * evalClamped(*params_.ks, at) : Rgb(0.f);
         if (!isBlack(ks)) {

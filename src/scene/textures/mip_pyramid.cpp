@@ -27,7 +27,7 @@ void setChannel(Rgb& v, int c, float x) { v[c] = x; }
 void assignTexel(float& to, const Rgb& from) { to = luminance(from); }
 void assignTexel(Rgb& to, const Rgb& from) { to = from; }
 
-// The two texels along an axis that are interpolated at a coordinate, with their weights.
+// The two texels along one axis between which a lookup interpolates, and their weights.
 struct Taps {
     int i0, i1;
     float w0, w1;
@@ -71,7 +71,7 @@ void forEachRow(int width, int height, const F& row) {
     });
 }
 
-// The values of the 256 bytes, by how they are encoded.
+// The value of each byte 0 to 255, decoded to linear.
 std::vector<float> byteValues(TexelEncoding encoding) {
     std::vector<float> values(256);
     for (int k = 0; k < 256; ++k) {
@@ -81,12 +81,12 @@ std::vector<float> byteValues(TexelEncoding encoding) {
     return values;
 }
 
-// The whole part is the byte whose value, of byteValues(), is nearest.
+// The integer part of the result is the byte whose entry in byteValues() is nearest to `value`.
 float positionAmongBytes(float value, TexelEncoding encoding) {
     return 255 * (encoding == TexelEncoding::Srgb ? srgbEncode(value) : value) + 0.5f;
 }
 
-// The texels as bytes with these values; none if a texel has another value.
+// The texels as bytes, each the index of the texel's value in `values`; empty if some texel has no such value.
 template <typename T>
 std::vector<uint8_t> toBytes(const Image& image, TexelEncoding encoding, const std::vector<float>& values) {
     constexpr int n = kChannels<T>;
@@ -123,8 +123,8 @@ std::vector<Stored> toStored(const std::vector<T>& texels) {
     return stored;
 }
 
-// The next coarser image of texel(index). Each texel is the mean of the area it covers, including parts of texels where
-// the size is odd.
+// The next coarser level of an image whose texels are texel(index). Each new texel is the mean over the area that it
+// covers, which includes parts of texels where the size is odd.
 template <typename T, typename Texel>
 std::vector<T> halved(const Texel& texel, int width, int height, int newWidth, int newHeight) {
     struct Span {
@@ -159,14 +159,14 @@ std::vector<T> halved(const Texel& texel, int width, int height, int newWidth, i
     return to;
 }
 
-// A footprint on the image.
+// A filter footprint on the image.
 struct Ellipse {
-    float length, width;  // lengths of both axes, in texels
-    Vec2 along;           // the major axis as a full diameter, in units of the image
+    float length, width;  // full lengths of the major and the minor axis, in texels
+    Vec2 along;           // the major axis as a full diameter, in units of s and t
 };
 
-// The ellipse with the given conjugate diameters, in units of the image: the image of a circle under the linear map
-// with these columns. Its principal axes are the left singular vectors of the map.
+// The ellipse with the given conjugate diameters, in units of s and t: a circle mapped by the matrix with these
+// columns. Its principal axes are the left singular vectors of the matrix.
 Ellipse ellipseWithDiameters(const Vec2& axis0, const Vec2& axis1, int imageWidth, int imageHeight) {
     const Vec2 size(static_cast<float>(imageWidth), static_cast<float>(imageHeight));
     const Vec2 a = axis0 * size, b = axis1 * size;
@@ -187,7 +187,7 @@ float srgbToLinear(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-// Exactly one of the three is used.
+// A level stores its texels in exactly one of the three vectors.
 template <typename T>
 struct MipPyramid<T>::Level {
     int width = 0, height = 0;
@@ -234,7 +234,7 @@ MipPyramid<T>::MipPyramid(const Image& image, TexelEncoding encoding) {
     int width = image.width(), height = image.height();
     maxResolutionLog2_ = std::log2(static_cast<float>(std::max(width, height)));
 
-    // The values of an 8-bit image may be stored ones, or already linearised by the reader.
+    // An 8-bit image may contain the values as stored, or values that the reader has already linearised.
     Level finest;
     finest.width = width;
     finest.height = height;
@@ -263,7 +263,7 @@ MipPyramid<T>::MipPyramid(const Image& image, TexelEncoding encoding) {
     }
     levels_.push_back(std::move(finest));
 
-    std::vector<T> texels;  // of the last level; none at first, because the finest is large
+    std::vector<T> texels;  // of the level added last; empty for the finest, which is large and is read in place
     const auto texelOfFinest = [&](size_t i) {
         const Level& from = levels_.front();
         T texel;
@@ -337,7 +337,7 @@ T MipPyramid<T>::lookup(const Vec2& st, const Vec2& axis0, const Vec2& axis1, fl
                         ImageWrap wrap) const {
     const Ellipse e = ellipseWithDiameters(axis0, axis1, width(), height());
     if (!(e.length > 1)) return bilinear(levels_.front(), st, wrap);
-    // Not narrower than a texel.
+    // The filter is at least a texel wide.
     const float across = std::max({e.width, e.length / maxAnisotropy, 1.f});
     const float level = std::log2(across);
     if (!(level < static_cast<float>(levels() - 1))) return trilinear(st, level, wrap);

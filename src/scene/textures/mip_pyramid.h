@@ -1,7 +1,7 @@
 // An image pyramid for filtered texture lookups: trilinear (PBR 3e, section 10.4.3), or over an ellipse by several
 // trilinear lookups.
 //
-// Texels are stored in the smallest lossless form: if all values of an image come from 8 bits, the finest level is
+// Texels are stored in the smallest lossless form: if all values of an image are 8-bit values, the finest level is
 // stored as bytes and the coarser ones as halves, otherwise all as floats.
 #pragma once
 #include <cstddef>
@@ -25,9 +25,9 @@ enum class ImageWrap { Repeat, Black, Clamp };
 template <typename T>
 class MipPyramid {
   public:
-    // Empty, to be assigned to before any lookup.
+    // An empty pyramid, which must be assigned before any lookup.
     MipPyramid();
-    // Pyramid of the colours that Image::rgb() gives. Builds on all cores, with the same result for any number of them.
+    // Builds the pyramid of the colours Image::rgb() on all cores; the result does not depend on the number of cores.
     // Throws Error if the image is empty.
     MipPyramid(const Image& image, TexelEncoding encoding);
     MipPyramid(MipPyramid&& other) noexcept;
@@ -39,14 +39,14 @@ class MipPyramid {
     int height() const;
     size_t bytes() const;
 
-    // (s, t) = (0, 0) is the bottom left corner of the image and (1, 1) the top right, as in pbrt. width: of the
-    // filter, in the same units; 0 selects the finest level.
+    // (s, t) = (0, 0) is the bottom left corner of the image and (1, 1) the top right, as in pbrt. width: width of the
+    // filter in units of s and t; 0 selects the finest level.
     T lookup(const Vec2& st, float width, ImageWrap wrap) const;
-    // Filters over the ellipse with the given axes (conjugate diameters, in the same units), by a row of trilinear
-    // lookups along its major axis, about as many as it is longer than wide (McCormack et al., "Feline: Fast Elliptical
-    // Lines for Anisotropic Texture Mapping", SIGGRAPH 1999). Where the footprint is round, which it mostly is, this
-    // costs one lookup rather than the dozens of texels of an elliptically weighted average. maxAnisotropy: narrower
-    // ellipses are widened to this ratio of the axes.
+    // Filters over the ellipse with the conjugate diameters axis0 and axis1, in units of s and t, by a row of trilinear
+    // lookups along its major axis; their number is about the ratio of its axes (McCormack et al., "Feline: Fast
+    // Elliptical Lines for Anisotropic Texture Mapping", SIGGRAPH 1999). For a round footprint, the most common case,
+    // this costs one lookup rather than the dozens of texels of an elliptically weighted average. maxAnisotropy:
+    // ellipses with a larger ratio of the axes are widened to this ratio.
     T lookup(const Vec2& st, const Vec2& axis0, const Vec2& axis1, float maxAnisotropy, ImageWrap wrap) const;
 
   private:
@@ -55,7 +55,7 @@ class MipPyramid {
     T bilinear(const Level& level, const Vec2& st, ImageWrap wrap) const;
 
     std::vector<Level> levels_;
-    std::vector<float> decode_;  // values of the 256 bytes; empty unless the finest level is stored as bytes
+    std::vector<float> decode_;  // value of each byte 0 to 255; empty unless the finest level is stored as bytes
     float maxResolutionLog2_ = 0;
     NotedMemory memory_;
 };

@@ -26,7 +26,8 @@ constexpr float kMeanOfAbsolute = 0.2f;
 
 uint32_t permuted(uint32_t i) { return kPermutation[i & 255]; }
 
-// Dot product of an offset from a lattice point with the gradient there, one of twelve (some of which occur twice).
+// Dot product of the offset (x, y, z) from a lattice point with the point's gradient, which is one of twelve (some have
+// two of the sixteen hashes).
 float slope(uint32_t hash, float x, float y, float z) {
     const uint32_t h = hash & 15;
     const bool inXy = h == 12 || h == 13;
@@ -43,13 +44,13 @@ float smoothStep(float from, float to, float x) {
     return t * t * (3 - 2 * t);
 }
 
-// Number of octaves that the footprint resolves, with a fraction.
+// Number of octaves that the footprint resolves, a real number in [0, octaves].
 float resolvedOctaves(const Vec3& dpdx, const Vec3& dpdy, int octaves) {
     const float squaredWidth = std::max(lengthSquared(dpdx), lengthSquared(dpdy));
     return std::clamp(-1 - 0.5f * std::log2(squaredWidth), 0.f, float(std::max(octaves, 0)));
 }
 
-// Weight of the octave that is being faded out, given the fraction of it that is resolved.
+// Weight of the octave that is being faded out, given the fractional part of resolvedOctaves().
 float fadedIn(float fraction) { return smoothStep(0.3f, 0.7f, fraction); }
 
 }  // namespace

@@ -10,7 +10,7 @@ std::shared_ptr<const Texture<T>> makeInvertedTexture(std::shared_ptr<const Text
 extern template FloatTexturePtr makeInvertedTexture<float>(FloatTexturePtr);
 extern template RgbTexturePtr makeInvertedTexture<Rgb>(RgbTexturePtr);
 
-// Each channel clamped to [0, most], as a reflectance. The texture must not be null.
+// Clamps each channel to [0, most], for use as a reflectance. The texture must not be null.
 RgbTexturePtr makeClampedTexture(RgbTexturePtr texture, float most);
 // A float texture as grey values.
 RgbTexturePtr makeGreyTexture(FloatTexturePtr number);

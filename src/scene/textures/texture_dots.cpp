@@ -8,13 +8,14 @@ namespace {
 constexpr float kRadius = 0.35f;
 constexpr float kGreatestShift = 0.5f - kRadius;  // keeps dots inside their squares
 
-// A pseudo-random number in about [-1, 1] for each square: noise evaluated off its lattice points, where it is zero.
+// A pseudo-random number in about [-1, 1] for each square: noise at the offset (s, t) from the square's corner, which
+// lies off the lattice points, because noise is zero there.
 float numberOf(const Vec2& square, float s, float t) { return noise(Vec3(square.x + s, square.y + t, 0.5f)); }
 
 bool isInDot(const Vec2& st) {
     const Vec2 square(std::floor(st.x + 0.5f), std::floor(st.y + 0.5f));
     if (!(numberOf(square, 0.5f, 0.5f) > 0)) return false;
-    // pbrt's offsets, so that the dots are in the same places.
+    // pbrt's offsets, so that the dots lie where pbrt places them.
     const Vec2 shift = Vec2(numberOf(square, 1.5f, 2.8f), numberOf(square, 4.5f, 9.8f)) * kGreatestShift;
     return (st - square - shift).length2() < kRadius * kRadius;
 }

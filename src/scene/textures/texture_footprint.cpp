@@ -5,7 +5,8 @@
 namespace drc {
 namespace {
 
-// At the horizon the ellipse would be infinite. No texture filters over a larger ratio of its axes anyway.
+// At the horizon the ellipse would be infinite. The limit loses nothing, because no texture filters over a larger ratio
+// of the axes.
 constexpr float kLeastCosine = 1 / 16.f;
 
 }  // namespace
@@ -23,13 +24,16 @@ void setFootprint(TextureContext& at, float width, const Vec3& ng, const Vec3& w
     at.dpdx = across * width;
     at.dpdy = cross(across, ng) * (width / std::max(absDot(ng, wo), kLeastCosine));
 
-    // Least squares for d = dpdu * du + dpdv * dv: its normal equations have the matrix ((uu, uv), (uv, vv)).
+    // Solves d = dpdu * du + dpdv * dv for (du, dv) by least squares; the normal equations have the matrix ((uu, uv),
+    // (uv, vv)).
     const float uu = lengthSquared(at.dpdu), uv = dot(at.dpdu, at.dpdv), vv = lengthSquared(at.dpdv);
     const float determinant = uu * vv - uv * uv;
-    // If the determinant is mostly rounding error, the direction is unknown, and the finest level is the safe choice.
+    // If the determinant is mostly rounding error, the footprint's orientation in uv is unknown, and the finest level
+    // is the safe choice.
     if (!(determinant > 1e-6f * uu * vv)) return;
-    // A unit square of uv covers the area sqrt(determinant), and its square root is used as the length of a unit. For
-    // lookups with a single filter width this is a compromise between blur and aliasing of stretched mappings.
+    // A unit square of uv covers the area sqrt(determinant) on the surface; the square root of this area is used as the
+    // length of a unit of uv. For lookups with a single filter width this is a compromise between blur and aliasing of
+    // stretched mappings.
     at.uvFootprint = width / std::sqrt(std::sqrt(determinant));
     const auto uvChange = [&](const Vec3& d) {
         const float u = dot(at.dpdu, d), v = dot(at.dpdv, d);

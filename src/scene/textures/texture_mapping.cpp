@@ -17,7 +17,8 @@ struct AboutAxis {
         : p(point),
           axisSquared(std::max(p.x * p.x + p.y * p.y, kLeastSquare)),
           originSquared(axisSquared + p.z * p.z) {}
-    // Derivatives in the direction d. As exact derivatives they are not affected by the seam of the azimuth, across
+    // Derivatives in the direction d: of the azimuth about the z axis, of the polar angle to the z axis, and of the z
+    // component of the direction from the origin. Being exact, they are not affected by the seam of the azimuth, across
     // which a finite difference would jump.
     float changeOfAngleAboutAxis(const Vec3& d) const { return (p.x * d.y - p.y * d.x) / axisSquared; }
     float changeOfAngleToAxis(const Vec3& d) const {

@@ -49,7 +49,7 @@ struct SolidPoint {
     Vec3 dpdx, dpdy;
 };
 
-// The position in texture space, unchanged.
+// The identity mapping of pbrt's solid textures: the position, transformed to texture space.
 class Mapping3D {
   public:
     explicit Mapping3D(const Transform& worldToTexture = {}) : worldToTexture_(worldToTexture) {}

@@ -4,8 +4,8 @@
 
 namespace drc {
 
-// (1 - amount) a + amount b. Note that a mix of materials weights its first material by the amount. None may be null.
-// T: float or Rgb.
+// (1 - amount) a + amount b. A mix of materials, in contrast, weights its first material by the amount. No argument may
+// be null. T: float or Rgb.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeMixTexture(std::shared_ptr<const Texture<T>> a,
                                                  std::shared_ptr<const Texture<T>> b, FloatTexturePtr amount);

@@ -8,10 +8,10 @@ namespace drc {
 // Each of these returns the same number in all channels. T: float or Rgb.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeFbmTexture(const NoiseSum& sum, const Mapping3D& mapping);
-// The turbulence of the same noise, for bumps with creases.
+// Turbulence in place of fractional Brownian motion, for bumps with creases.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeWrinkledTexture(const NoiseSum& sum, const Mapping3D& mapping);
-// Waves on water, whose height varies as with gusts of wind.
+// Waves on water, whose height is modulated by noise of larger scale, like gusts of wind.
 template <typename T>
 std::shared_ptr<const Texture<T>> makeWindyTexture(const Mapping3D& mapping);
 
