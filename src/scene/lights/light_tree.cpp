@@ -77,7 +77,7 @@ void LightTree::build(std::vector<Cluster>& clusters, std::span<Item> items, int
         for (const Item& item : items)
             buckets[size_t(bucketOf(item.reach.bounds.center()[axis], centers.min[axis], extent[axis]))].add(item.reach,
                                                                                                              1);
-        // Costs of the lights before each boundary, then of those after it.
+        // First the costs of the lights before each boundary between buckets, then those of the lights after it.
         std::array<float, kBuckets> before{};
         Bucket sum;
         for (size_t i = 0; i < kBuckets; ++i) {
@@ -166,7 +166,8 @@ LightTree::Choice LightTree::sample(const Vec3& p, float u) const {
 
 float LightTree::probability(const Vec3& p, int index) const {
     const Leaf leaf = leaves_[size_t(index)];
-    // From the leaf upwards, with the same factors as on the way down.
+    // The product of the probabilities along the path from the leaf to the root; sample() multiplies the same factors
+    // on the way down.
     float result = leaf.node < 0 ? 0 : 1;
     for (int node = leaf.node, branch = leaf.branch; node >= 0;) {
         float weights[LightBounds::kCount];
