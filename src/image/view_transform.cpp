@@ -31,8 +31,8 @@ Rgb filmic(const Rgb& c) {
 
 // --- AgX -----------------------------------------------------------------------------------------------------------
 
-// The inset pulls every colour by this share towards a weighted mean of its channels, so that no channel of a bright,
-// saturated colour is left behind by the sigmoid. The weights are those of Sobotka's matrix for Rec. 709.
+// The inset moves every colour by this share towards a weighted mean of its channels, so that in bright, saturated
+// colours all channels reach the shoulder of the sigmoid. The weights are those of Sobotka's matrix for Rec. 709.
 constexpr float kInset = 0.2f;
 const Rgb kInsetWeights(0.2120053548f, 0.3921825078f, 0.3958121374f);
 
@@ -68,7 +68,7 @@ float agxCode(float radiance) {
 
 Rgb agx(const Rgb& c) {
     const Rgb mixed = inset(c, kInset);
-    // The inverse of pulling towards the mean, which both keep, is to push away from it.
+    // The inset preserves the weighted mean, so its inverse for the share s is the inset with the share -s / (1 - s).
     const Rgb code = inset(Rgb(agxCode(mixed.x), agxCode(mixed.y), agxCode(mixed.z)), -kInset / (1 - kInset));
     const auto light = [](float v) { return std::pow(std::max(v, 0.f), kDisplayExponent); };
     return Rgb(light(code.x), light(code.y), light(code.z));
