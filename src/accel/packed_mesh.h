@@ -9,7 +9,7 @@ namespace drc {
 
 class PackedMesh {
   public:
-    // Builds on all cores, and copies what it needs of the mesh.
+    // Uses all cores. Copies the data that it needs from the mesh.
     explicit PackedMesh(const TriangleMesh& mesh);
 
     // Fills in position, normals, uv, derivatives and triangle index for the point with barycentric coordinates b1, b2

@@ -125,7 +125,7 @@ std::string encodeLayers(const std::vector<ExrLayer>& layers, const ExrMetadata&
     const Image& first = *layers.front().image;
     Imf::Header header = makeHeader(first, metadata, window, storage);
     Imf::FrameBuffer frame;
-    std::deque<StoredChannel> kept;  // until the file is written
+    std::deque<StoredChannel> kept;  // must live until the file is written
     const auto width = static_cast<size_t>(first.width());
     for (const auto& layer : layers) {
         const Image& image = *layer.image;

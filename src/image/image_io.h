@@ -34,7 +34,8 @@ ExrMetadata readExrMetadata(const std::string& path);
 // The string attributes of an EXR, the notes of a PNG, nothing of other formats. Throws Error if the file is damaged.
 ExrMetadata readMetadata(const std::string& path);
 
-// Writes linear RGB (the first three channels, or grey) as an 8-bit sRGB PNG, clipped at 1; whole or not at all.
+// Writes linear RGB (the first three channels, or grey) as an 8-bit sRGB PNG, clipped at 1. The file is written
+// completely or not at all.
 void writePng(const std::string& path, const Image& linear);
 
 }  // namespace drc

@@ -41,9 +41,9 @@ class RenderMerger {
     int64_t spp_ = 0;
     bool allTellSpp_ = true;
 
-    int count_ = -1;             // the channel of sample counts; -1: none
+    int count_ = -1;             // channel of the sample counts; -1: none
     std::vector<int> beauty_;    // R, G, B
-    std::vector<int> variance_;  // R, G, B of that layer; empty: none
+    std::vector<int> variance_;  // channels R, G, B of the variance layer; empty: none
     // For each pixel.
     std::vector<double> samples_;       // sum n
     std::vector<double> sums_;          // of each channel, sum n x

@@ -9,7 +9,8 @@
 namespace drc {
 namespace {
 
-// Infinity would give NaN in quotients and differences; this is far beyond white in all views.
+// Replaces larger radiance, because infinity would give NaN in quotients and differences. Far beyond white in all
+// views.
 constexpr float kFarBeyondWhite = 1e6f;
 
 float finiteRadiance(float x) { return x > 0 ? std::min(x, kFarBeyondWhite) : 0.f; }
@@ -53,7 +54,7 @@ float sigmoid(float x) {
                        pivotY = std::pow(kMiddleGrey, 1 / kDisplayExponent);
     const bool isAbove = x > pivotX;
     const float distance = std::abs(x - pivotX);
-    // From the pivot to the end of the curve.
+    // Extent of the curve from the pivot to its end.
     const float run = isAbove ? 1 - pivotX : pivotX, rise = isAbove ? 1 - pivotY : pivotY;
     const float bend = (std::pow(kSlope * run / rise, kPower) - 1) * std::pow(distance / run, kPower);
     const float y = kSlope * distance / std::pow(1 + bend, 1 / kPower);

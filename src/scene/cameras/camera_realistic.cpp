@@ -57,7 +57,7 @@ class RealisticCamera final : public Camera {
         const Vec2 at(-(film.x / resolution_.x - 0.5f) * size_.x, (film.y / resolution_.y - 0.5f) * size_.y);
         const float r = std::sqrt(at.x * at.x + at.y * at.y);
         const PupilBox& pupil = pupils_[size_t(std::min(int(r / radius_ * kRings), kRings - 1))];
-        // The boxes are those of film points on the x axis: rotated about the lens axis to the film point.
+        // The boxes belong to film points on the x axis, so p is rotated about the lens axis to the film point.
         const Vec2 p = pupil.at(uLens);
         const Vec2 turn = r > 0 ? at * (1 / r) : Vec2(1, 0);
         const Vec3 start(at.x, at.y, 0);

@@ -34,7 +34,7 @@ struct LightSample {
     float distance = 0;  // to the sampled point; infinite for lights at infinity
     bool delta = false;
     Vec3 ng{0.f};  // geometric normal of the emitter, as its shape orients it; zero for points and lights at infinity
-    // As in EmitterHit, on area lights.
+    // For area lights, as in EmitterHit.
     uint32_t triangle = 0;
     Vec2 uv{0.f};
 };

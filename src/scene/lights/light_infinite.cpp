@@ -176,7 +176,7 @@ class InfiniteLight final : public Light {
             rowDensity_[row] = float(1 / (2 * std::numbers::pi * oneMinusCosDifference(row, cellRows) * cellRows));
     }
 
-    // Difference of cos(theta) between the upper and the lower edge of a row.
+    // Difference of cos(theta) between the upper and the lower edge of a row of the map or the distribution.
     static double oneMinusCosDifference(int row, int rows) {
         const double half = std::numbers::pi / (2.0 * rows);
         return 2 * std::sin((2 * row + 1) * half) * std::sin(half);

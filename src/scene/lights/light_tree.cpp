@@ -17,8 +17,8 @@ Vec3 extentOf(const Bounds& b) { return b.empty() ? Vec3(0, 0, 0) : b.max - b.mi
 
 int longestAxis(const Vec3& v) { return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2; }
 
-// Cost of a cluster: its intensity, the size of its box and its solid angle of directions. The diagonal of the box is
-// included with a small weight, since the box of lights in a row has no surface area.
+// Cost of a cluster: the product of its intensity, the size of its box and its solid angle of directions. The diagonal
+// of the box is included with a small weight, since the box of lights in a row has no surface area.
 float cost(const LightReach& r) {
     const Vec3 e = extentOf(r.bounds);
     const float surface = 2 * (e.x * e.y + e.y * e.z + e.z * e.x);

@@ -41,7 +41,7 @@ struct Bounds {
 struct ShapeHit {
     float t = 0;
     Vec3 p;        // on the surface up to rounding of p; the rounding error of o + t d grows with t
-    Vec3 ng;       // unit, oriented as in pbrt
+    Vec3 ng;       // unit; each shape documents its side
     Vec3 ns{0.f};  // shading normal, unit, on the side of ng; zero if equal to ng
     Vec2 uv;
     Vec3 dpdu, dpdv;
