@@ -30,8 +30,8 @@ struct GeometryData {
     const Primitive* primitive;
     uint32_t index;                  // among all of the scene's geometries
     NotedMemory memory;              // of the mesh
-    std::optional<PackedMesh> mesh;  // set for meshes; otherwise the primitive is a shape,
-    const Curves* curves = nullptr;  // or, if this is not null, curves
+    std::optional<PackedMesh> mesh;  // set for meshes only
+    const Curves* curves = nullptr;  // set for curves only; null and no mesh: another shape
     const Bsdf* lobes = nullptr;     // see SurfaceInteraction::lobes
 };
 
@@ -53,7 +53,8 @@ void fill(const ShapeHit& found, SurfaceInteraction& hit) {
     hit.error = 0;  // shapes are intersected in double precision
 }
 
-// Curves are hit in a piecewise linear approximation. Their rays must leave that, too.
+// Embree intersects a piecewise linear approximation of curves. The error also covers its distance from the curve, so
+// that spawned rays leave it.
 void fillCurve(const ShapeHit& found, SurfaceInteraction& hit) {
     constexpr float kShareOfCoordinates = 0x1p-15f, kShareOfWidth = 0x1p-10f;
     fill(found, hit);
@@ -70,8 +71,8 @@ void fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, 
         fillCurve(data.curves->hitAt(primId, u, ray, t), hit);
 }
 
-// Uniform in [0, 1), and independent for the surfaces that a ray meets: a function of the ray and of the part of a
-// geometry.
+// A hash of the ray, the geometry and its part: uniform in [0, 1) and independent for the different surfaces that a ray
+// hits.
 float uniformOf(const Ray& ray, const GeometryData& data, uint32_t part) {
     const auto bits = [](const Vec3& v) {
         const uint64_t low = std::bit_cast<uint32_t>(v.x), middle = std::bit_cast<uint32_t>(v.y);
@@ -81,7 +82,8 @@ float uniformOf(const Ray& ray, const GeometryData& data, uint32_t part) {
     return float(hash >> 40) * 0x1p-24f;
 }
 
-// Whether the ray passes through the surface. part: of the geometry, any number.
+// Whether the alpha mask lets the ray pass through the surface. part: distinguishes several hits of the ray on one
+// geometry.
 bool isHole(const GeometryData& data, const FloatTexture& alpha, const SurfaceInteraction& hit, const Ray& ray,
             uint32_t part) {
     const float value = alpha.eval(hit.textureContext());
@@ -96,7 +98,7 @@ bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId
     return isHole(data, *alpha, hit, ray, primId);
 }
 
-// RTCRay::id of a ray, by Ray::fromCamera and Ray::mirrored.
+// Values of RTCRay::id, which encodes Ray::fromCamera and Ray::mirrored.
 constexpr unsigned kDiffuse = 0, kFromCamera = 1, kMirrored = 2;
 
 bool isOpenToLight(const Primitive& primitive) { return !primitive.material || !primitive.visibleToDiffuse; }
@@ -161,7 +163,7 @@ std::optional<ShapeHit> intersectSolid(const GeometryData& data, std::initialize
             if (mask == nullptr) return false;
             SurfaceInteraction hit;
             fill(*found, hit);
-            // A ray may meet a shape several times.
+            // The index i gives each hit of the ray on the shape its own random number.
             return isHole(data, *mask, hit, ray, uint32_t(i));
         };
         if (std::none_of(masks.begin(), masks.end(), isOpen)) return found;
@@ -202,7 +204,7 @@ void shapeOccluded(const RTCOccludedFunctionNArguments* a) {
     }
 }
 
-// Called before Embree allocates, with what it will, and after it has freed, with a negative number.
+// Embree calls this before it allocates memory (bytes > 0) and after it has freed memory (bytes < 0).
 bool noteMemoryOfEmbree(void*, ssize_t bytes, bool) {
     addMemoryUse(MemoryUse::Accelerator, bytes);
     return true;
@@ -225,7 +227,7 @@ struct Accel::Impl {
     bool hidesFromCamera = false, hidesFromDiffuse = false;
     bool hasOpenMedia = false;
     float reachOfMedia = 0;
-    uint32_t geometries = 0;  // so far
+    uint32_t geometries = 0;  // number of geometries so far
 
     ~Impl() {
         for (Group& g : objects)
@@ -233,7 +235,7 @@ struct Accel::Impl {
         if (world.scene) rtcReleaseScene(world.scene);
         if (device) rtcReleaseDevice(device);
     }
-    std::unordered_map<const Material*, std::unique_ptr<const Bsdf>> lobes;  // of the materials without textures
+    std::unordered_map<const Material*, std::unique_ptr<const Bsdf>> lobes;  // one per material without textures
 
     // Embree aborts the program when it is given rays with coordinates that are not finite or beyond 1.8e18, in world
     // space or, after transformation, in an instance's space. A valid scene file can lead to such rays: its camera may
@@ -246,7 +248,7 @@ struct Accel::Impl {
 
     const Bsdf* lobesOf(const Material* material);
     void fill(Group& group, const std::vector<Primitive>& primitives);
-    // Object-to-world transform of a moving instance.
+    // Object-to-world transform of a moving instance at a ray's time.
     Transform toWorld(const Instance& instance, float time) const {
         const auto id = world.geometries.size() + size_t(&instance - firstInstance);
         return instanceToWorld(rtcGetGeometry(world.scene, unsigned(id)), time);
@@ -278,7 +280,7 @@ void Accel::Impl::limitReachBy(const Transform& objectToWorld) {
 
 void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
     group.scene = rtcNewScene(device);
-    // No ray passes between triangles that share an edge.
+    // With this flag, no ray passes between triangles that share an edge.
     rtcSetSceneFlags(group.scene, RTC_SCENE_FLAG_ROBUST);
     for (const Primitive& primitive : primitives) {
         auto data = std::make_unique<GeometryData>();
@@ -309,7 +311,7 @@ void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
             rtcSetGeometryIntersectFunction(geometry, shapeIntersect);
             rtcSetGeometryOccludedFunction(geometry, shapeOccluded);
         }
-        // Our own intersection functions, for shapes, make these tests themselves.
+        // The intersection functions of shapes make these tests themselves.
         if (data->mesh || data->curves) {
             if (primitive.alpha || !primitive.visibleToCamera || !primitive.visibleToDiffuse)
                 rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
@@ -427,7 +429,8 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
         fill(found.shape, hit);
     }
     if (toWorld) {
-        // A plane at distance h from a point is at h / |normal| from it after the transformation.
+        // A plane with the unit normal ng at distance h from a point has the distance h / |normal| after the
+        // transformation.
         const Vec3 normal = toWorld->normal(hit.ng);
         const float scale = 1 / length(normal);
         const float rounding = roundingError(toWorld->largestOfSums(hit.p)) + roundingError(toWorld->point(hit.p));

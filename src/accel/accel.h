@@ -33,20 +33,20 @@ class Accel {
     bool find(const Ray& ray, Found& found) const;
     void describe(const Ray& ray, const Found& found, SurfaceInteraction& hit) const;
     // Whether anything blocks the segment from o to o + tMax * d (d unit) at the given time (Ray::time). Surfaces
-    // without a material do not block.
+    // without a material or hidden from diffuse rays do not block.
     bool occluded(const Vec3& o, const Vec3& d, float tMax, float time) const;
     // Whether any object moves while the shutter is open.
     bool anythingMoves() const;
-    // Whether any surface has holes for shadow rays alone, which occluded() passes through and find() does not.
+    // Whether any surface has an alpha mask for shadow rays, which occluded() applies and find() does not.
     bool hasShadowMasks() const;
-    // Whether any surface is hidden from the camera, which find() passes through for the camera's rays alone.
+    // Whether any surface is hidden from the camera: find() ignores such surfaces for rays with Ray::fromCamera.
     bool hidesFromCamera() const;
-    // Whether any is hidden from diffuse rays.
+    // Whether any surface is hidden from diffuse rays.
     bool hidesFromDiffuse() const;
-    // Whether rays change from one medium to another where no material stops them.
+    // Whether any surface without a material separates two media.
     bool hasOpenMedia() const;
-    // How much of a medium is passed on a way of this length. If it is infinite, that is as much as the scene is wide,
-    // as in pbrt.
+    // The length to use for a ray of this length in a medium: the length itself or, if infinite, the diagonal of the
+    // scene's bounds, as in pbrt.
     float lengthInMedium(float length) const;
 
   private:

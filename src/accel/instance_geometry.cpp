@@ -19,7 +19,8 @@ void setFactors(RTCGeometry instance, unsigned step, const Transform& t) {
     Imath::V3d c[3], q[3];
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) c[column][row] = t.at(row, column);
-    // Gram-Schmidt orthonormalisation. The last scale takes the determinant's sign, so that q is a rotation.
+    // Gram-Schmidt orthonormalisation. q is made a rotation: if the transform mirrors, the last scale below is
+    // negative.
     q[0] = c[0].normalized();
     q[1] = (c[1] - q[0] * q[0].dot(c[1])).normalized();
     q[2] = q[0].cross(q[1]);

@@ -6,7 +6,7 @@
 
 namespace drc {
 
-// The caller commits it.
+// The caller commits the geometry.
 RTCGeometry makeInstanceGeometry(RTCDevice device, RTCScene object, const AnimatedTransform& objectToWorld);
 
 // Object-to-world transform of a moving instance at a ray's time, as Embree interpolates it between its time steps. It

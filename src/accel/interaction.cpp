@@ -6,9 +6,9 @@
 namespace drc {
 namespace {
 
-// Share of a cone's width over which one texture lookup averages. A pixel has many samples, and the pixel filter
-// averages them. pbrt divides the width by the square root of the samples per pixel; this is its value at 256. A larger
-// share would blur textures visibly without a measurable reduction of noise.
+// Share of the ray cone's width over which one texture lookup averages. Small, because a pixel has many samples, which
+// the pixel filter averages. pbrt divides the width by the square root of the samples per pixel; this is its value at
+// 256. A larger share would blur textures visibly without a measurable reduction of noise.
 constexpr float kSampleShare = 1 / 16.f;
 
 // Cones with a larger spread, in radians, come from diffuse reflection or cover a texel of a radiance map. Averaging a

@@ -24,12 +24,12 @@ struct SurfaceInteraction {
     bool moves = false;  // whether the surface moves while the shutter is open
     uint32_t triangle = 0;
     const Primitive* primitive = nullptr;
-    const Medium* medium = nullptr;  // that the ray arrived in; null: empty space
+    const Medium* medium = nullptr;  // of the arriving ray; null: empty space
     // The material's lobes if they are the same everywhere and have been computed in advance; otherwise null.
     const Bsdf* lobes = nullptr;
 
     TextureContext textureContext() const;
-    // The shading frame after the relief of the material has changed `shading`.
+    // The frame `shading` after the material's relief (a bump or normal map) is applied.
     Frame withRelief(const Frame& shading, const Relief& relief, TextureContext at) const;
     // The BSDF at this point; it has no lobes if the material is null or black.
     Bsdf bsdf() const;
@@ -37,7 +37,7 @@ struct SurfaceInteraction {
     Rgb emitted() const;
     EmitterHit emitterHit() const { return {p, ng, triangle, uv}; }
     SpawnPoint spawnPoint() const { return {p, ng, footprint, error}; }
-    // The medium in which light that leaves p in direction d goes on.
+    // The medium on the side of the surface to which d points.
     const Medium* mediumTowards(const Vec3& d) const {
         const MediumInterface& media = primitive->media;
         if (!media.changes()) return medium;
@@ -53,7 +53,7 @@ struct SurfaceInteraction {
         ray.mirrored = true;
         return ray;
     }
-    // The arriving ray, going on behind p as if there were no surface.
+    // Continues the arriving ray behind p as if there were no surface.
     Ray onward(const Ray& ray) const {
         Ray next = spawnRay(ray.d);
         next.fromCamera = ray.fromCamera;

@@ -6,7 +6,7 @@ namespace drc {
 namespace {
 
 constexpr int kGrain = 4096;
-// The most by which barycentric coordinates are changed to keep points off edges.
+// Largest barycentric coordinate to which a point is moved to keep it off an edge.
 constexpr float kFarthestInside = 0.05f;
 
 }  // namespace
@@ -76,7 +76,8 @@ void PackedMesh::keepOffEdges(uint32_t triangle, float b1, float b2, float round
     const Face& face = faces_[triangle];
     const Vec3 &v0 = vertices_[face.v[0]].p, &v1 = vertices_[face.v[1]].p, &v2 = vertices_[face.v[2]].p;
     const Vec3 e1 = v1 - v0, e2 = v2 - v0;
-    // The height above the longest edge is the least.
+    // The least height of the triangle is the one above the longest edge. far: twice the error, relative to this
+    // height.
     const float longest = std::max({lengthSquared(e1), lengthSquared(e2), lengthSquared(e2 - e1)});
     const float far = 2 * (hit.error + rounding) * std::sqrt(longest / lengthSquared(cross(e1, e2)));
     if (!(nearest < far)) return;

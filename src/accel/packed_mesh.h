@@ -9,18 +9,18 @@ namespace drc {
 
 class PackedMesh {
   public:
-    // Builds on all cores, and copies what it needs of the mesh.
+    // Uses all cores. Copies the data that it needs from the mesh.
     explicit PackedMesh(const TriangleMesh& mesh);
 
     // Fills in position, normals, uv, derivatives and triangle index for the point with barycentric coordinates b1, b2
     // of the second and third vertex, in the mesh's own space. Leaves the other members of the hit unchanged.
     void fill(uint32_t triangle, float b1, float b2, SurfaceInteraction& hit) const;
-    // Moves the point of a hit that fill() has described inwards if it is as close to an edge as its errors are large:
-    // it could lie behind another face that shares the edge, and its rays would leave a closed box. rounding: a bound
-    // on the rounding of the point, here and where its rays start.
+    // Moves the hit point that fill() has set inwards if its distance from an edge is less than twice its error: it
+    // could lie behind another face that shares the edge, and its rays would escape from a closed box. rounding: a
+    // bound, in the mesh's space, on the rounding errors of the point in this space and in world space.
     void keepOffEdges(uint32_t triangle, float b1, float b2, float rounding, SurfaceInteraction& hit) const;
 
-    // Prefetches what fill() reads first.
+    // Prefetches the face, which fill() reads first.
     void prefetch(uint32_t triangle) const { __builtin_prefetch(&faces_[triangle]); }
 
     // Embree reads only the position, but with 16-byte loads, which stay within the vertex.

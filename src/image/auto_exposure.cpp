@@ -16,11 +16,13 @@ constexpr int kLowest = -126, kHighest = 128;
 
 // The brightest tenth may be clipped.
 constexpr double kMayClip = 0.1;
-// Where it should begin, and the stops that the picture may be brightened for it.
+// The luminance at which the brightest tenth should begin, and the most stops by which the picture is brightened for
+// this.
 constexpr double kBrightBegins = 0.7, kMostLift = 1;
-// Pixels darker by more stops than this are black in whatever view: borders, and what is seen through open doors.
+// Pixels darker than the brightest tenth by more stops than this are black in any view: borders, dark rooms behind open
+// doors.
 constexpr int kBlackStops = 10;
-// The shares of the rest that are trimmed at each end before the mean is taken.
+// Share of the remaining pixels that the trimmed mean drops at each end.
 constexpr double kTrimmed = 0.1;
 
 class LogHistogram {
@@ -34,7 +36,7 @@ class LogHistogram {
         for (size_t i = size_t(std::max(first, 0)); i < counts_.size(); ++i) count += counts_[i];
         return count;
     }
-    // The lowest bin so that at most `share` of the pixels from `first` on lie above it.
+    // The lowest bin such that at most the share `share` of the pixels in bin `first` and above lie above it.
     int quantileFromTop(int first, double share) const {
         const double most = share * double(countFrom(first));
         int64_t above = 0;
@@ -42,8 +44,8 @@ class LogHistogram {
         while (bin > first && double(above + counts_[size_t(bin)]) <= most) above += counts_[size_t(bin--)];
         return bin;
     }
-    // The mean of log2 luminance of the pixels from bin `first` on, without the given shares at either end. A bin that
-    // is trimmed in part counts in part.
+    // Mean log2 luminance of the pixels in bin `first` and above, without the given share at either end. A partly
+    // trimmed bin counts in part.
     double trimmedMean(int first, double share) const {
         const double total = double(countFrom(first)), low = share * total, high = (1 - share) * total;
         double sum = 0, weight = 0, below = 0;

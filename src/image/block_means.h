@@ -1,4 +1,4 @@
-// Means of square blocks of pixels: averaging removes noise, but not errors that neighbours share.
+// Means of square blocks of pixels: averaging removes noise, but not errors that are correlated between neighbours.
 #pragma once
 #include "image/image.h"
 
@@ -8,7 +8,7 @@ namespace drc {
 inline constexpr int kComparedBlock = 8;
 
 // The mean of each size x size block of pixels, R, G, B; blocks at the right and lower edge may be smaller. Pixels with
-// NaN or an infinity are left out; a block of nothing else is NaN. Throws Error if size is not positive.
+// NaN or an infinity are left out; a block without other pixels is NaN. Throws Error if size is not positive.
 Image blockMeans(const Image& image, int size);
 
 }  // namespace drc

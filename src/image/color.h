@@ -30,9 +30,9 @@ inline uint8_t toByte(float x) {
 inline float clamp01(float x) { return x >= 1 ? 1.f : x > 0 ? x : 0.f; }
 inline Rgb clamp01(const Rgb& c) { return Rgb(clamp01(c.x), clamp01(c.y), clamp01(c.z)); }
 
-// CIE 1931 XYZ for Rec. 709 primaries with the white point D65, Y = 1 for white. The coefficients are the rational ones
-// that follow from the sRGB standard's chromaticities, not its four rounded digits, so that white maps to kWhiteXyz
-// exactly.
+// CIE 1931 XYZ for Rec. 709 primaries with the white point D65, Y = 1 for white. The coefficients are the exact
+// rational numbers that follow from the sRGB standard's chromaticities, not the standard's four rounded digits, so that
+// white maps to kWhiteXyz exactly.
 inline Vec3 rgbToXyz(const Rgb& c) {
     return Vec3(10135552.f / 24577794.f * c.x + 8788810.f / 24577794.f * c.y + 4435075.f / 24577794.f * c.z,
                 2613072.f / 12288897.f * c.x + 8788810.f / 12288897.f * c.y + 887015.f / 12288897.f * c.z,

@@ -21,8 +21,8 @@ using Kernel = std::vector<float>;
 // exp(-x^2 / (2 sigma^2)) at -radius..radius, normalised to the sum 1. sigma in pixels.
 Kernel gaussianKernel(float sigma, int radius);
 
-// result(x, y) = sum_ij alongX[i] alongY[j] plane(x + i, y + j). Beyond an edge its pixels are repeated. Results do not
-// depend on the number of threads.
+// result(x, y) = sum_ij alongX[i] alongY[j] plane(x + i, y + j). Outside the plane, the nearest edge value is used.
+// Results do not depend on the number of threads.
 Plane convolve(const Plane& plane, const Kernel& alongX, const Kernel& alongY);
 
 }  // namespace drc

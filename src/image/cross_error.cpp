@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-// The indices of the floor(0.1 %) of the pixels with the largest of these values, which may be NaN.
+// Indices of the floor(0.1 %) of the pixels with the largest values. NaN is left out.
 std::vector<size_t> outliers(const std::vector<float>& distances) {
     std::vector<size_t> order;
     for (size_t i = 0; i < distances.size(); ++i)

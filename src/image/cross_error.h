@@ -20,10 +20,10 @@ struct CrossErrors {
     // of T can dominate `error`. Selecting by the product itself would be biased: it would keep those pixels whose
     // product the references' noise makes small. D(p) does not depend on this noise.
     Estimate trimmed;
-    // `error` on means of 8x8 pixels, with their own D: measures errors that neighbours share.
+    // `error` of means of 8x8 pixels, with a D of their own: measures errors that are correlated between neighbours.
     Estimate block;
-    // The mean of (R1 - R2)^2 / 2 in the same norm, for pixels and for blocks: the noise of each reference. The mean of
-    // both references has half of it.
+    // The mean of (R1 - R2)^2 / 2 in the same norm, for pixels and for blocks: the noise of each reference. The noise
+    // of the mean of both is half of this.
     double noise = 0, blockNoise = 0;
     std::array<double, 3> meanRatio{1, 1, 1};  // mean(T) / mean of both references, R, G, B; 1 if both are 0
     // The number of pixels with NaN or infinity in R1, R2 and T. They are left out everywhere; if no pixel is left, all

@@ -22,7 +22,7 @@ Image differenceImage(const Image& reference, const Image& test, float exposure)
             const float s = luminance(d);
             picture.setRgb(x, y, cr);
             picture.setRgb(width + x, y, ct);
-            // Decoded, since writing the PNG encodes again and the difference is to be seen as it is.
+            // Decoded, since writing the PNG encodes again, and the PNG should contain the difference itself.
             picture.setRgb(2 * width + x, y, srgbDecode(clamp01(Rgb(std::abs(d.x), std::abs(d.y), std::abs(d.z)))));
             picture.setRgb(3 * width + x, y, srgbDecode(clamp01(Rgb(s, 0, -s))));
         }

@@ -15,8 +15,8 @@ struct DisplaySettings {
     bool operator==(const DisplaySettings&) const = default;
 };
 
-// The stops by which the picture is brightened: those of the settings, and those of the automatic exposure. A picture
-// that belongs beside others may be shown with the stops of another one.
+// Total exposure in stops: that of the settings plus, with autoExposure, that of the picture. A picture of a series may
+// instead be shown with the exposure of another one.
 float exposureOf(const DisplaySettings& settings, const Image& linear);
 
 // Metadata that records how a file's picture is displayed or, for an EXR, should be.

@@ -1,4 +1,4 @@
-// An encoded picture, and what the decoders of all formats share: limits, memory, and one form of error.
+// An encoded picture, and what the decoders of all formats share: limits, memory claims and the form of error messages.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -20,10 +20,10 @@ struct EncodedImage {
 // Throws Error "cannot read PATH: what".
 [[noreturn]] void failDecoding(const EncodedImage& encoded, std::string_view what);
 
-// Throws Error if the size is not positive or is beyond the limits. Reserves memory for all that the picture takes
-// until it can be rendered with: its floats, and the colours, a copy of them and their coarser levels, or what takes
-// less in their place; and `extraBytes` more for the decoder. Keep the claim while the picture is read, and no longer.
-// Claims for pictures that are read at the same time add up.
+// Throws Error if the size is not positive or is beyond the limits. Reserves the memory that the picture takes until it
+// is ready for rendering: its floats; three Rgb per pixel for a texture's colours, a copy of them and their mip levels,
+// which covers other uses too; and `extraBytes` for the decoder. Hold the claim while the picture is read, and no
+// longer. Claims for pictures that are read at the same time add up.
 [[nodiscard]] MemoryClaim claimMemory(const EncodedImage& encoded, int64_t width, int64_t height, int64_t channels,
                                       double extraBytes = 0);
 
@@ -33,8 +33,8 @@ class ByteReader {
     explicit ByteReader(const EncodedImage& encoded) : encoded_(encoded) {}
 
     size_t left() const { return encoded_.bytes.size() - at_; }
-    // Throws Error if fewer bytes are left. Called before a picture is allocated, because a header of a few bytes must
-    // not ask for gigabytes.
+    // Throws Error if fewer bytes are left. Call it before allocating a picture, because a file of a few bytes must not
+    // make the decoder allocate gigabytes.
     void require(size_t count) const;
     uint8_t byte() { return take(1)[0]; }
     uint16_t littleEndian16();
@@ -52,7 +52,7 @@ class ByteReader {
 };
 
 // Integers of a file, mapped to [0, 1]. Multiplies by the reciprocal, as most libraries do: for half of the 8-bit
-// values a division differs in the last digit.
+// values, a division would differ in the last digit.
 inline float fromByte(uint8_t value) { return float(value) * (1 / 255.f); }
 inline float fromWord(uint16_t value) { return float(value) * (1 / 65535.f); }
 

@@ -12,7 +12,7 @@
 namespace drc {
 namespace {
 
-// Where a channel stands among those of its layer, "" or "name.".
+// The sort key of a channel: its layer ("" or "name."), its rank within the layer and its name.
 struct ChannelPlace {
     std::string name, layer;
     int rank = 0;
@@ -26,8 +26,8 @@ std::string lowerCase(std::string_view text) {
     return lower;
 }
 
-// In the order that a picture's channels are thought of, where the file has them sorted by name. Y is a brightness, but
-// where there is an X with it or with a Z, a coordinate.
+// Rank of a channel within its layer: the customary order (R, G, B, ...) instead of the file's alphabetical one. Y is a
+// luminance, or a coordinate in a layer with X and also Y or Z (isPosition).
 int rankOf(std::string_view suffix, bool isPosition) {
     static constexpr std::string_view kColours[] = {"r",    "red",  "g",  "green", "b",     "blue", "y",
                                                     "real", "imag", "a",  "alpha", "ar",    "ra",   "ag",
@@ -42,7 +42,7 @@ int rankOf(std::string_view suffix, bool isPosition) {
 
 std::vector<std::string> ordered(const std::vector<std::string>& channels) {
     std::vector<ChannelPlace> places;
-    std::map<std::string, std::string> coordinates;  // of each layer, those of "xyz" that it has
+    std::map<std::string, std::string> coordinates;  // for each layer, those of "xyz" that it contains
     for (const std::string& name : channels) {
         const size_t suffix = name.rfind('.') + 1;  // 0 if there is no dot
         places.push_back({name, name.substr(0, suffix)});
@@ -87,7 +87,7 @@ ExrChannels exrChannels(const std::vector<ExrPartChannels>& parts) {
         const std::string number = fmt::format("part{}", i + 1);
         const std::string prefix = (parts[i].part.empty() ? number : parts[i].part) + ".";
         for (const std::string& channel : ordered(parts[i].channels)) {
-            // Some programs write the layer's name before the channels of its part, too.
+            // Some programs already write the part's name before its channels' names.
             std::string name = i == all.beautyPart || channel.starts_with(prefix) ? channel : prefix + channel;
             while (!taken.insert(name).second) name = number + "." + name;
             all.channels.push_back({name, i, channel});

@@ -69,10 +69,10 @@ bool hasSizeOfItsType(std::string_view type, ByteReader value) {
 std::vector<ExrAttributes> requireSoundExrHeaders(const EncodedImage& encoded) {
     constexpr uint32_t kMultiPart = 1 << 12;
     ByteReader in(encoded);
-    in.take(4);  // what tells that it is an EXR
+    in.take(4);  // the magic number
     const bool isMultiPart = (in.littleEndian32() & kMultiPart) != 0;
     std::vector<ExrAttributes> parts;
-    // A header ends with an attribute without a name; after the last one of several stands an empty header.
+    // An empty attribute name ends a header. In a file with several parts, an empty header follows the last one.
     do {
         ExrAttributes& attributes = parts.emplace_back();
         for (std::string_view name = in.until('\0'); !name.empty(); name = in.until('\0')) {

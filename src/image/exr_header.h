@@ -1,4 +1,4 @@
-// Checks what OpenEXR trusts in an EXR's headers, before OpenEXR reads them.
+// Checks an EXR's headers before OpenEXR, which trusts them, reads them.
 #pragma once
 #include <vector>
 
@@ -7,9 +7,10 @@
 
 namespace drc {
 
-// OpenEXR allocates as much memory for an attribute as the file claims, and continues where the value of a known type
-// ends, whatever size the file gives. Throws Error unless each attribute lies within the file and has the size of its
-// type. Returns the attributes of each part. Source: "OpenEXR File Layout", in its documentation.
+// OpenEXR allocates as much memory for an attribute as the file claims. After an attribute of a known type, it
+// continues where the type's value ends, even if the file gives another size. Throws Error unless each attribute lies
+// within the file and has the size of its type. Returns the attributes of each part. Source: "OpenEXR File Layout", in
+// its documentation.
 std::vector<ExrAttributes> requireSoundExrHeaders(const EncodedImage& encoded);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// EXR files whose colours are not of Rec. 709's primaries, such as those of ACES or Rec. 2020.
+// EXR files whose colours have other primaries than Rec. 709, such as those of ACES or Rec. 2020.
 #pragma once
 #include <optional>
 
@@ -8,17 +8,17 @@
 
 namespace drc {
 
-// The map from linear colours of the primaries and the white that an attribute of the type chromaticities gives to
-// linear Rec. 709: by way of XYZ, with the white adapted to D65 in Bradford's space, so that (1, 1, 1) stays (1, 1, 1).
-// Nothing if they are Rec. 709's, to four digits. Throws Error if they are no primaries or no white. Source: "RGB
-// Color", in the technical introduction to OpenEXR.
+// The matrix from linear RGB with the primaries and white of an attribute of the type chromaticities to linear Rec.
+// 709: through XYZ, with the white adapted to D65 in Bradford's space, so that (1, 1, 1) stays (1, 1, 1). Empty if the
+// chromaticities are those of Rec. 709, to four digits. Throws Error if they are not valid primaries and a white.
+// Source: "RGB Color", in the technical introduction to OpenEXR.
 std::optional<RgbMatrix> rec709From(const ExrAttribute& chromaticities);
 
-// Whether a layer with channels R, G and B has no colours: its name is that of normals, positions, motion, depths,
-// identifiers (Cryptomatte) or variances.
+// Whether a layer with channels R, G and B contains data instead of colours, judging by its name: normals, positions,
+// motion, depths, identifiers (Cryptomatte) or variances.
 bool isDataLayer(const std::string& layer);
 
-// Maps the channels R, G and B of a layer if the image has them all.
+// Applies the matrix to the channels R, G and B of a layer if the image has all three.
 void mapColours(Image& image, const std::string& layer, const RgbMatrix& map);
 
 }  // namespace drc

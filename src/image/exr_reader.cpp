@@ -50,7 +50,7 @@ class MemoryInput final : public Imf::IStream {
     size_t at_ = 0;
 };
 
-// A part that is read.
+// A part that is read: one that is not deep.
 struct FlatPart {
     int index = 0;
     const Imf::Header* header = nullptr;
@@ -59,7 +59,7 @@ struct FlatPart {
 
 std::string nameOf(const Imf::Header& header) { return header.hasName() ? header.name() : ""; }
 
-// "its part depth", or "it" of a file that has one.
+// The subject of an error message: "its part depth", or "it" for a file with a single part.
 std::string subject(const Imf::MultiPartInputFile& file, int part) {
     return file.parts() == 1 ? "it" : fmt::format("its part {}", nameOf(file.header(part)));
 }
@@ -119,7 +119,7 @@ Window windowOf(const std::vector<FlatPart>& parts) {
 
 // Parts of one file share their display window.
 ExrWindow placeOf(const Window& data, const Imath::Box2i& display) {
-    // As of windows that are close to the ends of what an int holds, which no renderer writes.
+    // Avoids overflow for windows near the limits of int, which no renderer writes.
     const auto bounded = [](int64_t value, int limit) { return int(std::clamp<int64_t>(value, -limit, limit)); };
     constexpr int kMost = limits::kFilmSide;
     return {bounded(data.x0 - display.min.x, kMost),
@@ -142,7 +142,7 @@ double tileBytes(const EncodedImage& encoded, const Imf::Header& header) {
     return double(channels) * sizeof(float) * double(y) * (width + 2.0 * double(x) * threadCount());
 }
 
-// Reads a part's channels into theirs of the image, whose window is `all`.
+// Reads a part's channels into the corresponding channels of the image, which covers the window `all`.
 class PartReader {
   public:
     PartReader(const EncodedImage& encoded, Image& image, const Window& all)
@@ -155,7 +155,7 @@ class PartReader {
         const size_t width = size_t(data.max.x - data.min.x + 1), count = width * size_t(data.max.y - data.min.y + 1);
         float* const first = image_.pixel(int(data.min.x - all_.x0), int(data.min.y - all_.y0));
         Imf::FrameBuffer frame;
-        std::map<size_t, std::vector<uint32_t>> integers;  // by the channel in the image
+        std::map<size_t, std::vector<uint32_t>> integers;  // by channel index in the image
         for (size_t c = 0; c < channels.size(); ++c) {
             if (channels[c].part != number) continue;
             const std::string& name = channels[c].nameInPart;
@@ -192,7 +192,7 @@ class PartReader {
     Window all_;
 };
 
-// Colours of the part in linear Rec. 709.
+// Converts the colours of the part to linear Rec. 709.
 void convertPrimaries(const EncodedImage& encoded, const FlatPart& part, const std::vector<ExrChannel>& channels,
                       size_t number, Image& image) {
     const auto found = part.attributes->find("chromaticities");
@@ -209,7 +209,7 @@ void convertPrimaries(const EncodedImage& encoded, const FlatPart& part, const s
     }
 }
 
-// Strings are metadata, and what describes the layout follows from what is written.
+// Attributes to write again. Strings are metadata, and attributes of the layout follow from what is written.
 ExrAttributes keptAttributes(const ExrAttributes& attributes) {
     static const std::set<std::string_view> kLeft{
         "adoptedNeutral", "channels",       "chromaticities", "chunkCount", "compression",
@@ -234,7 +234,7 @@ ExrStorage storageOf(const std::vector<FlatPart>& parts, const ExrChannels& chan
     return storage;
 }
 
-// With as many threads as all else.
+// Makes OpenEXR use as many threads as the renderer.
 void setThreads() {
     if (Imf::globalThreadCount() != threadCount()) Imf::setGlobalThreadCount(threadCount());
 }
@@ -253,7 +253,7 @@ ImageFile decodeExr(const EncodedImage& encoded) {
     for (const ExrChannel& channel : channels.channels) names.push_back(channel.name);
     ImageFile file;
     file.storage = storageOf(parts, channels);
-    // One part is read after another.
+    // Parts are read one after another, so the largest one determines the memory.
     double extraBytes = 0;
     for (const FlatPart& part : parts) extraBytes = std::max(extraBytes, tileBytes(encoded, *part.header));
     extraBytes += double(file.storage.integerChannels.size()) * sizeof(uint32_t) * double(window.width()) *
@@ -282,7 +282,7 @@ ExrMetadata decodeExrMetadata(const EncodedImage& encoded) {
     ExrMetadata metadata;
     const auto add = [&](const FlatPart& part, const std::string& prefix) {
         for (const auto& [name, attribute] : *part.attributes) {
-            // The kind of a part, and its name where there are several: they describe the file.
+            // A part's type, and its name in a file of several parts, describe the file rather than the picture.
             if (attribute.type != "string" || name == "type" || (parts.size() > 1 && name == "name")) continue;
             const auto known = metadata.find(name);
             if (prefix.empty() || known == metadata.end())

@@ -5,14 +5,16 @@
 
 namespace drc {
 
-// All channels of all parts, under the names that exr_channels.h gives, within the smallest window that holds the data
-// windows of all parts; of several levels the largest. Where a part has no data, its channels are zero. Colours of
-// other primaries become Rec. 709's (exr_primaries.h). Integers keep their values: they are identifiers, not colours; a
-// warning tells if one has more digits than a float. Deep parts are left out with a warning, and refused if there is no
-// other; channels with fewer pixels than others are refused. Throws Error or an exception of OpenEXR.
+// Reads all channels of all parts, with names as in exr_channels.h, within the smallest window that contains the data
+// windows of all parts; of several mip levels, the largest. A part's channels are zero outside its data window. Colours
+// with other primaries are converted to Rec. 709 (exr_primaries.h). Integers keep their values, because they are
+// identifiers, not colours; a warning is logged if a float cannot represent one. Deep parts are left out with a
+// warning, and refused if there are no others; subsampled channels are refused. Throws Error or an exception of
+// OpenEXR.
 ImageFile decodeExr(const EncodedImage& encoded);
 
-// The string attributes of the part that is the beauty, and those of the others where they differ, as "part.name".
+// The string attributes of the beauty part and of the others; those of another part whose values differ are named
+// "part.name".
 ExrMetadata decodeExrMetadata(const EncodedImage& encoded);
 
 }  // namespace drc

@@ -6,13 +6,13 @@
 
 namespace drc {
 
-// Where a picture's pixels (OpenEXR's data window) lie within the whole picture (its display window), in pixels. A part
-// of a picture lies inside of it; with overscan the pixels reach beyond it. A size of 0: the pixels are the whole
-// picture, as in formats that have no windows.
+// The place of the stored pixels (OpenEXR's data window) within the whole picture (the display window), in pixels. The
+// stored pixels may be a part of the whole or, with overscan, extend beyond it. fullWidth = fullHeight = 0: the stored
+// pixels are the whole picture, as in formats without windows.
 struct ExrWindow {
-    int x = 0, y = 0;  // of the first pixel, from the upper left corner of the whole
+    int x = 0, y = 0;  // of the first stored pixel, relative to the upper left corner of the whole
     int fullWidth = 0, fullHeight = 0;
-    int displayX = 0, displayY = 0;  // where the file puts that corner; no position depends on it
+    int displayX = 0, displayY = 0;  // the file's coordinates of this corner; x and y do not depend on them
 
     bool operator==(const ExrWindow&) const = default;
 };
@@ -20,7 +20,7 @@ struct ExrWindow {
 // String attributes.
 using ExrMetadata = std::map<std::string, std::string>;
 
-// An attribute of another type, in the bytes of the file.
+// An attribute of any type: the name of the type, and the value as bytes of the file.
 struct ExrAttribute {
     std::string type, value;
 };
@@ -29,9 +29,9 @@ using ExrAttributes = std::map<std::string, ExrAttribute>;
 // Channels are stored as 32-bit floats unless they are named here.
 struct ExrStorage {
     std::set<std::string> halfChannels;     // 16 bits: finite values beyond 65504 are clamped to it
-    std::set<std::string> integerChannels;  // 32 bits, unsigned; floats if a value is no such integer
-    int compression = 3;                    // OpenEXR's number of it: 3 is ZIP
-    // The pixel aspect ratio, time codes, matrices of the camera and the like: all but strings, and but those that
+    std::set<std::string> integerChannels;  // 32-bit unsigned; stored as floats if a value is no such integer
+    int compression = 3;                    // OpenEXR's number of the method; 3 is ZIP
+    // The pixel aspect ratio, time codes, camera matrices and the like: all attributes except strings and those that
     // describe the layout of the file or the primaries of its colours.
     ExrAttributes attributes;
 };

@@ -24,7 +24,7 @@
 namespace drc {
 namespace {
 
-// The file is made in memory first: then a failing disk shows in one place, with the system's own reason.
+// The file is encoded in memory first, so that a failing disk is noticed in one place, with the system's own reason.
 class MemoryOutput final : public Imf::OStream {
   public:
     MemoryOutput() : OStream("memory") {}
@@ -43,7 +43,7 @@ class MemoryOutput final : public Imf::OStream {
     size_t at_ = 0;
 };
 
-// The bytes of one attribute.
+// Lets OpenEXR read the bytes of one attribute.
 class AttributeStream final : public Imf::IStream {
   public:
     explicit AttributeStream(const std::string& bytes) : IStream("attribute"), bytes_(bytes) {}
@@ -89,15 +89,15 @@ Imf::Header makeHeader(const Image& first, const ExrMetadata& metadata, const Ex
     return header;
 }
 
-// The values of a channel as they are stored: its type, and its values one after another unless they are floats, which
-// the image has already.
+// A channel as it is stored: its type, and its values one after another. Floats are not copied; they are written from
+// the image.
 struct StoredChannel {
     Imf::PixelType type = Imf::FLOAT;
     std::vector<half> halves;
     std::vector<uint32_t> integers;
 };
 
-// The infinity of a picture that had halves when it was read stays what it is.
+// wasHalf: the channel was stored as halves in the file that was read, so its infinities are kept.
 StoredChannel storedChannel(const Image& image, size_t channel, bool isHalf, bool wasHalf, bool isInteger) {
     StoredChannel stored;
     const size_t channels = size_t(image.channels());
@@ -108,7 +108,7 @@ StoredChannel storedChannel(const Image& image, size_t channel, bool isHalf, boo
         stored.integers.resize(image.pixelCount());
         for (size_t i = 0; i < image.pixelCount(); ++i) {
             const float v = value(i);
-            // Filtered ones are no integers any more.
+            // Values that are no integers any more, for instance after filtering, are stored as floats.
             if (!(v >= 0 && v < kEnd && v == std::floor(v))) return {};
             stored.integers[i] = uint32_t(v);
         }
@@ -125,7 +125,7 @@ std::string encodeLayers(const std::vector<ExrLayer>& layers, const ExrMetadata&
     const Image& first = *layers.front().image;
     Imf::Header header = makeHeader(first, metadata, window, storage);
     Imf::FrameBuffer frame;
-    std::deque<StoredChannel> kept;  // until the file is written
+    std::deque<StoredChannel> kept;  // must live until the file is written
     const auto width = static_cast<size_t>(first.width());
     for (const auto& layer : layers) {
         const Image& image = *layer.image;

@@ -61,7 +61,7 @@ float termWeight(const CsfTerm& term, float pixelsPerDegree, int radius) {
     return term.a * std::sqrt(kPi / term.b) * sum * sum;
 }
 
-// Section 4.1: what the eye resolves at this distance.
+// Section 4.1: removes detail that the eye cannot resolve at this distance.
 Opponent filterByContrastSensitivity(const Opponent& in, float pixelsPerDegree) {
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(kWidestB / (2 * kPi * kPi)) * pixelsPerDegree));
     const Kernel luminance = csfKernel(kLuminanceCsf.b, pixelsPerDegree, radius);

@@ -17,7 +17,7 @@ struct ImageFile {
     // Set for EXR files only.
     ExrWindow window{};
     ExrStorage storage{};
-    std::string beautyPart{};  // of several parts, the one whose channels have no part's name before theirs
+    std::string beautyPart{};  // of a file with several parts: the part whose channels are not prefixed by its name
 
     bool isSrgbEncoded() const { return encoding != Encoding::Float; }
 };

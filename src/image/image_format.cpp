@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// The bytes `mark` at `offset` are those of a format.
+// The signature of a format: the bytes `mark` at `offset`.
 struct Mark {
     std::string_view format;
     size_t offset;

@@ -31,7 +31,7 @@ namespace {
     throw Error(fmt::format("cannot read {}: {}", path, reason));
 }
 
-// Pipes and devices keep whoever opens them waiting, or have no end.
+// Accepts only regular files: opening a pipe or a device may block, and its data may have no end.
 void requireFile(const std::string& path) {
     std::error_code ec;
     const auto status = std::filesystem::status(path, ec);
@@ -42,7 +42,7 @@ void requireFile(const std::string& path) {
     if (::access(path.c_str(), R_OK) != 0) failReading(path, std::strerror(errno));
 }
 
-// One line of what OpenEXR says, without the path that it puts before the reason.
+// The first line of OpenEXR's message, without the path before the reason.
 std::string reasonOf(const std::exception& error, const std::string& path) {
     std::string_view text = error.what();
     const std::string named = fmt::format("\"{}\". ", path);
@@ -52,7 +52,7 @@ std::string reasonOf(const std::exception& error, const std::string& path) {
     return text.empty() ? "the file is damaged" : std::string(text);
 }
 
-// Calls decode, and makes an Error of whatever it throws.
+// Calls decode() and converts any exception to an Error that names the path.
 template <typename F>
 auto decoded(const std::string& path, const F& decode) {
     try {
@@ -120,7 +120,7 @@ Image readImage(const std::string& path, Encoding* encoding) {
 Image readLinearRgb(const std::string& path) { return linearRgbOf(readImageFile(path)); }
 
 Image linearRgbOf(const ImageFile& file) {
-    // A render's file may list its layers in any order; the beauty is what has no layer name.
+    // A render's file may list its layers in any order; the beauty is the layer without a name.
     Image rgb = beautyOf(file.image).toRgb();
     if (file.isSrgbEncoded())
         for (float& v : rgb.data()) v = decodedValue(file, v);

@@ -11,13 +11,13 @@
 
 namespace drc {
 
-// Throws Error, naming the path, if a file is missing, damaged, or of another format. Of several mip levels, the first
-// is read; of an EXR all parts (exr_reader.h), and if it is larger or smaller than its display window, the pixels that
-// are stored.
+// Throws Error, naming the path, if a file is missing, damaged, or of another format. Reads the first of several mip
+// levels, and all parts of an EXR (exr_reader.h). If an EXR's data window differs from its display window, the image
+// contains the stored pixels.
 ImageFile readImageFile(const std::string& path);
 // Like readImageFile(), but for a file in memory.
 ImageFile decodeImage(const EncodedImage& encoded);
-// The values as stored. `encoding`, if not null, receives how.
+// The values as stored. `encoding`, if not null, receives their encoding.
 Image readImage(const std::string& path, Encoding* encoding = nullptr);
 // Three channels, linear: integers are decoded from sRGB, or by the gamma that a PNG gives. For an EXR with layers, the
 // beauty.
@@ -34,7 +34,8 @@ ExrMetadata readExrMetadata(const std::string& path);
 // The string attributes of an EXR, the notes of a PNG, nothing of other formats. Throws Error if the file is damaged.
 ExrMetadata readMetadata(const std::string& path);
 
-// Writes linear RGB (the first three channels, or grey) as an 8-bit sRGB PNG, clipped at 1; whole or not at all.
+// Writes linear RGB (the first three channels, or grey) as an 8-bit sRGB PNG, clipped at 1. The file is written
+// completely or not at all.
 void writePng(const std::string& path, const Image& linear);
 
 }  // namespace drc

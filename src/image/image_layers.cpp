@@ -38,7 +38,7 @@ std::vector<int> channelsOfLayer(const Image& image, const std::string& layer) {
         fmt::format("it has no layer or channel \"{}\"; its layers are: {}{}", name, list, suggestion(name, names)));
 }
 
-// Three channels, or one.
+// Indices of three channels, or of one.
 std::vector<int> colourChannels(const Image& image, const std::string& layer) {
     std::vector<int> all = channelsOfLayer(image, layer), rgb;
     for (const char* colour : {"R", "G", "B"})

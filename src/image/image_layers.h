@@ -19,27 +19,28 @@ inline constexpr const char* kErrorLayer = "Estimated Error";
 std::string layerOfChannel(const std::string& channel);
 std::string suffixOfChannel(const std::string& channel);
 
-// In the order of their first channels.
+// The names of all layers, in the order of their first channels.
 std::vector<std::string> layerNames(const Image& image);
 // For messages: "the beauty, direct, indirect".
 std::string layerList(const Image& image);
 // Like layerList(), with the channels of each layer: "the beauty (R, G, B), depth (Z)".
 std::string layerAndChannelList(const Image& image);
 
-// The channels of a layer, without its name; nothing if there are none.
+// The channels of a layer, named without the layer's name; empty if there are none.
 std::optional<Image> layerOf(const Image& image, const std::string& layer);
-// The channels R, G and B, or else Y, that have no layer's name, and A; the whole image if it has neither.
+// The channels "R", "G" and "B" or else "Y", and "A" if there is one; the whole image if it has neither colours nor
+// "Y".
 Image beautyOf(const Image& image);
-// Three channels of the layer or channel of that name, linear as the picture is: the layer's R, G and B; without them
-// its first three, or its first one thrice; a single channel, "Z" or "depth.Z", thrice. If there is no such layer or
-// channel, or the beauty has neither R, G and B nor a Y, throws Error that lists the existing names and suggests the
-// nearest.
+// The layer or channel of this name as an image R, G, B with unchanged values: the layer's R, G and B; without them its
+// first three channels, or its first one thrice; a single channel ("Z" or "depth.Z") thrice. Throws Error, which lists
+// the existing names and suggests the nearest, if there is no such layer or channel, or if the beauty has neither R, G
+// and B nor a Y.
 Image rgbOfLayer(const Image& image, const std::string& layer);
-// Sets the channels that rgbOfLayer() gives for a layer, which must be three. Throws Error if they are not.
+// Sets the three channels that rgbOfLayer() reads for a layer. Throws Error if it reads a single one.
 void setRgbOfLayer(Image& image, const std::string& layer, const Image& rgb);
-// The channels of a layer or the channel of that name, under their whole names. Throws Error as rgbOfLayer() does.
+// The channels of a layer, or the channel of this name, under their full names. Throws Error as rgbOfLayer() does.
 Image partOfLayer(const Image& image, const std::string& layer);
-// The picture without some of its layers, all of which it need not have. Throws Error if nothing is left.
+// The picture without the given layers; those that it does not have are ignored. Throws Error if nothing is left.
 Image withoutLayers(const Image& image, const std::vector<std::string>& layers);
 
 }  // namespace drc

@@ -13,8 +13,8 @@
 #include <jerror.h>
 // clang-format on
 
-// libjpeg ends an error by leaving through error_exit, which must not return: it jumps. Each of the functions below
-// that call setjmp calls nothing but libjpeg after it, and has nothing that needs a destructor.
+// On an error libjpeg calls error_exit, which must not return: here it calls longjmp. Therefore, after setjmp, each
+// function below calls nothing but libjpeg and has no objects with destructors.
 
 namespace drc {
 namespace {
@@ -85,9 +85,10 @@ class JpegReader {
             jpeg->err->format_message(jpeg, reader.message_);
         std::longjmp(reader.jump_, 1);
     }
-    // libjpeg warns of damage and fills in what it can. What is missing at the end is damage, but for the mark of the
-    // end alone: some cameras leave it out. Where each scan refines the one before it, or where codes may be left out
-    // at the end, the mark is what tells that nothing else is missing.
+    // libjpeg only warns of damage and fills in missing data; here damage is an error. A missing end marker alone is
+    // not: some cameras leave it out. It is an error in progressive files, where each scan refines the one before it,
+    // and in arithmetic-coded files, where codes may be left out at the end: there only the marker shows that nothing
+    // else is missing.
     static void noteWarning(j_common_ptr jpeg, int level) {
         if (level >= 0) return;  // no warning
         const auto& info = reinterpret_cast<jpeg_decompress_struct&>(*jpeg);
@@ -105,7 +106,7 @@ class JpegReader {
                 return;
         }
     }
-    // Each scan of a few bytes goes through the whole picture.
+    // Limits the number of scans, because libjpeg processes the whole picture for each scan, even one of a few bytes.
     static void checkScans(j_common_ptr jpeg) {
         const auto& info = reinterpret_cast<jpeg_decompress_struct&>(*jpeg);
         if (info.input_scan_number <= limits::kJpegScans) return;
@@ -120,11 +121,11 @@ class JpegReader {
     jpeg_error_mgr errors_ = {};
     jpeg_progress_mgr progress_ = {};
     std::jmp_buf jump_ = {};
-    bool isCutShort_ = false;  // what was missing at its end has been asked for
+    bool isCutShort_ = false;  // libjpeg has read past the end of the data
     char message_[JMSG_LENGTH_MAX] = {};
 };
 
-// Size of the 16-bit coefficients that libjpeg keeps for the whole picture when it comes in several scans.
+// Size of the 16-bit coefficients, which libjpeg keeps for the whole picture if it is stored in several scans.
 double coefficientBytes(const jpeg_decompress_struct& info) {
     double bytes = 0;
     for (int i = 0; i < info.num_components; ++i)

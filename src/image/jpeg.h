@@ -5,9 +5,9 @@
 
 namespace drc {
 
-// Channels "Y" or "R", "G", "B". CMYK and YCCK, inverted as Adobe's programs write them, become colours: each channel
-// is what its ink and black transmit. The orientation tag of a camera is not applied. Throws Error, even where libjpeg
-// would fill missing data with grey.
+// Channels "Y" or "R", "G", "B". CMYK and YCCK (inverted, as Adobe's programs write them) become RGB: each channel is
+// the light that its ink and black transmit. The orientation tag of a camera is not applied. Throws Error, even where
+// libjpeg would fill missing data with grey.
 ImageFile decodeJpeg(const EncodedImage& encoded);
 
 }  // namespace drc

@@ -13,8 +13,8 @@
 // libjpeg's headers need <cstdio> before them.
 #include <jpeglib.h>
 
-// libjpeg ends an error by leaving through error_exit, which must not return: it jumps. Each of the functions below
-// that call setjmp calls nothing but libjpeg after it, and has nothing that needs a destructor.
+// On an error libjpeg calls error_exit, which must not return: here it calls longjmp. Therefore, after setjmp, each
+// function below calls nothing but libjpeg and has no objects with destructors.
 
 namespace drc {
 namespace {

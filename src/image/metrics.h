@@ -11,9 +11,10 @@ struct Metrics {
     double ssim = 0;                           // ssim.h; NaN if a side is below 11 pixels
     double flip = 0;                           // flip.h, mean
     double relmse = 0, mse = 0, l1 = 0;        // relmse.h
-    double blockRelmse = 0;                    // relMSE of the means of 8x8 pixels: errors that neighbours share
+    double blockRelmse = 0;                    // relMSE of means of 8x8 pixels: errors correlated between neighbours
     std::array<double, 3> meanRatio{1, 1, 1};  // mean(test) / mean(reference) of R, G and B
-    // The size of the 8-bit sRGB PNGs of reference and test, in units of 1000 bytes: noise does not compress.
+    // The size of the 8-bit sRGB PNGs of reference and test, in units of 1000 bytes: a measure of noise, which does not
+    // compress.
     std::array<double, 2> pngKb{};
     // The number of pixels with NaN or infinity; see RadianceErrors. SSIM, FLIP and the PNG take NaN as black and
     // +infinity as white.

@@ -8,22 +8,23 @@
 
 namespace drc {
 
-// The largest share of a metric of displayed colours that the noise of the references' mean may have.
+// SSIM or FLIP counts as noisy if the noise of the references' mean exceeds this share of 1 - SSIM or of FLIP.
 inline constexpr double kMostDisplayedNoise = 0.25;
 
 struct PairMetrics {
     CrossErrors errors;
     double ssim = 0, flip = 0;  // ssim.h and flip.h, against the mean of both references
-    // Whether the noise of this mean is more than a quarter of the metric (ReferencePair::ssimNoise, flipNoise).
+    // Whether the noise of this mean (ReferencePair::ssimNoise, flipNoise) exceeds kMostDisplayedNoise of the metric.
     bool ssimIsNoisy = false, flipIsNoisy = false;
     std::array<double, 2> pngKb{};  // as in metrics.h; the first is of the references' mean
 };
 
-// Two references, with what all comparisons with them share.
+// Two references, with the data that all comparisons with them share.
 class ReferencePair {
   public:
-    // Linear RGB, of different seeds; names for messages. exposure: as in metrics.h. Throws Error if the sizes differ,
-    // and if both are the same picture, whose noise would count as the test image's error.
+    // first, second: linear RGB, rendered with different seeds. The names are for messages. exposure: as in metrics.h.
+    // Throws Error if the sizes differ, or if both are the same picture, whose noise would count as the test image's
+    // error.
     ReferencePair(Image first, Image second, float exposure = 0, const std::string& firstName = "the first reference",
                   const std::string& secondName = "the second reference");
 
@@ -32,9 +33,9 @@ class ReferencePair {
     const Image& mean() const { return mean_; }
     const Image& norm() const { return norm_; }  // relative_norm.h
 
-    // Approximately how far a perfect picture is from SSIM 1 and FLIP 0, because of the noise of the mean. The
-    // difference of the references has four times the variance of their mean; SSIM's loss is proportional to the
-    // variance, FLIP to the standard deviation.
+    // Approximately the 1 - SSIM and the FLIP of a perfect picture against the mean, which are due to the noise of the
+    // mean. The difference of the references has four times the variance of their mean; SSIM's loss is proportional to
+    // the variance, FLIP to the standard deviation.
     double ssimNoise() const { return ssimNoise_; }
     double flipNoise() const { return flipNoise_; }
 
@@ -43,7 +44,7 @@ class ReferencePair {
 
   private:
     Image first_, second_, mean_, norm_;
-    Image shown_;  // the mean, as it is displayed
+    Image shown_;  // the mean with the exposure applied
     float exposure_ = 0;
     std::string firstName_, secondName_;
     double ssimNoise_ = 0, flipNoise_ = 0, pngKb_ = 0;

@@ -1,5 +1,5 @@
-// Portable float map: "PF" (RGB) or "Pf" (grey), width, height, a scale whose sign tells the byte order, then 32-bit
-// floats from the bottom row up.
+// Portable float map: "PF" (RGB) or "Pf" (grey), width, height, a scale whose sign gives the byte order (negative:
+// little endian), then 32-bit floats, the bottom row first.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 namespace drc {
 
 bool isPfm(std::string_view bytes);
-// The byte order to read: some writers name the wrong one.
+// The byte order to assume. Other: the opposite of the named one, because some writers name the wrong one.
 enum class PfmOrder { AsNamed, Other };
 
 // Values times |scale|, first row on top. `path` is for messages. Throws Error on a damaged file.

@@ -1,4 +1,4 @@
-// A picture's file with all that is in it, as the subcommands of `drc image` read it.
+// The full contents of a picture's file, as the subcommands of `drc image` read it.
 #pragma once
 #include <string>
 
@@ -9,7 +9,7 @@ namespace drc {
 
 struct PictureFile {
     std::string path;
-    // All channels, linear: integers are decoded from sRGB, and their alpha is multiplied in, as EXR files have it.
+    // All channels, linear: integers are decoded from sRGB and premultiplied by alpha, as EXR files are.
     Image image;
     Encoding encoding = Encoding::Float;  // of the file
     ExrMetadata metadata{};               // the string attributes of an EXR, the notes of a PNG
@@ -22,11 +22,11 @@ struct PictureFile {
 // Throws Error as readImageFile does.
 PictureFile readPictureFile(const std::string& path);
 
-// The layer that a name stands for: of several parts, the name of the one that is the beauty is "" as well, and the
-// names of its channels may have it before theirs.
+// Resolves a name given by the user to a layer or channel of the image. In a file of several parts, the name of the
+// beauty part stands for the layer "", and may precede the names of its layers and channels.
 std::string layerNamed(const PictureFile& picture, const std::string& name);
 
-// The number of pixels of which a channel is NaN or infinite; these channels are set to zero.
+// Sets NaN and infinite values to zero. Returns the number of pixels that had any.
 int64_t clearNonFinite(Image& image);
 
 }  // namespace drc

@@ -13,9 +13,8 @@
 #include "base/error.h"
 #include "image/color.h"
 
-// libpng reports an error by longjmp. Each of the functions below that call setjmp calls nothing but libpng after it,
-// and has nothing that needs a destructor: what the reader and the writer own lives in their objects, which no jump
-// passes.
+// libpng reports an error by longjmp. Therefore, after setjmp, each function below calls nothing but libpng and has no
+// objects with destructors: the reader and the writer own all resources, and no jump skips their destructors.
 
 namespace drc {
 namespace {
@@ -65,7 +64,7 @@ class PngReader {
         if (setjmp(png_jmpbuf(png_))) return false;
         png_set_read_fn(png_, this, &PngReader::readBytes);
         png_set_user_limits(png_, limits::kImageSide, limits::kImageSide);
-        // All that does not change the pixels, text and colour profiles above all, is passed over.
+        // Skips chunks that do not change the pixels, such as text and colour profiles.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_read_info(png_, info_);
         png_set_expand(png_);
@@ -163,7 +162,7 @@ class PngWriter {
         png_write_end(png_, info_);
         return true;
     }
-    // No exception may pass libpng either.
+    // Exceptions must not propagate through libpng, which is C.
     static void writeBytes(png_structp png, png_bytep from, size_t count) {
         bool isWritten = true;
         try {
@@ -216,11 +215,11 @@ uint32_t bigEndian32(std::string_view bytes) {
     return value;
 }
 
-// Calls f(name, data) for each chunk that is whole. The layout of a file and of its chunks: sections 5.2 and 5.3 of the
-// PNG specification, third edition.
+// Calls f(name, data) for each complete chunk. The layout of a file and of its chunks: sections 5.2 and 5.3 of the PNG
+// specification, third edition.
 template <typename F>
 void forEachChunk(std::string_view bytes, const F& f) {
-    constexpr size_t kSignature = 8, kAround = 12;  // length, name and check sum
+    constexpr size_t kSignature = 8, kAround = 12;  // length, name and checksum of a chunk
     std::string_view rest = bytes.substr(std::min(kSignature, bytes.size()));
     while (rest.size() >= kAround && bigEndian32(rest) <= rest.size() - kAround) {
         const std::string_view name = rest.substr(4, 4), data = rest.substr(8, bigEndian32(rest));
@@ -229,8 +228,9 @@ void forEachChunk(std::string_view bytes, const F& f) {
     }
 }
 
-// 0 where integers are sRGB-encoded: the file says so, says nothing, has a colour profile, which is not read, or has
-// the gamma that programs write for sRGB. Sections 11.3.2 and 4.2 of the specification.
+// The file's gamma; 0 if its integers count as sRGB-encoded: the file declares sRGB, gives no gamma, has a colour
+// profile (which is not read), or has the gamma that programs write for sRGB. Sections 11.3.2 and 4.2 of the
+// specification.
 float gammaOf(std::string_view bytes) {
     float gamma = 0;
     bool isSrgb = false, isBeforePixels = true;
@@ -250,7 +250,7 @@ float gammaOf(std::string_view bytes) {
 ImageFile decodePng(const EncodedImage& encoded) {
     PngReader reader(encoded);
     reader.readHeader();
-    // The passes of an interlaced picture each fill in some of its pixels: all rows are kept until the last.
+    // Each pass of an interlaced picture fills in some of its pixels, so all rows are kept until the last pass.
     const bool isInterlaced = reader.passes() > 1;
     const double bytes = isInterlaced ? double(reader.rowBytes()) * double(reader.height()) : 0;
     const MemoryClaim memory = claimMemory(encoded, reader.width(), reader.height(), reader.channels(), bytes);
@@ -284,7 +284,7 @@ PngTexts decodePngTexts(const EncodedImage& encoded) {
             text = data.substr(end + 1);
             for (char& c : text) c = uint8_t(c) < 128 ? c : '?';
         } else if (name == "iTXt" && data.size() > end + 3 && data[end + 1] == 0) {
-            // After two flags stand the language and the translated keyword.
+            // Two flags, the language and the translated keyword precede the text.
             const size_t language = data.find('\0', end + 3);
             const size_t keyword = language == std::string_view::npos ? language : data.find('\0', language + 1);
             if (keyword == std::string_view::npos) return;

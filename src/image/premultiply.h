@@ -1,13 +1,13 @@
-// Colours and alpha: the share of a pixel that is covered, in a channel of its own, "A".
+// Conversion of colours that are premultiplied by alpha. Alpha, the covered share of a pixel, is the channel "A".
 #pragma once
 #include "image/image.h"
 
 namespace drc {
 
-// The colours of what covers the pixels, from colours that are multiplied by alpha (its first channel); black where
-// nothing does. The images have one size.
+// Divides premultiplied colours by alpha (the first channel of `alpha`); black where alpha is zero. Both images must
+// have the same size.
 Image unpremultiplied(const Image& colours, const Image& alpha);
-// The colours with a further channel "A".
+// The colours with the first channel of `alpha` as a further channel "A".
 Image withAlpha(const Image& colours, const Image& alpha);
 
 }  // namespace drc

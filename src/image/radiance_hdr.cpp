@@ -31,7 +31,7 @@ std::string_view nextWord(std::string_view& text) {
     return word;
 }
 
-// "+X 640". 'X' or 'Y' and the sign; false if it is none.
+// Reads an axis such as "+X 640": the sign, the axis 'X' or 'Y', and the size. False if the text is no axis.
 bool readAxis(std::string_view& text, char& axis, bool& isPositive, int& size) {
     const std::string_view name = nextWord(text), number = nextWord(text);
     if (name.size() != 2 || (name[0] != '+' && name[0] != '-') || (name[1] != 'X' && name[1] != 'Y')) return false;
@@ -80,7 +80,7 @@ class RowReader {
     RowReader(const EncodedImage& encoded, ByteReader& in) : encoded_(encoded), in_(in) {}
 
     void read(std::span<Rgbe> row) {
-        constexpr size_t kShortest = 8, kLongest = 0x7fff;  // of a row that the new encoding may have
+        constexpr size_t kShortest = 8, kLongest = 0x7fff;  // row lengths that the new encoding may have
         const auto head = in_.peek(4);
         const bool isNew = head.size() == 4 && row.size() >= kShortest && row.size() <= kLongest && head[0] == 2 &&
                            head[1] == 2 && head[2] < 128;
@@ -103,8 +103,8 @@ class RowReader {
         }
     }
 
-    // A pixel of mantissas 1, 1, 1 is the one before it, exponent times. Right after another such it counts 256 times
-    // as much, and so on.
+    // A pixel with the mantissas 1, 1, 1 repeats the pixel before it; its exponent is the number of repetitions. In a
+    // sequence of such pixels, each number counts 256 times as much as the one before.
     void readOld(std::span<Rgbe> row) {
         int shift = 0;
         for (size_t x = 0; x < row.size();) {

@@ -20,7 +20,7 @@ Rgbe rgbeOf(const Rgb& colour) {
     std::array<float, 3> c{};
     for (int i = 0; i < 3; ++i) c[size_t(i)] = colour[i] > 0 ? std::min(colour[i], kMost) : 0.f;
     const float largest = *std::max_element(c.begin(), c.end());
-    constexpr float kLeast = 1e-38f;  // the smallest exponent gives less than that
+    constexpr float kLeast = 1e-38f;  // above 2^-128, below which the exponent underflows
     if (largest < kLeast) return {};
     int exponent = 0;
     (void)std::frexp(largest, &exponent);
@@ -32,7 +32,7 @@ Rgbe rgbeOf(const Rgb& colour) {
     return pixel;
 }
 
-// Runs of equal bytes, and stretches of different ones: a count above 128 tells of a run.
+// Appends runs of equal bytes and stretches of different bytes; a count above 128 denotes a run.
 void appendChannel(std::string& bytes, const std::vector<Rgbe>& row, size_t channel) {
     constexpr size_t kShortestRun = 4, kLongestRun = 127, kLongestStretch = 128;
     const auto runAt = [&](size_t x) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kMostOverDarker = 2;
 
-// The Gaussian, parted into what is beside the hole and what is in its columns or rows.
+// The Gaussian kernel `all` along one axis, split into the weights beside the hole and those within it.
 struct RingKernel {
     Kernel all, beside, within;
     explicit RingKernel(const RingWindow& ring)
@@ -38,7 +38,7 @@ Image relativeNorm(const Image& first, const Image& second, const RingWindow& ri
     requireSameSize(first, second);
     const int margin = ring.radius;
     const int width = first.width(), height = first.height();
-    // With a margin of zeros: convolve repeats the edge's pixels, which would bring p's own value back into S(p).
+    // Padded with zeros, because convolve() repeats the pixels at the edge, which would bring p's own value into S(p).
     const Plane empty(width + 2 * margin, height + 2 * margin);
     Plane known = empty, values[3] = {empty, empty, empty};
     for (int y = 0; y < height; ++y)

@@ -1,4 +1,4 @@
-// The norm that the error of each pixel is relative to, from two references with independent noise.
+// The radiance that the error of each pixel is divided by, estimated from two references with independent noise.
 #pragma once
 #include "image/image.h"
 

@@ -7,7 +7,7 @@
 
 namespace drc {
 
-// The share of the worst pixels that relMSE leaves out, because a few fireflies would dominate it.
+// relMSE leaves out this share of the pixels, those with the largest errors, because a few fireflies would dominate it.
 inline constexpr double kRelMseDropped = 0.001;
 
 struct RadianceErrors {

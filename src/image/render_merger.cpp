@@ -23,7 +23,7 @@ std::string valueOf(const ExrMetadata& metadata, const std::string& key) {
     return found == metadata.end() ? "" : found->second;
 }
 
-// A merged file has several, as "0,3".
+// The seeds of a render. A merged file lists several, as "0,3".
 std::vector<std::string> seedsOf(const PictureFile& render) {
     std::vector<std::string> seeds;
     const std::string text = valueOf(render.metadata, "drc:seed");
@@ -35,7 +35,7 @@ std::vector<std::string> seedsOf(const PictureFile& render) {
     return seeds;
 }
 
-// 0: not told.
+// Samples per pixel from the metadata; 0 if they are missing or invalid.
 int64_t sppOf(const PictureFile& render) {
     const std::string text = valueOf(render.metadata, "drc:spp");
     char* end = nullptr;
@@ -43,7 +43,7 @@ int64_t sppOf(const PictureFile& render) {
     return !text.empty() && *end == '\0' && spp > 0 && spp <= int64_t(1) << 40 ? spp : 0;
 }
 
-// Means of pixels that were filtered together are no longer independent, nor is their variance known.
+// Denoised pixels are not independent, and their variance is unknown.
 bool isDenoised(const PictureFile& render) {
     const std::string denoiser = valueOf(render.metadata, "drc:denoiser");
     return denoiser.starts_with("oidn") || denoiser == "surface";
@@ -122,7 +122,7 @@ void RenderMerger::add(const PictureFile& render) {
         first_ = {render.path,     Image(image.width(), image.height(), image.channelNames()),
                   render.encoding, render.metadata,
                   render.window,   render.storage};
-        first_.storage.halfChannels.clear();  // a merged render has more digits
+        first_.storage.halfChannels.clear();  // a merged render needs more digits than a half has
         count_ = image.channelIndex(std::string(kSampleCountLayer) + ".X");
         for (const char* colour : kColours) beauty_.push_back(image.channelIndex(colour));
         if (*std::min_element(beauty_.begin(), beauty_.end()) < 0)
@@ -147,7 +147,7 @@ void RenderMerger::add(const PictureFile& render) {
             fmt::format("{} is denoised: merge pictures of --denoise off, then use drc image denoise", render.path));
     spp_ += sppOf(render);
     allTellSpp_ &= sppOf(render) > 0;
-    // In the first file's order, by which the members' channels count.
+    // For each channel in the first file's order, which the members use, its index in this file.
     std::vector<int> order;
     for (const std::string& name : first_.image.channelNames()) order.push_back(image.channelIndex(name));
     std::vector<float> values(order.size());
@@ -213,7 +213,8 @@ PictureFile RenderMerger::merged() const {
     if (allTellSpp_) result.metadata["drc:spp"] = std::to_string(spp_);
     result.metadata.erase("drc:interrupted");
     result.metadata.erase("drc:passes");
-    // Error that the renders share does not average out, and its size is unknown, so the mean has no error estimate.
+    // Errors that all renders have in common do not average out, and their size is unknown, so there is no error
+    // estimate.
     result.metadata.erase("drc:error");
     result.image = withoutLayers(result.image, {kErrorLayer});
     return result;

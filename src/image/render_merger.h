@@ -11,14 +11,15 @@ namespace drc {
 
 // Each pixel is the mean of the renders' pixels, weighted by their sample counts n: those of the layer "Debug Sample
 // Count" or, in files without it, the metadata drc:spp. The counts are added. The variance of a mean of independent
-// means m_i is sum n_i^2 var(m_i) / (sum n_i)^2; a render of less than two samples in a pixel does not know its
-// variance there, and is taken to have that of the others for each sample. Where none of the renders knows, their
-// differences tell: sum n_i (m_i - m)^2 / (k - 1) estimates the variance of a sample. Renders whose pixel is NaN or
-// infinite are left out of it.
+// means m_i is sum n_i^2 var(m_i) / (sum n_i)^2; a render with fewer than two samples in a pixel has no variance there,
+// and its samples are assumed to have the same variance as those of the others. If no render has a variance, that of a
+// single sample is estimated from the differences of the k renders: sum n_i (m_i - m)^2 / (k - 1). Renders whose pixel
+// is NaN or infinite are left out of this pixel.
 class RenderMerger {
   public:
-    // Reads nothing of the file after the call. Throws Error, naming the file, if it does not fit the others in size,
-    // place or channels, if it shares a seed with one of them, or if it does not tell its sample counts.
+    // Keeps no reference to `render`. Throws Error, naming the file, if it differs from the others in size, place or
+    // channels, if it shares a seed with one of them, if it is the same picture as one of them, or if it contains no
+    // sample counts.
     void add(const PictureFile& render);
 
     // The merged picture, with the first file's path, window and metadata; drc:seed lists all seeds, drc:spp is the
@@ -40,14 +41,14 @@ class RenderMerger {
     int64_t spp_ = 0;
     bool allTellSpp_ = true;
 
-    int count_ = -1;             // the channel of sample counts; -1: none
+    int count_ = -1;             // channel of the sample counts; -1: none
     std::vector<int> beauty_;    // R, G, B
-    std::vector<int> variance_;  // R, G, B of that layer; empty: none
+    std::vector<int> variance_;  // channels R, G, B of the variance layer; empty: none
     // For each pixel.
     std::vector<double> samples_;       // sum n
     std::vector<double> sums_;          // of each channel, sum n x
     std::vector<double> plainSums_;     // of each channel, sum x: for pixels without samples
-    std::vector<double> knownSamples_;  // sum n of the renders that know their variance
+    std::vector<double> knownSamples_;  // sum n of the renders with a known variance
     std::vector<double> varianceSums_;  // of R, G, B, sum n^2 var
     std::vector<double> squares_;       // of R, G, B, sum n x^2
     std::vector<int> renders_;          // k

@@ -13,13 +13,15 @@
 namespace drc {
 namespace {
 
-// The pixels from `first` on that a new pixel is made of, and their weights, which sum to 1.
+// The old pixels that contribute to a new pixel along one axis: weights[k] is the weight of pixel first + k. The
+// weights sum to 1.
 struct Footprint {
     int first = 0;
     std::vector<float> weights;
 };
 
-// Beyond an edge there is nothing: the weights within are scaled up.
+// The footprints of `to` new pixels over `from` old ones. Where the tent reaches beyond an edge, the weights of the
+// pixels inside are scaled up.
 std::vector<Footprint> footprints(int from, int to) {
     std::vector<Footprint> result;
     result.reserve(size_t(to));

@@ -34,7 +34,7 @@ TgaHeader readHeader(ByteReader& in) {
     h.paletteFirst = in.littleEndian16();
     h.paletteSize = in.littleEndian16();
     h.paletteBits = in.byte();
-    in.take(4);  // where on the screen it was
+    in.take(4);  // position on the screen
     h.width = in.littleEndian16();
     h.height = in.littleEndian16();
     h.bits = in.byte();
@@ -73,7 +73,7 @@ Colour colourOf(const uint8_t* p, int bits) {
     return {fromFiveBits(v >> 10 & 31), fromFiveBits(v >> 5 & 31), fromFiveBits(v & 31), 255};
 }
 
-// The pixels in the file's order, one after the other: runs may go on beyond the end of a row.
+// Reads the pixels in the file's order, not by rows, because a run may continue beyond the end of a row.
 class Pixels {
   public:
     Pixels(ByteReader& in, const TgaHeader& header)

@@ -13,8 +13,8 @@ bool hasTgaHeader(std::string_view bytes);
 // Whether it is a TGA of version 2.
 bool hasTgaFooter(std::string_view bytes);
 
-// Channels "R", "G", "B", and "A" with 32 bits; or "Y", and "A" with 16 bits and bits of alpha. The first row is at the
-// top. The single alpha bit of 16-bit colours and the alpha of palettes are dropped. Throws Error.
+// Channels "R", "G", "B", and "A" if colours have 32 bits; or "Y", and "A" if grey has 16 bits that include alpha. The
+// first row is at the top. The single alpha bit of 16-bit colours and the alpha of palettes are dropped. Throws Error.
 ImageFile decodeTga(const EncodedImage& encoded);
 
 }  // namespace drc

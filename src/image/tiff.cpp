@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// The file in memory, as libtiff reads it, and the last error that it has told.
+// The file in memory, for libtiff's callbacks, and the first error that libtiff has reported.
 struct TiffSource {
     explicit TiffSource(const EncodedImage& of) : encoded(of) {}
 
@@ -50,7 +50,7 @@ struct TiffSource {
         return 1;
     }
     static void unmap(thandle_t, void*, toff_t) {}
-    // The first one is the cause of the others.
+    // Keeps the first error, because it causes the others.
     static int keepError(TIFF*, void* user, const char*, const char* format, va_list arguments) {
         TiffSource& source = *static_cast<TiffSource*>(user);
         char text[200];
@@ -61,17 +61,17 @@ struct TiffSource {
     static int ignoreWarning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
 };
 
-// Tells where a picture's rows and columns lie.
+// Size, sample format and orientation of a picture.
 struct TiffLayout {
     uint32_t width = 0, height = 0;
     uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, planar = PLANARCONFIG_CONTIG, photometric = 0,
              orientation = ORIENTATION_TOPLEFT, compression = COMPRESSION_NONE;
-    int alpha = -1;  // the sample
+    int alpha = -1;  // index of the alpha sample; -1: none
     bool isAssociated = false;
 
     bool isGrey() const { return photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE; }
     bool isFloat() const { return format == SAMPLEFORMAT_IEEEFP; }
-    // Whether its samples are values that need no conversion of colours.
+    // Whether the samples can be read directly, without libtiff's conversion of colours.
     bool isPlain() const {
         const bool bitsFit = isFloat() ? bits == 16 || bits == 32 || bits == 64
                                        : format == SAMPLEFORMAT_UINT && (bits == 8 || bits == 16);
@@ -159,7 +159,7 @@ class TiffReader {
             }
     }
 
-    // The pixel of the picture for one of the file's rows and columns.
+    // The pixel of the image for a row and column of the file, according to the orientation.
     float* pixelAt(Image& image, uint32_t column, uint32_t row) const {
         const TiffLayout& l = layout_;
         const bool fromRight = l.orientation == ORIENTATION_TOPRIGHT || l.orientation == ORIENTATION_BOTRIGHT ||
@@ -188,7 +188,8 @@ class TiffReader {
         return value;
     }
 
-    // `count` pixels from (column, row) on. Of planes apart, only one sample.
+    // Stores `count` pixels of the file's row, starting at (column, row). If planes are separate, only the sample
+    // `plane`.
     void store(Image& image, const uint8_t* bytes, uint32_t column, uint32_t row, uint32_t count, int plane) const {
         const TiffLayout& l = layout_;
         const bool isApart = l.planar == PLANARCONFIG_SEPARATE;
@@ -205,7 +206,7 @@ class TiffReader {
     }
 
     size_t samplesPerValue() const { return layout_.planar == PLANARCONFIG_SEPARATE ? 1 : layout_.samples; }
-    // The planes that have something to read: of all samples together, one.
+    // The planes to read; only plane 0 if the samples are interleaved.
     std::vector<int> planes() const {
         std::vector<int> planes{0};
         if (layout_.planar != PLANARCONFIG_SEPARATE) return planes;
@@ -249,7 +250,7 @@ class TiffReader {
                 }
     }
 
-    // libtiff's own rendering, whose alpha is multiplied in.
+    // Reads the picture as libtiff converts it to 8-bit RGBA, premultiplied by alpha.
     void readAsShown(Image& image) {
         char reason[1024] = {};
         if (!TIFFRGBAImageOK(tiff_.get(), reason)) failDecoding(encoded_, reason);

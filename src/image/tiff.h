@@ -9,11 +9,12 @@ namespace drc {
 
 bool isTiff(std::string_view bytes);
 
-// The first picture of the file, the largest of a mip-mapped one, turned as its orientation says. Channels "Y" or "R",
-// "G", "B", and "A" where it has one; further channels are dropped. 8 and 16 bits are integers, sRGB-encoded, with
-// colours that are not multiplied by alpha; 16-, 32- and 64-bit floats are linear, with colours that are. Strips or
-// tiles, planes together or apart, any compression that the library has. What has other bits or colours (palettes, 1
-// and 4 bits, CMYK, YCbCr, Lab) is read as libtiff shows it, with 8 bits. Throws Error.
+// Reads the first picture of the file, the largest of a mip-mapped one, rotated and mirrored as its orientation says.
+// Channels "Y" or "R", "G", "B", and "A" if it has alpha; further channels are dropped. The result has sRGB-encoded
+// values that are not premultiplied by alpha for 8- and 16-bit integers, and linear values that are premultiplied for
+// 16-, 32- and 64-bit floats. Strips or tiles, interleaved or separate planes, any compression that libtiff supports.
+// Files with other bits or colours (palettes, 1 and 4 bits, CMYK, YCbCr, Lab) are converted to 8-bit RGBA by libtiff.
+// Throws Error.
 ImageFile decodeTiff(const EncodedImage& encoded);
 
 }  // namespace drc

@@ -9,7 +9,8 @@
 namespace drc {
 namespace {
 
-// Infinity would give NaN in quotients and differences; this is far beyond white in all views.
+// Replaces larger radiance, because infinity would give NaN in quotients and differences. Far beyond white in all
+// views.
 constexpr float kFarBeyondWhite = 1e6f;
 
 float finiteRadiance(float x) { return x > 0 ? std::min(x, kFarBeyondWhite) : 0.f; }
@@ -31,8 +32,8 @@ Rgb filmic(const Rgb& c) {
 
 // --- AgX -----------------------------------------------------------------------------------------------------------
 
-// The inset pulls every colour by this share towards a weighted mean of its channels, so that no channel of a bright,
-// saturated colour is left behind by the sigmoid. The weights are those of Sobotka's matrix for Rec. 709.
+// The inset moves every colour by this share towards a weighted mean of its channels, so that in bright, saturated
+// colours all channels reach the shoulder of the sigmoid. The weights are those of Sobotka's matrix for Rec. 709.
 constexpr float kInset = 0.2f;
 const Rgb kInsetWeights(0.2120053548f, 0.3921825078f, 0.3958121374f);
 
@@ -53,7 +54,7 @@ float sigmoid(float x) {
                        pivotY = std::pow(kMiddleGrey, 1 / kDisplayExponent);
     const bool isAbove = x > pivotX;
     const float distance = std::abs(x - pivotX);
-    // From the pivot to the end of the curve.
+    // Extent of the curve from the pivot to its end.
     const float run = isAbove ? 1 - pivotX : pivotX, rise = isAbove ? 1 - pivotY : pivotY;
     const float bend = (std::pow(kSlope * run / rise, kPower) - 1) * std::pow(distance / run, kPower);
     const float y = kSlope * distance / std::pow(1 + bend, 1 / kPower);
@@ -68,7 +69,7 @@ float agxCode(float radiance) {
 
 Rgb agx(const Rgb& c) {
     const Rgb mixed = inset(c, kInset);
-    // The inverse of pulling towards the mean, which both keep, is to push away from it.
+    // The inset preserves the weighted mean, so its inverse for the share s is the inset with the share -s / (1 - s).
     const Rgb code = inset(Rgb(agxCode(mixed.x), agxCode(mixed.y), agxCode(mixed.z)), -kInset / (1 - kInset));
     const auto light = [](float v) { return std::pow(std::max(v, 0.f), kDisplayExponent); };
     return Rgb(light(code.x), light(code.y), light(code.z));

@@ -1,7 +1,7 @@
 // View transforms: how linear radiance, which has no upper bound, becomes the light that a display can show.
 //
-// Grey of 0.18, which photographers call middle grey, stays 0.18 in every view, so that another view leaves the
-// exposure as it is. Greys stay grey.
+// Grey of 0.18, which photographers call middle grey, stays 0.18 in every view, so that the exposure does not change
+// with the view. Greys stay grey.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,14 +13,14 @@ namespace drc {
 inline constexpr float kMiddleGrey = 0.18f;
 
 enum class View {
-    // Clips at 1. What is within [0, 1] is shown as it is.
+    // Clips at 1. Values within [0, 1] do not change.
     Srgb,
     // Krzysztof Narkowicz' fit of the ACES reference rendering and output transforms ("ACES Filmic Tone Mapping Curve",
     // 2016), for each channel by itself: a toe, and a shoulder that reaches white 5.8 stops above middle grey.
-    // Bright colours turn towards the primaries and the mixtures of two of them.
+    // Bright colours shift towards the primaries and the mixtures of two primaries.
     Filmic,
-    // After Troy Sobotka's AgX (2022): mixes the channels a little, compresses 16.5 stops by a sigmoid, and takes the
-    // mixing back. Bright colours pale towards white and keep their hue. The sigmoid is the one that Blender's variant
+    // After Troy Sobotka's AgX (2022): mixes the channels a little, compresses 16.5 stops by a sigmoid, and undoes
+    // the mixing. Bright colours pale towards white and keep their hue. The sigmoid is the one that Blender's variant
     // of AgX uses, after Jed Smith.
     Agx
 };

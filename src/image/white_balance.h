@@ -1,4 +1,4 @@
-// White balance: a picture is changed so that what looked white under a light of another colour is white.
+// White balance: changes a picture so that objects that look white under a light of another colour become white.
 #pragma once
 #include <array>
 
@@ -6,7 +6,7 @@
 
 namespace drc {
 
-// A linear map of colours; rows first.
+// A linear map of colours as a 3 x 3 matrix, by rows.
 struct RgbMatrix {
     std::array<Vec3, 3> rows;
 
@@ -18,9 +18,9 @@ struct RgbMatrix {
     Rgb ofVariance(const Rgb& variance) const;
 };
 
-// Maps linear Rec. 709 under a light of the given colour to how it looks under D65: von Kries' scaling of the responses
-// of cones, in Bradford's space (K. Lam's thesis, 1985), as pbrt-v4 balances pictures. The light itself, whatever its
-// brightness, becomes grey of the same luminance. The colour must have a positive X, Y and Z.
+// Maps linear Rec. 709 colours seen under a light of the given colour to those seen under D65: von Kries' scaling of
+// the responses of cones, in Bradford's space (K. Lam's thesis, 1985), as pbrt-v4 balances pictures. The light itself,
+// whatever its brightness, becomes grey of the same luminance. The colour must have a positive X, Y and Z.
 RgbMatrix whiteBalance(const Rgb& light);
 
 // The colour of daylight of a correlated temperature in kelvin, from 4000 to 25000, with a luminance of one: the CIE's

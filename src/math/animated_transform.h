@@ -1,4 +1,4 @@
-// A transform that moves between one at time 0 and another at time 1 (PBR 3e, section 2.9).
+// A transform that is interpolated between one at time 0 and another at time 1 (PBR 3e, section 2.9).
 #pragma once
 #include <memory>
 
@@ -7,8 +7,8 @@
 namespace drc {
 
 // Both ends are decomposed into translation, rotation and stretch (polar decomposition), which are interpolated
-// separately, the rotation along the shorter arc, so that rotating objects do not shrink on the way. Before time 0 and
-// after time 1 the ends hold. If both ends mirror, so does every transform between.
+// separately, so that rotating objects do not shrink on the way; the rotation follows the shorter arc. Times are
+// clamped to [0, 1]. If both ends mirror, so does every transform in between.
 class AnimatedTransform {
   public:
     AnimatedTransform() = default;
@@ -22,16 +22,16 @@ class AnimatedTransform {
     const Transform& start() const { return start_; }
     const Transform& end() const;
     Transform at(float time) const;
-    // At every time t the product of a.at(t) and b.at(t). It is not the interpolation between the products at both
-    // ends.
+    // At every time t, at(t) is the product of a.at(t) and b.at(t), which differs from the interpolation between the
+    // products at both ends.
     friend AnimatedTransform operator*(const AnimatedTransform& a, const AnimatedTransform& b);
     // Interpolates between the inverses of both ends, as pbrt does for a camera. This is not the inverse of at(t)
     // between the ends.
     AnimatedTransform inverse() const { return {start_.inverse(), end().inverse()}; }
 
-    // Number of equally spaced times, both ends included, at which to sample the motion for Embree, which interpolates
-    // translation, rotation and stretch between them: 1 if the transform stands still, 2 if it is itself such an
-    // interpolation, otherwise (a product of motions) kMostSteps. With kMostSteps, half a turn composed with another
+    // Number of equally spaced times, both ends included, at which to sample the motion for Embree: 1 if the transform
+    // stands still; 2 if it is a single interpolation that stretches along the coordinate axes, which Embree can
+    // reproduce; otherwise, as for a product of motions, kMostSteps. With kMostSteps, half a turn composed with another
     // half turn deviates by less than a thousandth of its radius.
     static constexpr unsigned kMostSteps = 65;
     unsigned steps() const;

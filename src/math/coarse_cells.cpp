@@ -5,7 +5,7 @@ namespace {
 
 constexpr int kLargestCell = 32;
 
-// Second moment of the function over its density, up to a constant factor.
+// Second moment of function / pdf for cells of cell x cell texels, up to a constant factor.
 double noise(const TexelIntegrals& f, std::span<const double> texelSizes, int cell) {
     double sum = 0;
     for (int y0 = 0; y0 < f.height; y0 += cell)

@@ -92,7 +92,7 @@ double Distribution2D::append(std::span<const float> f) {
 Distribution2D::Chosen Distribution2D::choose(const Entry* table, int cells, float u) {
     const float x = std::clamp(u, 0.f, kOneMinusEpsilon);
     int i = table[std::min(static_cast<int>(x * static_cast<float>(cells)), cells - 1)].guide;
-    // By rounding, the guide's entry may lie just above x.
+    // Because of rounding, the guide's entry may lie just above x.
     while (i > 0 && table[i].cdf > x) --i;
     while (table[i + 1].cdf <= x) ++i;
     const float m = mass(table, i);

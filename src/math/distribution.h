@@ -67,7 +67,7 @@ class Distribution2D {
     int height() const { return height_; }
     double integral() const { return integral_; }
     Sample2D sample(const Vec2& u) const;
-    // The random number u that sampling maps to this point of this cell.
+    // The u that sample() maps to the position `local` in cell (x, y).
     Vec2 inverse(int x, int y, const Vec2& local) const;
     float pdf(int x, int y) const { return mass(marginal(), y) * mass(row(y), x) * float(width_ * height_); }
 

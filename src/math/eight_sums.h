@@ -1,5 +1,5 @@
-// Prefix sums of eight weights in SIMD registers, to choose one of them in proportion to its weight without a branch
-// per weight, which would be mispredicted.
+// Prefix sums of eight weights in SIMD registers. They serve to choose an index in proportion to its weight without a
+// branch per weight, which would often be mispredicted.
 #pragma once
 #include <immintrin.h>
 
@@ -11,7 +11,7 @@ class EightSums {
   public:
     static constexpr int kCount = 8;
 
-    // weights: eight, none negative. offset: the sum of the weights before them.
+    // weights: eight non-negative numbers. offset: sum of the weights that precede these eight; added to all sums.
     explicit EightSums(const float* weights, float offset = 0) {
         __m256 s = _mm256_loadu_ps(weights);
         nonZero_ = maskOf(_mm256_cmp_ps(s, _mm256_setzero_ps(), _CMP_GT_OQ));
@@ -27,8 +27,7 @@ class EightSums {
     float before(int i) const { return sums_[i]; }
     float total() const { return sums_[kCount]; }
     // Index of the weight whose interval of the prefix sums contains target; 8 if target lies beyond them all. A weight
-    // of zero is never chosen, although the sums are added in different orders and rounding may make one grow where
-    // nothing was added.
+    // of zero is never chosen, even if the sums increase there by rounding, because they are added in different orders.
     int find(float target) const {
         const __m256 below = _mm256_cmp_ps(_mm256_loadu_ps(sums_ + 1), _mm256_set1_ps(target), _CMP_LE_OQ);
         const int count = std::popcount(maskOf(below));

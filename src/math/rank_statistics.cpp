@@ -91,8 +91,8 @@ KruskalWallis kruskalWallis(std::span<const std::vector<double>> samples) {
     const auto n = double(pooled.size());
     const double left = 1 - ties / (n * n * n - n);
     if (left <= 0) return result;
-    // Sum of squared deviations of each sample's mean rank from the overall mean. The usual formula subtracts two large
-    // numbers.
+    // Sum of the squared deviations of the samples' mean ranks from the overall mean, weighted by sample size. The
+    // usual formula subtracts two large numbers.
     double spread = 0;
     for (size_t s = 0; s < samples.size(); ++s) {
         if (samples[s].empty()) continue;

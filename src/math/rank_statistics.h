@@ -18,13 +18,12 @@ Summary summarise(std::span<const double> values);
 inline constexpr double kSmallestP = 1e-300;
 
 struct PairedComparison {
-    double p =
-        1;  // two-sided p-value: chance of a difference at least this clear between equal methods; 0: below kSmallestP
+    double p = 1;       // two-sided p-value: chance of at least this difference for equal methods; 0: below kSmallestP
     double better = 0;  // share of the pairs in which `a` is smaller
 };
 
 // Wilcoxon's signed-rank test for paired samples (Wilcoxon, "Individual Comparisons by Ranking Methods", 1945) in the
-// normal approximation, which is good for about twenty pairs and more. Pairs without a difference are left out, and
+// normal approximation, which is accurate for about twenty pairs and more. Pairs without a difference are left out, and
 // tied differences share their mean rank. a and b must have the same size. NaN if a value is NaN.
 PairedComparison compareSmaller(std::span<const double> a, std::span<const double> b);
 
@@ -35,9 +34,9 @@ struct KruskalWallis {
 };
 
 // Whether independent samples, possibly of different sizes, come from one distribution (Kruskal and Wallis, "Use of
-// Ranks in One-Criterion Variance Analysis", 1952). p is taken from the chi-square distribution, which is good for five
-// values per sample and more. Tied values share their mean rank. If all values are equal, or fewer than two samples
-// have any, h is 0 and p is 1. h and p are NaN if a value is NaN.
+// Ranks in One-Criterion Variance Analysis", 1952). p is taken from the chi-square distribution, which is accurate for
+// five values per sample and more. Tied values share their mean rank. If all values are equal, or fewer than two
+// samples have any, h is 0 and p is 1. h and p are NaN if a value is NaN.
 KruskalWallis kruskalWallis(std::span<const std::vector<double>> samples);
 
 // Chance that a chi-square variable with the given degrees of freedom (at least 1) exceeds x.

@@ -1,7 +1,7 @@
 // Owen-scrambled Sobol samples, padded: every request for one or two numbers draws from a (0,2)-sequence of its own,
 // shuffled and scrambled by hashing (Burley, "Practical Hash-based Owen Scrambling", JCGT 2020). Each stream (a pixel,
 // a radiance map) has its own scrambling; within a stream, sample indices 0, 1, 2, ... are well distributed for every
-// power-of-two count. The same seed, stream and index always give the same numbers, on whichever thread.
+// power-of-two count. A stream and an index always give the same numbers, on any thread.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -15,7 +15,8 @@ Interval intervalOf(const std::vector<float>& values, float x) {
     return {int(i), std::clamp((x - values[i]) / (values[i + 1] - values[i]), 0.f, 1.f)};
 }
 
-// For a density that goes linearly from a to b over [0, 1]: its integral up to t, and the t where that is x.
+// For a density that varies linearly from a to b over [0, 1]: its integral over [0, t], and the t for which this
+// integral is x.
 float linearIntegral(float a, float b, float t) { return t * (a + 0.5f * t * (b - a)); }
 float invertLinear(float a, float b, float x) {
     const float divisor = a + safeSqrt(a * a + 2 * (b - a) * x);
@@ -86,14 +87,14 @@ SquareWarp::SquareWarp(const SquareGrid& grid, std::vector<float> values, int me
     }
 }
 
-// The member between the members of a family.
+// The tables interpolated between the members of a family.
 class SquareWarp::View {
   public:
     View(const SquareWarp& warp, const FamilyWeights& family) : warp_(warp), family_(family) {}
-    // Integral over the rows up to this one, and over the whole row.
+    // Integral over the rows up to row y, and over the whole row y.
     float rowsUpTo(int y) const { return mix(warp_.marginal_, warp_.grid_.height, y); }
     float row(int y) const { return upTo(warp_.grid_.width - 1, y); }
-    // Integral over the row up to this entry, and the entry.
+    // Integral over row y up to entry x, and the value of this entry.
     float upTo(int x, int y) const { return entry(warp_.conditional_, x, y); }
     float value(int x, int y) const { return entry(warp_.values_, x, y); }
 

@@ -1,7 +1,7 @@
-// Tables over the unit square that are interpolated bilinearly between their entries, whose first and last lie on the
-// square's edges; and the warps of the square to the densities that such tables are. Both come as families over two
-// parameters, between whose members one interpolates linearly (Dupuy and Jakob, "An Adaptive Parameterization for
-// Efficient Material Acquisition and Rendering", 2018).
+// Tables over the unit square that are interpolated bilinearly, with the outer entries on the square's edges, and warps
+// of the square whose density is such a table. Both form families over two parameters, with linear interpolation
+// between the members (Dupuy and Jakob, "An Adaptive Parameterization for Efficient Material Acquisition and
+// Rendering", 2018).
 #pragma once
 #include <array>
 #include <span>
@@ -11,28 +11,28 @@
 
 namespace drc {
 
-// The members of a family next to a pair of parameters, and their weights, which sum to one.
+// The four members of a family around a pair of parameters, and their interpolation weights, which sum to one.
 struct FamilyWeights {
     std::array<int, 4> member{0, 0, 0, 0};
     std::array<float, 4> weight{1, 0, 0, 0};
 };
-// Where the members are: member i * second.size() + j has the parameters first[i], second[j].
+// The parameters of a family's members: member i * second.size() + j has the parameters first[i], second[j].
 class FamilyGrid {
   public:
-    // Each in ascending order, with at least one value.
+    // Values of the two parameters, each in ascending order, with at least one value.
     FamilyGrid(std::vector<float> first, std::vector<float> second)
         : first_(std::move(first)), second_(std::move(second)) {}
     int size() const { return int(first_.size() * second_.size()); }
     const std::vector<float>& first() const { return first_; }
     const std::vector<float>& second() const { return second_; }
-    // Parameters beyond the ends count as those.
+    // a and b are clamped to the ranges of the parameters.
     FamilyWeights at(float a, float b) const;
 
   private:
     std::vector<float> first_, second_;
 };
 
-// The size of a table over the square, and a place in it.
+// The size of a table over the square, and positions in it.
 struct SquareGrid {
     int width = 2, height = 2;  // at least 2
     int size() const { return width * height; }
@@ -43,7 +43,7 @@ struct SquareGrid {
     Place at(const Vec2& p) const;
 };
 
-// Values of any type over the square: member by member, each row by row.
+// Values of any type over the square: one row-major table after another, for each member of the family.
 template <typename T>
 class SquareTable {
   public:
@@ -66,17 +66,18 @@ class SquareTable {
     std::vector<T> values_;
 };
 
-// Maps the square to itself so that uniformly distributed points get the density of a table: first y, then x.
+// Maps the square to itself so that uniformly distributed points have the density of a table afterwards: y from the
+// marginal distribution, then x given y.
 class SquareWarp {
   public:
-    // values: as of a SquareTable, not negative. A member that is zero everywhere counts as constant.
+    // values: as for SquareTable, not negative. A member that is zero everywhere counts as constant.
     SquareWarp(const SquareGrid& grid, std::vector<float> values, int members);
-    // Memory for so many values.
+    // Memory in bytes of a warp with this number of values.
     static double bytes(double values) { return 2.5 * values * sizeof(float); }
 
     struct Warped {
         Vec2 p;
-        float pdf;  // at the point of the table; relative to the area of the square
+        float pdf;  // of the table's point, per unit area of the square
     };
     Warped sample(const Vec2& u, const FamilyWeights& family) const;
     // The u that sample() maps to p, with the pdf of p.
@@ -86,7 +87,7 @@ class SquareWarp {
     class View;
 
     SquareGrid grid_;
-    std::vector<float> values_;       // the densities, scaled so that each member's cells sum to one
+    std::vector<float> values_;       // densities; the integral of each member over cells of side 1 is one
     std::vector<float> conditional_;  // integral over each row up to each entry
     std::vector<float> marginal_;     // integral over the rows up to each row
 };

@@ -13,8 +13,8 @@ struct SinCos {
     float sin, cos;
 };
 
-// Sine and cosine of pi / 4 x for x in [-1, 1], within 1e-7. These are Chebyshev fits, since a call to the math library
-// would cost more than the rest of the mapping.
+// Sine and cosine of (pi / 4) x for x in [-1, 1], within 1e-7. These are Chebyshev fits, since a call to the math
+// library would cost more than the rest of the mapping.
 inline SinCos sinCosInOctants(float x) {
     const float z = x * x;
     const float s = x * (0.785398161f + z * (-0.0807454348f + z * (0.00249000696f + z * -3.59543993e-05f)));
@@ -43,8 +43,8 @@ inline Vec2 squareToDisk(const Vec2& u) {
     return wide ? Vec2(along, across) : Vec2(across, along);
 }
 
-// 4 / pi atan(x) for x in [-1, 1], within 3e-7. A Chebyshev fit of the even function atan(x) / x, in a third of the
-// time of std::atan.
+// (4 / pi) atan(x) for x in [-1, 1], within 3e-7. A Chebyshev fit of the even function atan(x) / x, which takes a third
+// of the time of std::atan.
 inline float atanInOctants(float x) {
     const float z = x * x;
     float p = -0.0059444668f;
@@ -95,8 +95,8 @@ inline Vec2 hemisphereToSquare(const Vec3& w) {
 // Uniform on the unit disk.
 inline Vec2 sampleConcentricDisk(const Vec2& u) { return squareToDisk(u); }
 
-// Density proportional to cos theta (Malley's method, PBR 13.6.3), within a cone around +z whose half-angle has the
-// given sine; 1: the hemisphere.
+// Direction with a pdf proportional to cos theta (Malley's method, PBR 13.6.3), within a cone around +z. sine: of the
+// cone's half-angle; 1: the hemisphere.
 inline Vec3 sampleCosineCone(const Vec2& u, float sine) {
     const Vec2 d = squareToDisk(u);
     // z = sqrt(1 - |d|^2), with |d| taken from the square as in squareToHemisphere, so that it stays accurate near the

@@ -6,13 +6,14 @@
 namespace drc {
 namespace {
 
-// The x in [low, high] up to which a function integrates to a share u of what it does up to `high`. upTo(x): its
-// integral, which is linear within cells, whose edges are whole numbers; given are those at both ends.
+// Inverts a cumulative function: returns the x in [low, high] at which upTo(x) is a fraction u of the way from
+// upTo(low) to upTo(high). upTo: linear within cells, whose edges are whole numbers. atLow, atHigh: upTo(low) and
+// upTo(high).
 template <typename UpTo>
 double inverted(const UpTo& upTo, double low, double high, double atLow, double atHigh, float u) {
     const double wanted = atLow + double(u) * (atHigh - atLow);
-    // The cell, by its edges: first where it would be if the function were constant, as most nearly are over a window,
-    // then by bisection.
+    // Finds the edges of the cell that contains x: first by linear interpolation, since most functions are nearly
+    // constant over a window, then by bisection.
     double from = low, to = high, before = atLow, after = atHigh;
     int first = int(std::floor(low)), last = std::max(first + 1, int(std::ceil(high)));
     bool guess = true;
@@ -22,7 +23,7 @@ double inverted(const UpTo& upTo, double low, double high, double atLow, double 
             guess ? std::clamp(int(from + (to - from) * share), first + 1, last - 1) : (first + last) / 2;
         const double there = upTo(double(middle));
         const bool isAfter = there > wanted;
-        // Guesses end where they do not come nearer.
+        // Interpolation ends when it has discarded no more than a quarter of the range.
         guess = guess && (isAfter ? last - middle : middle - first) > (last - first) / 4;
         (isAfter ? last : first) = middle;
         (isAfter ? to : from) = middle;

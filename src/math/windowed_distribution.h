@@ -26,16 +26,16 @@ class WindowedDistribution2D {
         Vec2 at;
         float pdf = 0;  // per area of the unit square
     };
-    // None if the function is zero in the window.
+    // Empty if the function is zero in the window.
     std::optional<Sample> sample(const Vec2& u, const Window& window) const;
     float pdf(const Vec2& at, const Window& window) const;
-    // The random number u that sample() maps to a point of the window.
+    // The u that sample() maps to a point of the window.
     Vec2 inverse(const Vec2& at, const Window& window) const;
-    // Integral of the function.
+    // Integral of the function over the window.
     double integral(const Window& window) const;
 
   private:
-    // A rectangle in cells.
+    // A rectangle in units of cells.
     struct Cells {
         double x0, x1, y0, y1;
     };
@@ -44,12 +44,12 @@ class WindowedDistribution2D {
         const double* column = columnAt(x);
         return column[y + 1] - column[y];
     }
-    // Integral in units of cells.
+    // Integral over a rectangle, where a cell has the area 1.
     double integral(const Cells& cells) const {
         return before(cells.x1, cells.y1) - before(cells.x0, cells.y1) - before(cells.x1, cells.y0) +
                before(cells.x0, cells.y0);
     }
-    // Integral over all points with smaller x and y: bilinear between the corners of cells.
+    // Integral over all points with smaller x and y: sums_, interpolated bilinearly between the corners of cells.
     double before(double x, double y) const;
     // Integral over the points of one column of cells with smaller y.
     double inColumn(int column, double y) const;

@@ -13,41 +13,42 @@ namespace drc {
 struct FilmGeometry {
     int width = 1280;
     int height = 720;
-    float diagonal = 35;  // of the film, in millimetres; used only by the realistic camera
+    float diagonal = 35;  // of the film, in millimetres; only the realistic camera uses it
     bool operator==(const FilmGeometry&) const = default;
 };
 
 struct CameraRay {
     Ray ray;
-    // Factor by which the radiance along the ray contributes to the pixel. 0: the camera blocks the ray. Other values
-    // than 1 occur only for realistic cameras.
+    // Factor of the radiance along the ray in the pixel's value. 0: the lens blocks the ray. Always 1 except for
+    // realistic cameras.
     float weight = 1;
 };
 
-// The projection of a scene point through a point of the lens.
+// The projection of a scene point onto the film through a point on the lens.
 struct CameraView {
     Vec2 film;
     Vec3 from;                // the point on the lens, world space
-    float pixelsPerArea = 0;  // film area in pixels per unit area at the point, for a surface that faces the lens
+    float pixelsPerArea = 0;  // film area in pixels per unit area of a surface at the point that faces the lens
 };
 
 class Camera {
   public:
     virtual ~Camera() = default;
-    // Ray through a film position. uLens in [0,1)^2 chooses the point on the lens, uTime in [0,1) the time in the
-    // exposure.
+    // Ray through a film position, in world space. uLens in [0,1)^2 chooses the point on the lens, uTime in [0,1) the
+    // time within the exposure.
     virtual CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const = 0;
-    // Projects p through the lens point that uLens chooses, at a ray's time (Ray::time). None if p is not on the film,
-    // or if the camera does not support it: realistic cameras, and the environment camera, whose film wraps around.
+    // Projects p through the lens point that uLens chooses, at a ray's time (Ray::time). Empty if p is behind the
+    // camera, or if the camera has no view(): realistic cameras, environment cameras (whose film wraps around), and
+    // cameras whose transform does not preserve angles. The film position may lie outside the film.
     virtual std::optional<CameraView> view(const Vec3& p, const Vec2& uLens, float time) const;
-    // CameraView::pixelsPerArea of the point at that distance along one of the camera's own rays; 0 if view() would
-    // give none.
+    // CameraView::pixelsPerArea of the point at this distance along a ray from generateRay(); 0 if the camera has no
+    // view().
     virtual float pixelsPerArea(const Ray& ray, float distance) const;
     // World-space position, for camera frames and bounds. For a moving camera, that in the middle of the exposure.
     virtual Vec3 position() const = 0;
     // A copy for a film of another size. The screen window follows from the new aspect ratio by pbrt's rule.
     virtual std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const = 0;
-    // A copy for a film of another size, at another place, where it stands still.
+    // A copy for a film of another size, at another place, without motion.
     virtual std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const = 0;
     // For a moving camera, the transform in the middle of the exposure.
     virtual Transform worldToCamera() const = 0;
@@ -79,7 +80,7 @@ std::unique_ptr<Camera> makeEnvironmentCamera(const EnvironmentCameraParams& par
 
 // A surface of a lens, or the aperture stop. Lengths are in metres, which must then be the unit of the scene.
 struct LensElement {
-    float radius = 0;     // of curvature; positive if the centre is on the film's side; 0 for the flat stop
+    float radius = 0;     // of curvature; positive if the centre is on the film's side; 0: the flat stop
     float thickness = 0;  // distance along the axis to the next element, or from the last element to the film
     float eta = 1;        // index of refraction between this element and the next one towards the film
     float aperture = 0;   // half the element's diameter
@@ -88,8 +89,8 @@ struct RealisticCameraParams {
     AnimatedTransform worldToCamera;
     std::vector<LensElement> lens;  // in order from the scene to the film; not empty
     float focusDistance = 10;       // distance in focus, measured from the film
-    // true: the weights of rays are relative to the film's centre, so that brightness does not depend on the aperture.
-    // false: pixels are the irradiance on the film times the exposure time.
+    // true: the weights of rays are relative to those at the film's centre, so that brightness does not depend on the
+    // aperture. false: a pixel's value is the irradiance on the film times the exposure time.
     bool simpleWeighting = true;
     Shutter shutter{};
 };

@@ -19,7 +19,7 @@ class EnvironmentCamera final : public Camera {
         const float sinTheta = std::sin(theta);
         const Vec3 d(sinTheta * std::cos(phi), std::cos(theta), sinTheta * std::sin(phi));
         Ray ray = placement_.ray(Vec3(0, 0, 0), d, uTime);
-        // From the pixel's solid angle; at a pole, from that at half a row's distance.
+        // Square root of the pixel's solid angle; at a pole, of the solid angle half a row away from it.
         ray.coneSpread = std::sqrt(dTheta_ * dPhi_ * std::max(std::abs(sinTheta), std::sin(0.5f * dTheta_)));
         return {ray};
     }

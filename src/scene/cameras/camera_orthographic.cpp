@@ -1,5 +1,5 @@
 // Orthographic camera (PBR 3e, section 6.2.1): parallel rays along +z from the screen window in the plane z = 0 of
-// camera space. With a thin lens, the rays of a film position start on a disk and meet at the focal distance.
+// camera space. With a thin lens, the rays through a film position start on a disk and meet at the focal distance.
 #include "scene/cameras/camera.h"
 #include "scene/cameras/camera_placement.h"
 #include "scene/cameras/screen_window.h"
@@ -54,13 +54,13 @@ class OrthographicCamera final : public Camera {
     Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
 
   private:
-    // Film area in pixels per unit area facing the ray, for rays at this cosine to the axis.
+    // CameraView::pixelsPerArea for rays whose angle to the camera's axis has this cosine.
     float pixelsPerFacingArea(float cosine) const { return 1 / (sqr(pixelWidth_) * cosine); }
 
     ProjectiveCameraParams params_;
     CameraPlacement placement_;
     ScreenWindow window_;
-    float pixelWidth_ = 0;  // in world units
+    float pixelWidth_ = 0;  // width of a pixel perpendicular to the axis, world units
     bool keepsAngles_;
 };
 

@@ -22,11 +22,11 @@ class PerspectiveCamera final : public Camera {
     CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const override {
         // The intersection of the ray through the lens's centre with the plane z = 1.
         const Vec2 at = window_.at(film);
-        // Towards focalDistance * (x, y, 1), divided by focalDistance, so that an infinite focal distance does not
-        // overflow.
+        // d is the vector from o to focalDistance * (x, y, 1), divided by focalDistance so that an infinite focal
+        // distance does not overflow.
         const Vec3 o = onLens(params_, uLens), d = Vec3(at.x, at.y, 1) - o / params_.focalDistance;
         Ray ray = placement_.ray(o, d, uTime);
-        // The pixel's solid angle is its area on z = 1 times cos^3.
+        // The pixel's solid angle is its area on the plane z = 1 times cos^3.
         const float cosine2 = 1 / (1 + at.x * at.x + at.y * at.y);
         ray.coneSpread = std::sqrt(window_.pixelArea() * cosine2 * std::sqrt(cosine2));
         return {ray};
@@ -62,7 +62,7 @@ class PerspectiveCamera final : public Camera {
     Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
 
   private:
-    // Film area in pixels per unit solid angle, in a direction at this cosine to the axis.
+    // Film area in pixels per unit solid angle, in a direction whose angle to the axis has this cosine.
     float pixelsPerSolidAngle(float cosine) const { return 1 / (window_.pixelArea() * cosine * sqr(cosine)); }
 
     ProjectiveCameraParams params_;

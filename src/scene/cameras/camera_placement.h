@@ -12,7 +12,8 @@ class CameraPlacement {
     CameraPlacement(const AnimatedTransform& worldToCamera, const Shutter& shutter)
         : shutter_(shutter), toWorld_(worldToCamera.inverse()), inTheMiddle_(toWorld_.at(shutter.motion(0.5f))) {}
 
-    // The ray from o along d, in camera space and d of any length, at time u in [0,1] of the exposure.
+    // The world-space ray for origin o and direction d, which are in camera space, d of any length. u: time within the
+    // exposure, in [0,1].
     Ray ray(const Vec3& o, const Vec3& d, float u) const {
         Ray ray;
         ray.time = shutter_.motion(u);
@@ -23,9 +24,9 @@ class CameraPlacement {
         return ray;
     }
 
-    // Camera-to-world transform at a ray's time.
+    // Camera-to-world transform at a ray's time (Ray::time).
     Transform toWorldAt(float time) const { return toWorld_.isAnimated() ? toWorld_.at(time) : toWorld_.start(); }
-    // Whether the transform scales all axes equally at all times.
+    // Whether the transform preserves angles at all times, that is, scales all axes equally.
     bool keepsAngles() const {
         for (unsigned i = 0, n = toWorld_.steps(); i < n; ++i)
             if (!Turn(toWorldAt(n > 1 ? float(i) / float(n - 1) : 0)).keepsAngles()) return false;

@@ -1,6 +1,6 @@
 // Camera with a photographic lens (PBR 3e, section 6.4). A film point sees the scene through the exit pupil. Rays are
-// aimed at a bounding box of the pupil, which is computed in advance for rings of the film, so that few rays are
-// blocked.
+// aimed at a bounding box of the pupil, so that few rays are blocked. The boxes are computed in advance, one for each
+// ring of the film.
 #include "base/parallel.h"
 #include "math/sampler.h"
 #include "scene/cameras/camera.h"
@@ -11,7 +11,7 @@ namespace drc {
 namespace {
 
 constexpr int kRings = 64;  // number of rings between the film's centre and its corners
-constexpr int kGrid = 64;   // rays along each side of the grid that finds a ring's pupil
+constexpr int kGrid = 64;   // rays along each side of the grid that determines a ring's pupil
 
 // A bounding box of the exit pupil on the plane of the rear element.
 struct PupilBox {
@@ -53,11 +53,11 @@ class RealisticCamera final : public Camera {
     }
 
     CameraRay generateRay(const Vec2& film, const Vec2& uLens, float uTime) const override {
-        // The lens turns the image upside down and swaps left and right.
+        // The lens rotates the image by 180 degrees.
         const Vec2 at(-(film.x / resolution_.x - 0.5f) * size_.x, (film.y / resolution_.y - 0.5f) * size_.y);
         const float r = std::sqrt(at.x * at.x + at.y * at.y);
         const PupilBox& pupil = pupils_[size_t(std::min(int(r / radius_ * kRings), kRings - 1))];
-        // The boxes were computed for film points on the x axis.
+        // The boxes belong to film points on the x axis, so p is rotated about the lens axis to the film point.
         const Vec2 p = pupil.at(uLens);
         const Vec2 turn = r > 0 ? at * (1 / r) : Vec2(1, 0);
         const Vec3 start(at.x, at.y, 0);
@@ -74,7 +74,7 @@ class RealisticCamera final : public Camera {
                             : cos4 * pupil.area() / sqr(lens_.rearZ()) * (params_.shutter.close - params_.shutter.open);
         Ray& ray = result.ray;
         ray = placement_.ray(line->o, line->d, uTime);
-        // The cone angle of a pinhole in the rear principal plane.
+        // The spread of a pinhole camera with the pinhole in the rear principal plane.
         const float cosine = line->d.z;
         ray.coneSpread = coneSpread_ * cosine * std::sqrt(cosine);
         return result;
@@ -97,7 +97,8 @@ class RealisticCamera final : public Camera {
     PupilBox findPupil(int ring) const {
         const float reach = 1.5f * lens_.rearAperture();
         const PupilBox whole{-reach, reach, -reach, reach};
-        // First over the whole plane, then over what that found.
+        // Two passes: the first covers the whole region that the pupil may lie in, the second the box that the first
+        // found.
         PupilBox box = whole;
         for (int pass = 0; pass < 2; ++pass) {
             PupilBox found;
@@ -107,7 +108,8 @@ class RealisticCamera final : public Camera {
                 const Vec2 p = box.at(Vec2((float(i % kGrid) + 0.5f) / kGrid, (float(i / kGrid) + 0.5f) / kGrid));
                 if (lens_.trace({Vec3(film, 0, 0), Vec3(p.x - film, p.y, lens_.rearZ())})) found.extend(p);
             }
-            // Enlarged by the spacing of the grid's rays and for the other points of the ring.
+            // Enlarged because the pupil may extend beyond the outermost unblocked rays of the grid, and for other film
+            // points in the ring.
             const float dx = 2 * (box.x1 - box.x0) / kGrid, dy = 2 * (box.y1 - box.y0) / kGrid;
             if (found.x0 > found.x1) return pass == 0 ? whole : box;
             found.grow(dx, dy);
@@ -122,7 +124,7 @@ class RealisticCamera final : public Camera {
     Vec2 size_;             // of the film, in metres
     float radius_ = 0;      // distance from the film's centre to its corners
     Vec2 resolution_;       // in pixels
-    float coneSpread_ = 0;  // at the film's centre
+    float coneSpread_ = 0;  // Ray::coneSpread at the film's centre
     std::vector<PupilBox> pupils_;
 };
 

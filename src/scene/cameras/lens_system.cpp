@@ -7,10 +7,10 @@
 namespace drc {
 namespace {
 
-// Aperture stops have no medium of their own; files give them the index zero.
+// Lens files give aperture stops the index of refraction zero, which stands for air.
 float etaOf(const LensElement& e) { return e.eta > 0 ? e.eta : 1; }
 
-// The focal length, and the distance from the last surface to the focus behind it.
+// The focal length, and the distance from the last surface to the focal point behind it.
 struct Focus {
     double focalLength, back;
 };
@@ -26,8 +26,8 @@ struct ParaxialRay {
     Focus focus() const { return {-1 / slope, -height / slope}; }
 };
 
-// Refracts d at a surface with the unit normal n, which points against d. eta: index on d's side over that on the
-// other.
+// Refracts d (unit) at a surface with the unit normal n, which points against d. eta: index of refraction on the side
+// from which d arrives over that on the other side. Empty for total internal reflection.
 std::optional<Vec3> refracted(const Vec3& d, const Vec3& n, float eta) {
     const float cosI = -dot(d, n), sin2T = eta * eta * std::max(0.f, 1 - cosI * cosI);
     if (sin2T >= 1) return {};
@@ -49,7 +49,7 @@ std::optional<LensSystem::Line> LensSystem::trace(const Line& fromFilm) const {
         if (e.radius == 0) {
             o += d * ((z - o.z) / d.z);
         } else {
-            // The ray meets the sphere twice: take the intersection on the surface's side.
+            // The ray intersects the whole sphere twice; the lens surface is the side at the vertex z.
             const Vec3 fromCenter = o - Vec3(0, 0, z - e.radius);
             const float b = dot(fromCenter, d), c = lengthSquared(fromCenter) - sqr(e.radius);
             const float discriminant = b * b - c;
@@ -77,7 +77,7 @@ float LensSystem::frontZ() const {
 }
 
 LensSystem::Cardinal LensSystem::cardinal() const {
-    // The rear principal plane follows from light from the scene, the front one from light from the film.
+    // The rear principal plane follows from a ray that arrives from the scene, the front one from a ray from the film.
     ParaxialRay in;
     double eta = 1;
     for (size_t i = 0; i < elements_.size(); ++i) {
@@ -100,9 +100,9 @@ LensSystem::Cardinal LensSystem::cardinal() const {
 }
 
 void LensSystem::focus(float distance) {
-    // The thin-lens equation 1 / object + 1 / image = 1 / f, in which moving the lens by m makes the object distance
-    // smaller and the image distance larger by m.
-    // The result is the same, to the last bit, wherever the lens was before.
+    // Solves the thin-lens equation 1 / object + 1 / image = 1 / f, where moving the lens by m reduces the object
+    // distance and increases the image distance by m. The lens is first reset to the film, so that the result does not
+    // depend on its previous position, to the last bit.
     elements_.back().thickness = 0;
     const Cardinal c = cardinal();
     const double f = double(c.focalLength), object = double(distance - c.front), image = double(c.rear);

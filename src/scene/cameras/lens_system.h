@@ -13,14 +13,14 @@ class LensSystem {
     // elements: from the scene to the film; not empty.
     explicit LensSystem(std::vector<LensElement> elements);
 
-    // The ray that leaves the lens for a ray that starts at the film; none if the lens blocks it.
+    // The ray that leaves the lens towards the scene, for a ray that starts at the film; empty if the lens blocks it.
     struct Line {
         Vec3 o, d;
     };
     std::optional<Line> trace(const Line& fromFilm) const;
 
-    // Paraxial properties of the whole lens: the focal length and the positions of both principal planes. Object
-    // distances are measured from the front plane, image distances from the rear plane.
+    // Paraxial properties of the whole lens: the focal length and the z of both principal planes. Object distances are
+    // measured from the front plane, image distances from the rear plane.
     struct Cardinal {
         float focalLength, front, rear;
     };

@@ -12,8 +12,8 @@ inline Vec3 onLens(const ProjectiveCameraParams& params, const Vec2& u) {
     return Vec3(lens.x, lens.y, 0);
 }
 
-// The part of the screen that the film shows: its top left corner and the size of a pixel, in screen units, in which
-// the shorter axis runs from -1 to 1 (PBR 3e, section 6.2). x to the right, y up.
+// The part of the screen that the film shows: its top left corner and the size of a pixel. In screen units, the shorter
+// axis runs from -1 to 1 by default (PBR 3e, section 6.2). x to the right, y up.
 struct ScreenWindow {
     double left, top, pixelX, pixelY;
 
@@ -38,7 +38,7 @@ struct ScreenWindow {
     Vec2 at(const Vec2& film) const {
         return Vec2(static_cast<float>(left + film.x * pixelX), static_cast<float>(top - film.y * pixelY));
     }
-    // Inverse of at(): the film position of a point of the screen.
+    // Inverse of at(): the film position of a screen point.
     Vec2 film(const Vec2& screen) const {
         return Vec2(static_cast<float>((double(screen.x) - left) / pixelX),
                     static_cast<float>((top - double(screen.y)) / pixelY));

@@ -6,10 +6,11 @@ namespace drc {
 
 struct Shutter {
     float open = 0, close = 1;
-    // Moving objects start at motionStart and stop at motionEnd: pbrt's TransformTimes.
+    // Objects move from motionStart to motionEnd: pbrt's TransformTimes.
     float motionStart = 0, motionEnd = 1;
 
-    // Ray::time for the time u in [0, 1] of the exposure: a share of the motion interval, clamped to [0, 1].
+    // Converts the fraction u in [0, 1] of the exposure to Ray::time: the fraction of the motion interval, clamped to
+    // [0, 1].
     float motion(float u) const {
         const float time = lerp(u, open, close);
         if (time <= motionStart) return 0;

@@ -8,22 +8,23 @@
 namespace drc {
 namespace {
 
-// Texture coordinates from a file may be anything, also no number.
+// Clamps x to [0, 1]. Texture coordinates from a file may be NaN, which becomes 0.
 float between0And1(float x) { return x > 0 ? std::min(x, 1.f) : 0.f; }
 
-// A range of pixels that may begin and end outside the image, and holds at most `count` pixels if it repeats.
+// The pixels [begin, end) along one axis; `begin` lies in the image. If the image repeats, `end` may exceed the number
+// of pixels: the range then wraps around, but covers no pixel twice.
 struct PixelRange {
     int begin, end;
 };
 
-// The pixels that lookups from `low` to `high` interpolate.
+// The pixels along one axis that bilinear lookups at coordinates in [low, high] read.
 PixelRange pixelsOf(float low, float high, int count, bool repeats) {
     if (!repeats) {
         const int first = int(std::floor(between0And1(low) * float(count) - 0.5f));
         const int last = int(std::floor(between0And1(high) * float(count) - 0.5f)) + 1;
         return {std::max(0, first), std::min(count, last + 1)};
     }
-    // One pixel more on both sides, since lookups round differently.
+    // Padded by one pixel on each side, because lookup() rounds in single precision.
     const double begin = std::floor(double(low) * count - 0.5) - 1, end = std::floor(double(high) * count - 0.5) + 3;
     if (!(end > begin && end - begin < count)) return {0, count};
     const double rest = std::fmod(begin, count);
@@ -53,7 +54,7 @@ Rgb EmissionImage::lookup(const Vec2& uv) const {
     const auto inside = [&](float x) {
         if (!image_.repeats) return between0And1(x);
         const float turn = x - std::floor(x);
-        return turn >= 0 ? turn : 0;  // not for what is no number
+        return turn >= 0 ? turn : 0;  // NaN and infinite coordinates read 0
     };
     return image_.lookup(Vec2(inside(uv.x), inside(uv.y)), false);
 }

@@ -6,14 +6,15 @@
 namespace drc {
 namespace {
 
-// Points of a cell at which the image is looked up, along a side. Two for each texel are exact for cells that are
-// texels, since the interpolation is bilinear in each quarter of a texel.
+// Lookups of the image along each side of a cell. Two per texel integrate a cell of one texel exactly, because the
+// interpolation is bilinear over each quarter of a texel.
 constexpr int kPointsPerTexel = 2, kMostPoints = 8;
-// Cells that cover more texels than the points could see are weighted by the mean of these texels instead.
+// A cell that covers at least this many texels along a side would need more than kMostPoints lookups. Its weight is the
+// mean luminance of its texels instead.
 constexpr float kTexelsSeen = float(kMostPoints) / kPointsPerTexel;
-// Share of that mean in the weight of all other cells, so that none with light is left out.
+// Share of the texels' mean in the weight of smaller cells, so that every cell with light has a positive weight.
 constexpr double kShareOfMean = 1 / 64.0;
-constexpr int kCellsPerPiece = 4096;  // of work for a thread
+constexpr int kCellsPerPiece = 4096;  // grain size of the parallel loop
 
 }  // namespace
 
@@ -27,7 +28,7 @@ EmissionGrid::EmissionGrid(const EmissionImage& image, int columns, int rows, co
     TexelIntegrals weights{columns, rows, std::vector<float>(size_t(columns) * size_t(rows))};
     struct Row {
         Cell sum;
-        double squares = 0;  // second moment of the radiance, if points are uniform by area
+        double squares = 0;  // integral of squared luminance over area: the second moment of uniform sampling
     };
     std::vector<Row> all(static_cast<size_t>(rows));
     parallelFor(0, rows, std::max(1, kCellsPerPiece / columns), [&](int begin, int end) {
@@ -67,7 +68,7 @@ EmissionGrid::Cell EmissionGrid::cellOf(const EmissionImage& image, const Patch&
     for (int i = 0; i < 4; ++i) {
         const Vec2 uv = patch(Vec2(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y)).uv;
         for (int k = 0; k < 2; ++k) {
-            // Padded by the rounding of coordinates within the cell.
+            // Padded for the rounding of (u, v) inside the cell.
             const float pad = 0x1p-20f * (1 + std::abs(uv[k]));
             uvLow[k] = std::min(uvLow[k], uv[k] - pad);
             uvHigh[k] = std::max(uvHigh[k], uv[k] + pad);

@@ -1,9 +1,9 @@
 // A table for sampling points of a surface in proportion to the radiance of an image on it.
 //
-// The surface is given as a patch: a mapping from the unit square to the image's (u, v), with the surface's area per
-// unit of the square. The square is divided into cells of about a texel each. A cell is chosen by its flux, and the
-// point in it uniformly on the square, so that the density is known for any point, however the image lies on the
-// surface.
+// The surface is given as a patch: a mapping from the unit square to the image's (u, v), together with the surface area
+// per unit area of the square. The square is divided into cells of about one texel. A cell is chosen in proportion to
+// its flux, and the point uniformly within the cell's part of the square. The density at a point then depends only on
+// its cell, however the image is mapped to the surface.
 #pragma once
 #include <functional>
 
@@ -12,8 +12,7 @@
 
 namespace drc {
 
-// The image's coordinates at a point of the square, and the surface's area per unit of the square there, which may be
-// in any unit.
+// At a point of the unit square: the image's (u, v), and the surface area (in any unit) per unit area of the square.
 struct PatchPoint {
     Vec2 uv;
     float area = 1;
@@ -24,27 +23,27 @@ class EmissionGrid {
   public:
     static constexpr int kMostCells = 1 << 18;
 
-    // columns, rows: into how many cells the square is divided, which is halved until no more than mostCells are left.
-    // The patch must map straight lines along the sides of the square to straight lines in (u, v), and may be called
-    // from several threads.
+    // columns, rows: cells along the sides of the square; both are halved until at most mostCells cells remain. The
+    // patch must map lines parallel to the sides of the square to straight lines in (u, v), and is called from several
+    // threads.
     EmissionGrid(const EmissionImage& image, int columns, int rows, const Patch& patch, int mostCells = kMostCells);
 
-    // Whether the image varies so little that the surface may as well be sampled uniformly by area. The table is then
-    // not to be used.
+    // Whether the image varies so little that the surface may as well be sampled uniformly by area. sample() and
+    // density() must not be used then.
     bool isUniform() const { return uniform_; }
     int cellCount() const { return distribution_.width() * distribution_.height(); }
 
     struct Sample {
         Vec2 at;
-        float density = 0;  // per unit of the square
+        float density = 0;  // pdf per unit area of the square
     };
     Sample sample(const Vec2& u) const;
     float density(const Vec2& at) const;
 
-    // Integral of the image over the surface, in units of the patch's area.
+    // Integral of the image over the surface, in the unit of PatchPoint::area.
     const Rgb& integral() const { return integral_; }
-    // About the luminance of integral(), by which the patch should be chosen among others. Zero only where all of it is
-    // black.
+    // Approximately the luminance of integral(); the weight for choosing this patch among others. Zero only if the
+    // image is black on the whole patch.
     double weight() const { return weight_; }
 
   private:

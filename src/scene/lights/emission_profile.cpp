@@ -9,8 +9,8 @@ EmissionProfile EmissionProfile::narrowed(float degrees) {
     if (degrees >= 180) return p;
     const double half = double(degrees) * double(kPi) / 360, tangent = std::tan(half);
     p.tanHalf_ = float(tangent);
-    // The integral over the cone of the cosine times 1 - tan(t) / tan(half) is pi (1 - half / tan(half)), where all
-    // directions together have pi. For small angles the difference is that of the tangent's series.
+    // Normalised to the power of an even profile, pi: the integral of cos(t) (1 - tan(t) / tan(half)) over the cone is
+    // pi (1 - half / tan(half)). For small angles, the first term of the tangent's series replaces tan(half) - half.
     const double excess = half < 1e-3 ? half * half * half / 3 : tangent - half;
     p.scale_ = float(1 / excess);
     p.sinReach_ = float(std::sin(half));

@@ -7,7 +7,7 @@
 namespace drc {
 namespace {
 
-// Tolerance for (u, v) of triangles that continue each other, relative to their size.
+// Tolerance for the (u, v) of two triangles that share one affine mapping, relative to the magnitude of (u, v).
 constexpr float kSameCoordinates = 1e-5f;
 
 std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, uint32_t triangle) {
@@ -16,7 +16,8 @@ std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, uint32_t triangle) {
     return corners;
 }
 
-// Whether the (u, v) of a triangle are those of the facet, which is a parallelogram that it is a half of.
+// Whether the triangle, which is one half of the parallelogram `whole`, has the (u, v) that `coordinates` gives at its
+// corners.
 bool continues(const FacetCoordinates& coordinates, const Facet& whole, const TriangleMesh& mesh, uint32_t triangle) {
     const std::array<Vec3, 3> corners = cornersOf(mesh, triangle);
     const std::array<Vec2, 3> uv = mesh.textureCoordinates(triangle);
@@ -76,7 +77,7 @@ std::vector<Facet> joinedFacets(const TriangleMesh& mesh, bool sameCoordinates, 
 FacetCoordinates coordinatesOn(const Facet& facet, const TriangleMesh& mesh) {
     const std::array<Vec3, 3> corners = cornersOf(mesh, facet.triangle);
     const std::array<Vec2, 3> uv = mesh.textureCoordinates(facet.triangle);
-    // The facet's corner is one of the triangle's.
+    // The facet's corner is a vertex of its triangle.
     const auto first = std::ranges::find(corners, facet.shape.corner) - corners.begin();
     const auto at = [&](ptrdiff_t k) { return uv[size_t((first + k) % 3)]; };
     return {at(0), at(1) - at(0), at(2) - at(0), facet.half};

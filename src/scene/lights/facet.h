@@ -1,5 +1,5 @@
-// The flat pieces by which an emissive mesh is sampled: triangles, or pairs of them that form a parallelogram, with the
-// (u, v) on them.
+// Flat pieces for sampling an emissive mesh, with their (u, v): a piece is a triangle, or two triangles that form a
+// parallelogram.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,18 +9,19 @@
 
 namespace drc {
 
-// A parallelogram, or the half of it at its corner: a triangle.
+// A parallelogram, or (half) the triangle between its corner and its two sides.
 struct Facet {
     Parallelogram shape;
     Vec3 ng;  // unit
     float area = 0;
-    uint32_t triangle = 0;  // of the mesh; the first of two in a parallelogram
+    uint32_t triangle = 0;  // index in the mesh; for a parallelogram, of its first triangle
     bool half = true;
 
     Vec3 at(const Vec2& xy) const { return shape.corner + shape.side0 * xy.x + shape.side1 * xy.y; }
-    // The (x, y) of a point.
+    // Inverse of at(), for a point in the facet's plane.
     Vec2 coordinatesOf(const Vec3& p) const;
-    // See planeError(). In a parallelogram an upper bound for both triangles, whichever corner rays measure from.
+    // planeError() at p. For a parallelogram, an upper bound that holds for both triangles and any of their corners as
+    // the origin of planeError()'s edges.
     float planeErrorAt(const Vec3& p) const;
 };
 
@@ -32,13 +33,13 @@ struct FacetCoordinates {
 };
 
 Facet triangleFacet(const TriangleMesh& mesh, uint32_t triangle);
-// Joins triangles to parallelograms; with sameCoordinates, only those on which the (u, v) of one continue those of the
-// other. Takes time quadratic in the number of triangles. facetOf receives the facet of each triangle.
+// Joins pairs of triangles that form a parallelogram; with sameCoordinates, only pairs whose (u, v) are one affine
+// mapping. The time is quadratic in the number of triangles. facetOf receives the index of each triangle's facet.
 std::vector<Facet> joinedFacets(const TriangleMesh& mesh, bool sameCoordinates, std::vector<uint32_t>& facetOf);
 FacetCoordinates coordinatesOn(const Facet& facet, const TriangleMesh& mesh);
 
-// Area-preserving mapping from the unit square to (x, y) on a facet, and its inverse. It maps straight lines along the
-// sides of the square to straight lines.
+// Mapping from the unit square to (x, y) on a facet, area-preserving up to a constant factor, and its inverse. It maps
+// lines parallel to the sides of the square to straight lines.
 Vec2 pointOnFacet(const Vec2& u, bool half);
 Vec2 squareOfFacet(const Vec2& xy, bool half);
 

@@ -6,7 +6,8 @@
 namespace drc {
 namespace {
 
-// Length in texels, as a number of cells. A little more than a whole number is that number.
+// Number of cells along a vector of texture coordinates: its length in texels, minus 0.01 for rounding errors, rounded
+// up.
 int cellsAlong(const Vec2& uv, const EmissionImage& image) {
     const float texels = std::hypot(uv.x * float(image.width()), uv.y * float(image.height()));
     return texels > 1 ? int(std::min(std::ceil(texels - 0.01f), 65536.f)) : 1;
@@ -26,7 +27,7 @@ FacetEmission FacetGrids::of(const EmissionImage& image, const FacetCoordinates&
     }
     int columns = cellsAlong(facet.side0, image), rows = cellsAlong(facet.side1, image);
     if (facet.half) {
-        // Along a side of the square, one goes from the corner to the side opposite; along the other, along that side.
+        // On a triangle, the columns run from the corner to the opposite side, and the rows along that side.
         columns = std::max(columns, rows);
         rows = cellsAlong(facet.side1 - facet.side0, image);
     }

@@ -34,7 +34,7 @@ struct LightSample {
     float distance = 0;  // to the sampled point; infinite for lights at infinity
     bool delta = false;
     Vec3 ng{0.f};  // geometric normal of the emitter, as its shape orients it; zero for points and lights at infinity
-    // As in EmitterHit, on area lights.
+    // For area lights, as in EmitterHit.
     uint32_t triangle = 0;
     Vec2 uv{0.f};
 };
@@ -43,8 +43,8 @@ struct LightSample {
 struct SceneSphere {
     Vec3 center{0.f};
     float radius = 1;
-    // A point uniformly distributed on the disk in front of the sphere from which light in direction d (unit) is
-    // emitted.
+    // Origin of a ray that a light at infinity emits in direction d (unit): uniformly distributed on the disk that
+    // touches the sphere and is perpendicular to d.
     Vec3 inFront(const Vec3& d, const Vec2& u) const {
         const Vec2 disk = sampleConcentricDisk(u);
         return center + (Frame::fromNormal(d).toWorld(Vec3(disk.x, disk.y, 0)) - d) * radius;
@@ -52,63 +52,68 @@ struct SceneSphere {
     float perFacingArea() const { return 1 / (kPi * radius * radius); }
 };
 
-// Pdfs of the origin and the direction of emitted light (PBR 3e, section 16.1.2).
+// Pdfs of the two choices of emit() (PBR 3e, section 16.1.2): a point, then a direction; for lights at infinity ("at
+// infinity" below), a direction, then a point.
 struct EmissionDensity {
-    float origin =
-        0;  // per area of the emitter; at infinity, per solid angle of directions; 1 for a single point or direction
-    float leaving = 0;  // per solid angle of directions; at infinity, per area perpendicular to the direction
+    float origin = 0;   // per area of the emitter; at infinity per solid angle; 1 if there is no choice
+    float leaving = 0;  // per solid angle; at infinity per area perpendicular to the direction
 };
 
 // The start of a light path. For lights at infinity, it is on a disk in front of the scene's bounding sphere.
 struct EmittedRay {
-    Vec3 p, d;  // world space; d is unit and the direction of the light
-    // The emitter's normal, as its shape orients it (zero for points and lights at infinity), and triangle of a mesh.
+    Vec3 p, d;  // world space; d is the unit direction in which the light travels
+    // Geometric normal of the emitter, as its shape orients it (zero for points and lights at infinity), and the index
+    // of the triangle in an emissive mesh.
     Vec3 ng{0.f};
     uint32_t triangle = 0;
     Vec2 uv{0.f};       // as in EmitterHit
-    float error = 0;    // of p along ng, as SpawnPoint::error, apart from the rounding of p
-    Rgb radiance{0.f};  // along d; for a point light its intensity, for a distant light the irradiance facing it
+    float error = 0;    // of p along ng, as SpawnPoint::error, without the rounding of p
+    Rgb radiance{0.f};  // along d; of a point light: intensity; of a distant light: irradiance facing it
     EmissionDensity density;
 };
 
-// Who sees a light at infinity: the rays that nothing has scattered since they left the camera, and what is lit.
+// Where a light at infinity appears: in unscattered camera rays (Camera), in the illumination of surfaces (Surfaces),
+// or in both (All).
 enum class LightAudience { All, Surfaces, Camera };
 
 class Light {
   public:
     virtual ~Light() = default;
     virtual std::optional<LightSample> sample(const Vec3& p, const Vec2& u) const = 0;
-    // Samples emission, for paths that start at lights. None if no light leaves for these random numbers.
+    // Samples emission, for paths that start at lights. Empty if these random numbers yield no light.
     virtual std::optional<EmittedRay> emit(const Vec2& uOrigin, const Vec2& uLeaving, const SceneSphere&) const = 0;
-    // Pdfs of emit() for light that leaves in direction d. `at` describes the point on an area light.
+    // Pdfs of emit() for light that leaves in direction d. `at`: the point of emission; only area lights read it.
     virtual EmissionDensity emissionDensity(const EmitterHit& at, const Vec3& d, const SceneSphere&) const = 0;
     // Approximate total emitted power, for choosing among lights. For lights at infinity it depends on the scene's
     // size.
     virtual Rgb power(float sceneRadius) const = 0;
     virtual bool isDelta() const { return false; }
-    // Whether light leaves from where rays meet the emitter. Otherwise emit() is an approximation, for which paths from
-    // the light cannot be weighed against others.
+    // Whether emit() starts on the surface that rays hit. Otherwise its points are approximate, and light paths from
+    // them have no valid MIS weight against camera paths that hit the emitter.
     virtual bool emitsFromWhereRaysMeetIt() const { return true; }
-    // Whether light arrives as from a point at infinity.
+    // Whether the light has no position: its light arrives from infinitely far away.
     virtual bool isAtInfinity() const { return false; }
-    // For environments: the radiance that arrives at `from` from direction wi, and the pdf of sample() for it.
+    // Whether rays that leave the scene may hit the light: an environment or a sun disk. escaped() is then the radiance
+    // that arrives at `from` from direction wi, and pdfEscaped() the pdf with which sample() chooses wi.
     virtual bool isInfinite() const { return false; }
     virtual Rgb escaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Rgb(0.f); }
     virtual float pdfEscaped(const Vec3& /*from*/, const Vec3& /*wi*/) const { return 0; }
     virtual LightAudience audience() const { return LightAudience::All; }
     bool visibleToCamera() const { return audience() != LightAudience::Surfaces; }
-    // Whether anything is lit by it. What does not is seen by the camera's rays, and is never sampled.
+    // Whether the light illuminates surfaces. A light that does not is visible to camera rays only and is never
+    // sampled.
     bool illuminates() const { return audience() != LightAudience::Camera; }
-    // Whether light arrives from all around, so that it pays to learn from where it does (EnvironmentGuide).
+    // Whether light may arrive from all around, so that it pays to learn which directions contribute
+    // (EnvironmentGuide).
     virtual bool surrounds() const { return isInfinite(); }
     // The u in the unit square for which sample() at `from` returns direction wi.
     virtual Vec2 inverse(const Vec3& /*from*/, const Vec3& /*wi*/) const { return Vec2(0, 0); }
     // Rows of an environment's map, as a measure of its detail; 1 if it is constant.
     virtual int mapRows() const { return 1; }
-    // Bounds of a finite light, or of the portal of an environment, for choosing among many; empty for other lights at
-    // infinity.
+    // Bounds of a finite light, or of the portal of an environment, for choosing among many lights. Empty for other
+    // lights at infinity.
     virtual Bounds bounds() const { return {}; }
-    // Directional bounds of a finite light; by default it emits equally in all directions.
+    // Bounds of position and direction of a finite light; by default it emits equally in all directions.
     virtual LightReach reach() const {
         LightReach r;
         r.bounds = bounds();
@@ -139,7 +144,7 @@ class AreaLight : public Light {
 
   protected:
     AreaLight(Emission emission, bool twoSided) : emission_(std::move(emission)), twoSided_(twoSided) {}
-    // Le, integrated over the surface.
+    // Le before the profile, integrated over the surface's area.
     virtual Rgb radianceTimesArea() const = 0;
     // Pdf, per area, with which emit() chooses this point.
     virtual float originPdf(const EmitterHit& at) const = 0;
@@ -169,8 +174,8 @@ using EnvironmentMap = LightImage;
 // map: empty for a constant environment. scale multiplies the map.
 LightPtr makeInfiniteLight(const Transform& lightToWorld, const Rgb& scale, EnvironmentMap map = {},
                            LightAudience audience = LightAudience::All);
-// An environment seen through a portal alone: a rectangle in world space, oriented as Portal says. Points outside, and
-// rays that do not pass it, receive nothing.
+// An environment that is visible only through a portal: a rectangle in world space, oriented as Portal says. Points
+// outside the portal, and rays that miss it, receive nothing.
 LightPtr makePortalLight(LightPtr environment, const std::array<Vec3, 4>& corners);
 
 // Diffuse emitters (pbrt's "diffuse" area light). They emit on the side of the geometric normal, or on both sides, and

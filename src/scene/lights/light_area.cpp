@@ -7,7 +7,7 @@ std::optional<EmittedRay> AreaLight::leave(const EmitterHit& from, const Vec2& u
     Vec2 v = u;
     Vec3 side = from.ng;
     if (twoSided_) {
-        // Half of the random numbers are for each side.
+        // u.x < 1/2 chooses the front, u.x >= 1/2 the back.
         if (u.x >= 0.5f) side = -from.ng;
         v.x = std::min(u.x >= 0.5f ? 2 * u.x - 1 : 2 * u.x, kOneMinusEpsilon);
     }
@@ -20,7 +20,7 @@ std::optional<EmittedRay> AreaLight::leave(const EmitterHit& from, const Vec2& u
 EmissionDensity AreaLight::emissionDensity(const EmitterHit& at, const Vec3& d, const SceneSphere&) const {
     const float cosine = twoSided_ ? std::abs(dot(at.ng, d)) : dot(at.ng, d);
     const float sin2 = sqr(emission_.profile().sinReach());
-    constexpr float kRounding = 1e-6f;  // of the square, at the edge of the cone
+    constexpr float kRounding = 1e-6f;  // tolerance of the squared sine at the edge of the cone
     if (1 - sqr(cosine) > sin2 + kRounding) return {originPdf(at), 0};
     return {originPdf(at), cosineHemispherePdf(cosine) * (twoSided_ ? 0.5f : 1) / sin2};
 }

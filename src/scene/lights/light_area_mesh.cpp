@@ -1,7 +1,7 @@
 // Diffuse area light over a triangle mesh: one light for all its triangles (PBR 3e, sections 12.5 and 14.2.3). The
 // triangles of a small mesh are chosen by their flux, those of a large one by a light tree, and pairs of triangles that
-// form a parallelogram are sampled as one if there are few. On a triangle, points are uniform by area or follow an
-// image.
+// form a parallelogram in a small mesh are sampled as one. On a triangle or parallelogram, points are uniform by area
+// or in proportion to an image.
 #include <fmt/core.h>
 
 #include "base/memory.h"
@@ -21,7 +21,7 @@ class MeshAreaLight final : public AreaLight {
   public:
     MeshAreaLight(const TriangleMesh& mesh, const Emission& emission, bool twoSided) : AreaLight(emission, twoSided) {
         const uint32_t count = mesh.triangleCount();
-        // Measured: the final data, and temporary lists while the tree is built.
+        // Measured: the final data plus temporary lists while the tree is built.
         constexpr double kBytesPerTriangle = 450, kBytesOfCoordinates = sizeof(FacetCoordinates);
         const MemoryClaim memory(count * (kBytesPerTriangle + (emission_.image() != nullptr ? kBytesOfCoordinates : 0)),
                                  fmt::format("a light of {} triangles", count));
@@ -109,13 +109,14 @@ class MeshAreaLight final : public AreaLight {
 
     size_t facetOf(uint32_t triangle) const { return facetOf_.empty() ? triangle : facetOf_[triangle]; }
 
-    // Before emission_.scale(). For choosing among facets of one colour, only their areas matter.
+    // Emission of a facet before multiplication by emission_.scale(). Without an image all facets have the weight 1, so
+    // that they are chosen by area.
     FacetEmission emissionOf(size_t facet) const {
         const EmissionImage* image = emission_.image();
         return image ? image->facetGrids().of(*image, coordinates_[facet]) : FacetEmission{Rgb(1.f), 1, nullptr};
     }
 
-    // Without its bounds.
+    // Directional bounds of the facet. The caller fills in `bounds`.
     LightReach reachOf(const Facet& facet, float weight) const {
         LightReach r;
         r.axis = facet.ng;
@@ -180,8 +181,8 @@ class MeshAreaLight final : public AreaLight {
             reach_ = any ? merged(reach_, r) : r;
             any = true;
         }
-        // A closed surface is not as bright in any direction as all its parts would be if they faced it, but at least
-        // as bright as its average over all directions.
+        // No direction faces all parts of a closed surface, so each part counts by the cosine of its normal to the
+        // axis. The average over all directions is a lower bound.
         const float average = luminance(power(0)) / (4 * kPi);
         reach_.intensity = 0;
         for (const LightReach& r : reaches) {
@@ -191,13 +192,13 @@ class MeshAreaLight final : public AreaLight {
         reach_.intensity = std::max(reach_.intensity, average);
     }
 
-    std::vector<Facet> facets_;      // all triangles of a large mesh, and
-    LightTree tree_;                 // a tree over them; empty for a small mesh, for which
-    std::vector<uint32_t> facetOf_;  // each triangle's facet is listed here
+    std::vector<Facet> facets_;      // one per triangle in a large mesh
+    LightTree tree_;                 // over the facets of a large mesh; empty for a small one
+    std::vector<uint32_t> facetOf_;  // index of each triangle's facet in a small mesh; empty for a large one
     Distribution1D byFlux_;          // over the facets
-    // With an image: its coordinates on each facet, and where on the facets to sample it.
+    // With an image: its (u, v) on each facet, and the tables for sampling it.
     std::vector<FacetCoordinates> coordinates_;
-    std::vector<std::shared_ptr<const EmissionGrid>> grids_;  // empty, or null, for uniform sampling
+    std::vector<std::shared_ptr<const EmissionGrid>> grids_;  // null if a facet is sampled uniformly; empty if all are
     bool emits_ = false;
     Rgb radianceTimesArea_;
     LightReach reach_;

@@ -1,8 +1,8 @@
 // Diffuse area light over a shape that is not made of triangles (PBR 3e, sections 12.5 and 14.2.2).
 //
-// An image on the shape is sampled by a table over its (u, v). Spheres are also sampled by the directions in which they
-// are seen, without regard to the image: each technique makes half of the samples, and the density is that of the
-// mixture, so that the noise is at most twice that of the better of the two.
+// An image on the shape is sampled by a table over its (u, v). Spheres are also sampled by solid angle, without regard
+// to the image: each technique makes half of the samples, and the pdf is that of the mixture, so that the second moment
+// is at most twice that of the better technique.
 #include "scene/lights/emission_grid.h"
 #include "scene/lights/light.h"
 #include "scene/shapes/quadric_space.h"
@@ -11,7 +11,7 @@ namespace drc {
 namespace {
 
 constexpr float kShareOfDirections = 0.5f;
-// Points along a side of the unit square, for the mean of an image over a shape of which we have no table.
+// Points along each side of the unit square for the mean of an image over a shape without spotAt(), such as curves.
 constexpr int kPointsOfMean = 64;
 
 class ShapeAreaLight final : public AreaLight {
@@ -44,7 +44,8 @@ class ShapeAreaLight final : public AreaLight {
         return ray;
     }
 
-    // Curves turn towards rays, and Embree's ribbons are made of facets, beside which a light path would start.
+    // emit() samples curves as exact tubes or ribbons. Rays hit something else: flat curves turn towards each ray, and
+    // Embree approximates ribbons by facets.
     bool emitsFromWhereRaysMeetIt() const override { return shape_->asCurves() == nullptr; }
     Bounds bounds() const override { return shape_->bounds(); }
     LightReach reach() const override {
@@ -134,9 +135,9 @@ class ShapeAreaLight final : public AreaLight {
     }
 
     ShapePtr shape_;
-    float area_;  // computed here, because curves allocate a table for it, and an error can still name the place in the
-                  // file
-    std::shared_ptr<const EmissionGrid> grid_;  // over (u, v); null if points are sampled without regard to an image
+    // Computed by the constructor: curves allocate a table for it, and an error can still name the place in the file.
+    float area_;
+    std::shared_ptr<const EmissionGrid> grid_;  // over (u, v); null if no image guides the sampling
     Rgb radianceTimesArea_;
 };
 

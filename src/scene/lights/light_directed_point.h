@@ -41,7 +41,7 @@ class DirectedPointLight : public Light {
 
     // Cosine of the half-angle of the cone around +z that contains all of the light, in light space.
     virtual float leastCosine() const { return -1; }
-    // Share of intensity_ that is emitted along w, in light space and of any length.
+    // Factor of intensity_ in direction w, which is in light space and of any length.
     virtual Rgb share(const Vec3& w) const = 0;
 
     Vec3 position_;
@@ -50,7 +50,7 @@ class DirectedPointLight : public Light {
     Vec3 axis_;      // the light's +z in world space
 
   private:
-    // Cosine of the cone in world space; -1 for all directions.
+    // Cosine of the cone's half-angle in world space; -1 for all directions.
     float coneCosine() const { return worldToLight_.keepsAngles() ? leastCosine() : -1; }
     static float coneDensity(float edge) { return edge > -1 ? uniformConePdf(edge) : uniformSpherePdf(); }
 };

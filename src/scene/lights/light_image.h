@@ -8,11 +8,11 @@ namespace drc {
 
 struct LightImage {
     int width = 0, height = 0;
-    std::vector<Rgb> texels;  // row-major; the kind of light defines what row 0 is
+    std::vector<Rgb> texels;  // row-major; the kind of light defines where row 0 is
     bool repeats = false;     // repeats beyond all edges, whatever lookup() is told
 
     bool empty() const { return width <= 0 || height <= 0 || texels.size() < size_t(width) * size_t(height); }
-    // Replaces non-finite values by black and negative ones by zero, since in images both are damage.
+    // Replaces non-finite texels by black and negative values by zero: in an image file both are defects.
     void mend() {
         for (Rgb& c : texels) c = isFinite(c) ? clampNonNegative(c) : Rgb(0.f);
     }

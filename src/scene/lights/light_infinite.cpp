@@ -10,7 +10,8 @@
 namespace drc {
 namespace {
 
-// The mean of a bilinearly interpolated row over a texel's own cell is 1/8, 6/8 and 1/8 of three neighbouring texels.
+// Mean of a linearly interpolated row of texels over the cell of one texel: it weights the texel before, the texel
+// itself and the texel after by 1/8, 6/8 and 1/8.
 float cellAverage(float before, float here, float after) { return (before + 6 * here + after) / 8; }
 
 class InfiniteLight final : public Light {
@@ -36,7 +37,8 @@ class InfiniteLight final : public Light {
 
     std::optional<LightSample> sample(const Vec3&, const Vec2& u) const override {
         const Sample2D s = distribution_.sample(u);
-        // Uniform in solid angle within the cell. Uniform in (u, v) would be denser towards the poles.
+        // Uniform in solid angle within the cell. A point uniform in (u, v) would have a higher density towards the
+        // poles.
         const float h = lerp(s.local.y, oneMinusCos_[s.y], oneMinusCos_[s.y + 1]);
         const SinCos phi = sinCosOfTurn((float(s.x) + s.local.x) / float(distribution_.width()));
         const float sinTheta = safeSqrt(h * (2 - h));
@@ -128,8 +130,8 @@ class InfiniteLight final : public Light {
         return texels_[size_t(y < 0 ? y + height_ : y) * width_ + (x < 0 ? x + width_ : x)];
     }
 
-    // Ratio of solid angles in light space and world space around a direction, w in light space. It is 1 for rotations,
-    // which lightToWorld nearly always is.
+    // Solid angle in light space per solid angle in world space at a direction. w: worldToLight_ of the unit
+    // world-space direction, not normalised. The ratio is 1 for rotations, which lightToWorld nearly always is.
     float stretch(const Vec3& w) const {
         if (rigid_) return 1;
         const float l = length(w);
@@ -137,8 +139,8 @@ class InfiniteLight final : public Light {
     }
 
     void buildDistribution() {
-        // Texels are weighted by the integral of the interpolated luminance over them, so that no direction with light
-        // has zero pdf, and none is sampled far too often.
+        // The weight of a texel is the integral of the interpolated luminance over its cell, so that no direction with
+        // light has zero pdf, and none is sampled far too often.
         TexelIntegrals f{width_, height_, std::vector<float>(texels_.size())};
         std::vector<double> solidAngles;
         double weights = 0;
@@ -169,12 +171,12 @@ class InfiniteLight final : public Light {
         rowDensity_.resize(cellRows);
         for (int row = 0; row <= cellRows; ++row)
             oneMinusCos_.push_back(float(1 - std::cos(std::numbers::pi * row / cellRows)));
-        // Converts pdfs over the unit square to pdfs over the sphere.
+        // Factors that convert pdfs over the unit square to pdfs per solid angle.
         for (int row = 0; row < cellRows; ++row)
             rowDensity_[row] = float(1 / (2 * std::numbers::pi * oneMinusCosDifference(row, cellRows) * cellRows));
     }
 
-    // Difference of cos(theta) between the upper and the lower edge of a row.
+    // Difference of cos(theta) between the upper and the lower edge of a row of the map or the distribution.
     static double oneMinusCosDifference(int row, int rows) {
         const double half = std::numbers::pi / (2.0 * rows);
         return 2 * std::sin((2 * row + 1) * half) * std::sin(half);
@@ -186,7 +188,7 @@ class InfiniteLight final : public Light {
     std::vector<Rgb> texels_;      // multiplied by scale
     Distribution2D distribution_;  // over cells of one or more texels
     // For each row of the distribution:
-    std::vector<float> rowDensity_;  // pdf over the sphere per unit of pdf over the unit square
+    std::vector<float> rowDensity_;  // pdf per solid angle / pdf over the unit square
     std::vector<float>
         oneMinusCos_;        // 1 - cos(theta) at the upper edge of each row, and finally at the map's lower edge
     Rgb mean_;               // mean radiance over the sphere

@@ -1,5 +1,6 @@
-// An environment whose light enters through a portal alone (Bitterli et al., "Portal-Masked Environment Map Sampling",
-// EGSR 2015; PBR 4e, section 12.5.3): from a point, only what it sees of the environment through the portal is sampled.
+// An environment whose light enters only through a portal (Bitterli et al., "Portal-Masked Environment Map Sampling",
+// EGSR 2015; PBR 4e, section 12.5.3): sample() chooses only directions in which the point sees the environment through
+// the portal.
 #include "scene/lights/light.h"
 #include "scene/lights/portal_directions.h"
 
@@ -34,7 +35,7 @@ class PortalLight final : public Light {
         const Rgb radiance = environment_->escaped(scene.center, from.w);
         const EmissionDensity density = emissionDensity({}, d, scene);
         if (isBlack(radiance) || !(density.origin > 0)) return {};
-        // The ray starts before the scene, since something may stand outside, before the portal.
+        // The ray starts outside the scene's bounding sphere, because an object outside the portal may block it.
         const Vec3 on = portal_.pointAt(uLeaving);
         const float back = std::max(0.f, dot(on - scene.center, d) + scene.radius);
         return EmittedRay{.p = on - d * back, .d = d, .radiance = radiance, .density = density};
@@ -49,7 +50,7 @@ class PortalLight final : public Light {
             1 / (portal_.area() * from->cosine)};
     }
 
-    // The flux that enters, as that of an area light in the portal.
+    // The flux that enters through the portal, as if the portal were an area light.
     Rgb power(float) const override { return tables_->fluxPerArea() * portal_.area(); }
     Bounds bounds() const override { return directions_.reach().bounds; }
     LightReach reach() const override { return directions_.reach(); }

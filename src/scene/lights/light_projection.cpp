@@ -1,5 +1,5 @@
 // Projection light: a point light behind an image, like a slide projector (PBR 3e, section 12.3.2). It emits along its
-// own +z. The image is on the plane z = 1, its shorter side as wide as the field of view. As in pbrt, row 0 is at the
+// own +z. The image is on the plane z = 1, and its shorter side spans the field of view. As in pbrt, row 0 is at the
 // lowest y.
 #include "scene/lights/light_directed_point.h"
 

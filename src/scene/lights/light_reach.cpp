@@ -50,7 +50,7 @@ float orientationMeasure(const LightReach& reach) {
 
 LightBound::LightBound(const LightReach& reach)
     : center(reach.bounds.center()),
-      // A point gets a small extent, so that nothing overflows right beside it.
+      // Positive even for a point light, so that 1 / distance^2 stays finite beside it.
       radius2(std::max(sqr(reach.bounds.radius()), 1e-30f)),
       axis(reach.axis),
       cosSpread(reach.spread >= kPi ? -1 : std::cos(reach.spread)),

@@ -8,15 +8,16 @@ namespace drc {
 
 struct LightReach {
     Bounds bounds;
-    // Each point of the light emits around an axis of its own (the normal of a surface), which deviates by at most
-    // `spread` from this axis, and up to the angle `falloff` from its own. In radians. By default in all directions.
+    // Each point of the light has an axis of its own, such as the surface normal, which deviates from `axis` by at most
+    // the angle `spread`; the point emits up to the angle `falloff` from its own axis. Radians. By default the light
+    // emits in all directions.
     Vec3 axis{0, 0, 1};
     float spread = kPi;
     float falloff = kPi / 2;
     bool twoSided = false;  // also emits around -axis
     float intensity = 0;    // luminance of the whole light as seen from a distant point on the axis, W / sr
 
-    // For light that all leaves around the axis, and fades so.
+    // Sets the angles for a light whose points all emit around `axis` and fade as a spot does.
     void narrowTo(const SpotFalloff& fade) {
         spread = std::acos(fade.cosFull);
         falloff = fade.cone - spread;
@@ -25,8 +26,8 @@ struct LightReach {
 
 // Bounds of both lights together.
 LightReach merged(const LightReach& a, const LightReach& b);
-// Solid angle of the directions, weighted by the cosine to the nearest axis. It is what the surface area of a box is
-// for positions, in the cost function for building light trees.
+// Solid angle of the directions of emission, weighted by the cosine to the nearest axis. In the cost function for
+// building light trees, it measures directions as the surface area of a box measures positions.
 float orientationMeasure(const LightReach& reach);
 
 // A LightReach in a form that is quick to evaluate for a point.
@@ -53,7 +54,8 @@ struct LightBound {
         return distance2 > radius2 ? outside : intensity / radius2;
     }
 
-    // Lights may emit beyond 90 degrees from their axes, and at grazing angles may be brighter than the bounds suggest.
+    // Lower bound of the cosine in irradiance(), because lights may emit beyond 90 degrees from their axes, and may be
+    // brighter at grazing angles than the bounds suggest.
     static constexpr float kLeastCosine = 0.02f;
 
     Vec3 center{0.f};

@@ -1,4 +1,4 @@
-// A distant light that is seen under an angle, as the sun is: a disk at infinity of even radiance.
+// A distant light with an angular size, as the sun has: a disk of uniform radiance at infinity.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,7 +13,7 @@ class SunLight final : public Light {
   public:
     SunLight(const Vec3& direction, const Rgb& irradiance, float angle, LightAudience audience)
         : frame_(Frame::fromNormal(normalize(direction))), irradiance_(irradiance), audience_(audience) {
-        // In double precision: the sun's own disk is within 1e-5 of a cosine of one.
+        // In double precision, because 1 - cos(half) is only 1e-5 for the real sun.
         const double half = std::min(double(angle), 180.0) * std::numbers::pi / 360;
         oneMinusCos_ = float(2 * std::pow(std::sin(half / 2), 2));
         radiance_ = irradiance * float(1 / (std::numbers::pi * std::pow(std::sin(half), 2)));
@@ -35,7 +35,7 @@ class SunLight final : public Light {
     EmissionDensity emissionDensity(const EmitterHit&, const Vec3& d, const SceneSphere& scene) const override {
         return {pdfEscaped(scene.center, -d), scene.perFacingArea()};
     }
-    // As for a distant light.
+    // The flux through the disk that the scene's bounding sphere presents to the light.
     Rgb power(float sceneRadius) const override { return irradiance_ * (kPi * sqr(sceneRadius)); }
     bool isAtInfinity() const override { return true; }
     bool isInfinite() const override { return true; }
@@ -53,7 +53,7 @@ class SunLight final : public Light {
     }
 
   private:
-    // 1 - cos of the angle to the middle, without cancellation.
+    // 1 - cos of the angle between wi and the centre of the disk, without cancellation.
     float heightOf(const Vec3& wi) const { return lengthSquared(wi - frame_.n) / 2; }
     float pdf() const { return 1 / (2 * kPi * oneMinusCos_); }
 

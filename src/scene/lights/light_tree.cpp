@@ -17,8 +17,8 @@ Vec3 extentOf(const Bounds& b) { return b.empty() ? Vec3(0, 0, 0) : b.max - b.mi
 
 int longestAxis(const Vec3& v) { return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2; }
 
-// Cost of a cluster: its intensity, the size of its box and its solid angle of directions. The diagonal of the box is
-// included with a small weight, since the box of lights in a row has no surface area.
+// Cost of a cluster: the product of its intensity, the size of its box and its solid angle of directions. The diagonal
+// of the box is included with a small weight, since the box of lights in a row has no surface area.
 float cost(const LightReach& r) {
     const Vec3 e = extentOf(r.bounds);
     const float surface = 2 * (e.x * e.y + e.y * e.z + e.z * e.x);
@@ -77,7 +77,7 @@ void LightTree::build(std::vector<Cluster>& clusters, std::span<Item> items, int
         for (const Item& item : items)
             buckets[size_t(bucketOf(item.reach.bounds.center()[axis], centers.min[axis], extent[axis]))].add(item.reach,
                                                                                                              1);
-        // Costs of the lights before each boundary, then of those after it.
+        // First the costs of the lights before each boundary between buckets, then those of the lights after it.
         std::array<float, kBuckets> before{};
         Bucket sum;
         for (size_t i = 0; i < kBuckets; ++i) {
@@ -166,7 +166,8 @@ LightTree::Choice LightTree::sample(const Vec3& p, float u) const {
 
 float LightTree::probability(const Vec3& p, int index) const {
     const Leaf leaf = leaves_[size_t(index)];
-    // From the leaf upwards, with the same factors as on the way down.
+    // The product of the probabilities along the path from the leaf to the root; sample() multiplies the same factors
+    // on the way down.
     float result = leaf.node < 0 ? 0 : 1;
     for (int node = leaf.node, branch = leaf.branch; node >= 0;) {
         float weights[LightBounds::kCount];

@@ -1,5 +1,6 @@
-// A tree over many lights, or over the many parts of one, to choose one for a point by its potential contribution in
-// time proportional to the depth of the tree (Conty Estevez and Kulla 2018; PBR 4e, section 12.6.3).
+// A tree over many lights, or over the many parts of one light. It chooses a light for a point in proportion to the
+// estimated contribution, in time proportional to the depth of the tree (Conty Estevez and Kulla 2018; PBR 4e, section
+// 12.6.3).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,7 +13,7 @@ namespace drc {
 class LightTree {
   public:
     LightTree() = default;
-    // Lights without intensity are never chosen.
+    // Lights with zero intensity or empty bounds are never chosen.
     explicit LightTree(std::span<const LightReach> lights);
 
     struct Choice {
@@ -56,7 +57,7 @@ class LightTree {
     void widen(const std::vector<Cluster>& clusters, int cluster, int node, int depth);
 
     std::vector<Node> nodes_;
-    std::vector<Leaf> leaves_;  // for each light, where it is in the tree
+    std::vector<Leaf> leaves_;  // for each light, its position in the tree
     LightReach reach_;
     LightBound bound_;
     int depth_ = 0;

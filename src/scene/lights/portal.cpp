@@ -9,7 +9,7 @@
 namespace drc {
 namespace {
 
-// The largest deviation of a corner's angle, as a cosine; that of pbrt-v4.
+// Largest deviation from right angles and parallel sides, as a cosine; the tolerance of pbrt-v4.
 constexpr float kPlaneTolerance = 1e-3f;
 
 // atan2(x, z) / pi + 1/2, for z > 0.
@@ -22,7 +22,7 @@ Vec2 rectified(const Vec3& local) { return Vec2(rectified(local.x, local.z), rec
 // Sine and cosine of the angle (u - 1/2) pi.
 SinCos sinCosOf(float u) { return sinCosOfTurn(u < 0.5f ? 0.5f * u + 0.75f : 0.5f * u - 0.25f); }
 
-// d(omega) / d(rectified) = pi^2 (1 - x^2) (1 - y^2) / z.
+// d(omega) / d(rectified) = pi^2 (1 - x^2) (1 - y^2) / z, for a unit w in the portal's frame.
 float solidAngleAt(const Vec3& w) {
     const float perUnit = kPi * kPi * (w.y * w.y + w.z * w.z) * (w.x * w.x + w.z * w.z) / w.z;
     return std::isfinite(perUnit) ? perUnit : 0;
@@ -34,7 +34,7 @@ Portal::Portal(const std::array<Vec3, 4>& corners) : corner_(corners[0]) {
     const Vec3 x = corners[3] - corners[0], y = corners[1] - corners[0];
     width_ = length(x);
     height_ = length(y);
-    // Perpendicular, however the corners deviate.
+    // The frame is orthonormal even if the corners are not exactly those of a rectangle.
     const Vec3 s = x / width_, n = normalize(cross(s, y));
     frame_ = Frame(s, cross(n, s), n);
 }
@@ -53,7 +53,8 @@ std::string Portal::flawOf(const std::array<Vec3, 4>& corners) {
             return fmt::format("the angle at corner {} is {:.4g} degrees, not 90", i + 1,
                                std::acos(std::clamp(cosine, -1.f, 1.f)) * 180 / kPi);
     }
-    // Right angles at all corners and opposite sides in opposite directions: flat, and not crossed.
+    // Together with right angles at all corners, opposite sides in opposite directions mean that the outline is flat
+    // and does not cross itself.
     for (size_t i = 0; i < 2; ++i)
         if (std::abs(dot(sides[i], sides[i + 2]) + 1) > kPlaneTolerance)
             return fmt::format("the side from corner {} to corner {} is not parallel to the opposite one", i + 1,
@@ -79,7 +80,7 @@ std::optional<Window> Portal::windowFrom(const Vec3& p) const {
 }
 
 Portal::Direction Portal::directionOf(const Vec2& at) const {
-    // x / z = tan a and y / z = tan b, with sines and cosines, since tangents may be infinite.
+    // Solves x / z = tan a and y / z = tan b with sines and cosines, since the tangents may be infinite.
     constexpr float kLeast = 1e-7f;
     const SinCos a = sinCosOf(at.x), b = sinCosOf(at.y);
     const float ca = std::max(kLeast, a.cos), cb = std::max(kLeast, b.cos);

@@ -1,6 +1,7 @@
-// A rectangular opening through which the light of an environment enters, and the rectified coordinates of directions
-// in which every point behind it sees it as a rectangle (Bitterli et al. 2015; PBR 4e, section 12.5.3): the angles of a
-// direction to the portal's normal, in the planes of the normal and one of its sides each, divided by pi.
+// A rectangular opening through which the light of an environment enters, and rectified coordinates of directions, in
+// which the portal is a rectangle as seen from every point behind it (Bitterli et al. 2015; PBR 4e, section 12.5.3):
+// for a direction (x, y, z) in the portal's frame, whose z axis is the normal, they are atan2(x, z) / pi + 1/2 and
+// atan2(y, z) / pi + 1/2.
 #pragma once
 #include <array>
 #include <optional>
@@ -27,21 +28,21 @@ class Portal {
     // u in the unit square.
     Vec3 pointAt(const Vec2& u) const { return corner_ + frame_.s * (u.x * width_) + frame_.t * (u.y * height_); }
 
-    // Whether p is inside.
+    // Whether p is on the inner side of the portal's plane.
     bool faces(const Vec3& p) const { return dot(corner_ - p, frame_.n) > 0; }
     // Whether a ray from p in direction w passes the portal from the inside.
     bool isPassed(const Vec3& p, const Vec3& w) const;
-    // The window that p sees through the portal, in rectified coordinates; none from outside.
+    // The rectangle of rectified coordinates that the portal covers as seen from p; empty if p is outside.
     std::optional<Window> windowFrom(const Vec3& p) const;
 
-    // A direction, unit, with the solid angle per unit of rectified coordinates.
+    // A direction (unit, world space), with the solid angle per unit area of rectified coordinates.
     struct Direction {
         Vec3 w;
         float solidAngle = 0;
         float cosine = 0;  // to outward()
     };
     Direction directionOf(const Vec2& rectified) const;
-    // None for directions that lead inside.
+    // Rectified coordinates of a direction. rectifiedOf() returns none for directions that lead inside.
     struct Rectified {
         Vec2 at;
         float solidAngle = 0, cosine = 0;

@@ -1,4 +1,4 @@
-// Directions in which a point sees an environment through a portal.
+// Samples the directions in which a point sees an environment through a portal.
 #pragma once
 #include <memory>
 #include <optional>
@@ -11,7 +11,7 @@ namespace drc {
 
 class PortalDirections {
   public:
-    // tables: of portals that face the same way.
+    // tables: made for this portal or for another one with the same frame (Portal::frame()).
     PortalDirections(const Portal& portal, std::shared_ptr<const RectifiedEnvironment> tables)
         : portal_(portal), tables_(std::move(tables)) {}
 
@@ -20,16 +20,16 @@ class PortalDirections {
         Vec3 wi;
         float pdf = 0;  // per solid angle, positive
     };
-    // None from outside, and where nothing but black is seen.
+    // Empty if p is outside the portal, or sees only black through it.
     std::optional<Sample> sample(const Vec3& p, const Vec2& u) const;
     float pdf(const Vec3& p, const Vec3& wi) const { return inverse(p, wi, false).pdf; }
-    // The pdf, and the u for which sample() gives this direction.
+    // The pdf of sample() for a direction, and the u for which sample() returns that direction.
     struct Inverse {
         float pdf = 0;
         Vec2 u{0.f};
     };
     Inverse inverse(const Vec3& p, const Vec3& wi, bool withU = true) const;
-    // As that of an area light in the portal.
+    // The reach of an area light that fills the portal and has the same flux.
     LightReach reach() const;
 
   private:

@@ -6,11 +6,12 @@
 namespace drc {
 namespace {
 
-// Cells along a side. A map has about as many rows over the half turn; a constant environment needs cells too, because
-// the solid angle of a cell varies.
+// Least number of cells along a side. Even a constant environment needs several cells, because the solid angle of a
+// cell varies.
 constexpr int kFewestCells = 64;
-constexpr int kMostPointsPerCell = 8;  // at which the environment is looked up, along a side
-// Share of the mean of a cell and its neighbours in its weight, for light between the points: an edge of the sun.
+constexpr int kMostPointsPerCell = 8;  // lookups of the environment along each side of a cell
+// Share of the mean over a cell and its eight neighbours in the cell's weight, for light that falls between the lookup
+// points, such as the edge of the sun.
 constexpr float kShareOfNeighbours = 1 / 8.f;
 
 // Means over a cell, per unit of rectified coordinates.
@@ -52,10 +53,11 @@ std::vector<float> spread(const std::vector<float>& weights, int side) {
 }  // namespace
 
 RectifiedEnvironment::RectifiedEnvironment(const Light& environment, int rows, const Portal& portal, int mostCells) {
-    // Rounded up to a multiple of the largest of coarse cells.
+    // Rounded up to a multiple of the largest cell that coarsestCell() may return.
     constexpr int kMultiple = 32;
     const int side = (std::clamp(rows, kFewestCells, mostCells) + kMultiple - 1) / kMultiple * kMultiple;
-    // Two rows apart: maps are interpolated, so that all that they have is seen by some point.
+    // The lookup points are at most two rows of the map apart: maps are interpolated bilinearly, so that every texel
+    // contributes to some lookup.
     const int points = std::clamp((rows + 2 * side - 1) / (2 * side), 2, kMostPointsPerCell);
     std::vector<float> seen(size_t(side) * size_t(side)), entering(seen.size());
     std::vector<Rgb> fluxes(size_t(side), Rgb(0.f));

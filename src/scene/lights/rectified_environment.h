@@ -1,4 +1,5 @@
-// Tables of an environment in the rectified coordinates of portals that face the same way (Portal).
+// Tables for sampling an environment over the rectified coordinates of a Portal. Portals with the same frame can share
+// them.
 #pragma once
 #include <memory>
 
@@ -11,12 +12,12 @@ namespace drc {
 
 class RectifiedEnvironment {
   public:
-    // rows: of the environment's map, 1 for a constant one. The tables have about as many cells along a side, but at
-    // most mostCells, and fewer where that costs next to nothing (coarsestCell).
+    // rows: rows of the environment's map; 1 for a constant environment. The tables have about as many cells along a
+    // side, but at most about mostCells, and fewer where that hardly increases the variance (coarsestCell).
     RectifiedEnvironment(const Light& environment, int rows, const Portal& portal, int mostCells = 1024);
 
-    // Over rectified coordinates: radiance, as points behind the portal see it; and radiance times cosine, as it
-    // enters.
+    // Distributions over rectified coordinates: of radiance, for points behind the portal (seen); and of radiance times
+    // cosine, for paths that start at the portal (entering).
     const WindowedDistribution2D& seen() const { return seen_; }
     const Distribution2D& entering() const { return entering_; }
     // Flux that enters, per area of the portal.

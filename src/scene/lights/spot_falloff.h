@@ -23,8 +23,8 @@ struct SpotFalloff {
         const float x = (cosTheta - cosEdge) / (cosFull - cosEdge);
         return edge == SpotEdge::Steep ? sqr(sqr(x)) : sqr(x) * (3 - 2 * x);
     }
-    // Its integral over all directions. The soft edge has a fifth (x^4) or a half of what it would have at full
-    // intensity: the integral over x.
+    // Integral of the falloff over all directions. x is linear in the cosine, so the soft edge contributes its solid
+    // angle times the integral of the falloff over x: 1/5 (Steep) or 1/2 (Smooth).
     float solidAngle() const {
         const float share = edge == SpotEdge::Steep ? 0.2f : 0.5f;
         return 2 * kPi * ((1 - cosFull) + (cosFull - cosEdge) * share);

@@ -1,4 +1,5 @@
-// The effect of a transform on directions, by the images of the axes in single precision. (Transform uses doubles.)
+// The linear part of a transform in single precision, stored as the transformed x, y and z axes. (Transform uses
+// doubles.)
 #pragma once
 #include "math/transform.h"
 

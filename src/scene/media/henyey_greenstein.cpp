@@ -8,15 +8,15 @@
 namespace drc {
 
 float phaseHenyeyGreenstein(float g, const Vec3& wo, const Vec3& wi) {
-    // Light that is not deflected has wi = -wo. Of the two equal forms of the denominator this one does not cancel
-    // near the peak.
+    // The peak is at wi = -wo if g > 0 and at wi = wo if g < 0. This form of the denominator 1 + g^2 + 2 g dot(wo, wi)
+    // does not suffer from cancellation near the peak.
     const float fromPeak = std::max(0.f, 1 + (g > 0 ? dot(wo, wi) : -dot(wo, wi)));
     const float denominator = sqr(1 - std::abs(g)) + 2 * std::abs(g) * fromPeak;
     return (1 - g * g) / (4 * kPi * denominator * std::sqrt(denominator));
 }
 
 Vec3 sampleHenyeyGreenstein(float g, const Vec3& wo, const Vec2& u) {
-    // The inverse of the distribution of the deflection's cosine, in a form that does not divide by g.
+    // Inverts the cumulative distribution of the scattering angle's cosine, in a form that does not divide by g.
     const float x = 1 - 2 * u.x;
     const float polynomial = 2 * x + g * (x * x + 3 + g * (2 * x + g * (x * x - 1)));
     const float cosine = std::clamp(polynomial / (2 * sqr(1 + g * x)), -1.f, 1.f);

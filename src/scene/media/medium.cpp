@@ -6,7 +6,7 @@ Rgb Medium::emitted(float distance) const {
     Rgb sum(0.f);
     if (isBlack(emission)) return sum;
     const Rgb t = sigmaT();
-    // expm1, because nearly all of a thin medium is cancelled.
+    // expm1, because 1 - exp(-x) suffers from cancellation in thin media.
     for (int c = 0; c < 3; ++c)
         if (sigmaA[c] > 0) sum[c] = emission[c] * sigmaA[c] / t[c] * -std::expm1(-t[c] * distance);
     return sum;

@@ -7,24 +7,25 @@
 namespace drc {
 
 struct Medium {
-    Rgb sigmaA{0.f};    // what a unit of length in world space absorbs
-    Rgb sigmaS{0.f};    // what it scatters
-    Rgb emission{0.f};  // Le: a unit of length emits sigmaA times this radiance
-    float g = 0;        // mean cosine of the angle by which scattering deflects light, in (-1, 1)
+    Rgb sigmaA{0.f};    // absorption coefficient, per unit of length in world space
+    Rgb sigmaS{0.f};    // scattering coefficient, in the same unit
+    Rgb emission{0.f};  // Le: the medium emits the radiance sigmaA * emission per unit of length
+    float g = 0;        // mean cosine of the scattering angle, in (-1, 1)
 
     Rgb sigmaT() const { return sigmaA + sigmaS; }
     bool scatters() const { return !isBlack(sigmaS); }
-    // The share of light that passes a distance, which may be infinite.
+    // Transmittance over a distance, which may be infinite.
     Rgb transmittance(float distance) const {
         const Rgb t = sigmaT();
         const auto through = [&](float sigma) { return sigma > 0 ? std::exp(-sigma * distance) : 1; };
         return {through(t.x), through(t.y), through(t.z)};
     }
-    // The radiance that a distance emits towards its beginning, of which it absorbs and scatters a part itself.
+    // Radiance that arrives at the start of a segment of this length from emission along the segment, attenuated by the
+    // medium on the way.
     Rgb emitted(float distance) const;
-    // The share of light from the end of a distance to its beginning that is scattered on the way.
+    // Fraction of light that is scattered within a segment of this length: albedo * (1 - transmittance).
     Rgb scatteredIn(float distance) const { return albedo() * (Rgb(1.f) - transmittance(distance)); }
-    // The albedo of single scattering; zero where there is no medium.
+    // Single-scattering albedo; zero in channels where sigmaT is zero.
     Rgb albedo() const;
 };
 

@@ -9,10 +9,10 @@
 namespace drc {
 namespace {
 
-constexpr int kStepsPerPiece = 4;  // resolution of lengths_
+constexpr int kStepsPerPiece = 4;  // cells of lengths_ per piece
 constexpr int kMaxPieces = 64;     // per curve
 
-// The blossom of the Bezier curve, which gives the control points of its parts (PBR 3e, section 3.7).
+// The blossom of a cubic Bezier curve; its values are the control points of parts of the curve (PBR 3e, section 3.7).
 Vec3 blossom(const std::array<Vec3, 4>& c, float u, float v, float w) {
     const auto mix = [](const Vec3& a, const Vec3& b, float t) { return a * (1 - t) + b * t; };
     const Vec3 a = mix(c[0], c[1], u), b = mix(c[1], c[2], u), d = mix(c[2], c[3], u);
@@ -23,26 +23,28 @@ std::array<Vec3, 4> partOf(const std::array<Vec3, 4>& c, float u0, float u1) {
     return {blossom(c, u0, u0, u0), blossom(c, u0, u0, u1), blossom(c, u0, u1, u1), blossom(c, u1, u1, u1)};
 }
 
-// Number of pieces such that chords deviate from the curve by at most a fiftieth of its width. The deviation of a chord
-// over 1/n of the parameter range is at most the second derivative over 8 n^2, and the second derivative is at most 6
-// times the second difference of the control points.
+// Number of pieces such that the kLines chords of each deviate from the curve by at most a fiftieth of its width. A
+// chord over 1/n of the parameter range deviates by at most |second derivative| / (8 n^2), and the second derivative is
+// at most 6 times the second difference of the control points.
 int piecesFor(const std::array<Vec3, 4>& c, float width) {
     const float bend = std::max(length(c[0] - c[1] * 2.f + c[2]), length(c[1] - c[2] * 2.f + c[3]));
     const float lines = std::sqrt(6 * bend / (8 * 0.02f * width));
     return std::isfinite(lines) ? int(std::clamp(std::ceil(lines / Curves::kLines), 1.f, float(kMaxPieces))) : 1;
 }
 
-// Distance along a ray in direction d (unit) to a curve that faces it, whose axis is at `axis` relative to the ray's
-// origin. Slightly nearer than the axis, so that the line segments that Embree intersects do not occlude the hit point.
+// Distance along a ray in direction d (unit) to a point of a curve that faces the ray. axis: the point of the curve's
+// axis, relative to the ray's origin. The distance is slightly shorter than to the axis, so that the line segments that
+// Embree intersects do not occlude the hit point.
 float depthFacing(const Vec3& axis, const Vec3& d, float radius) { return dot(d, axis) - 0.25f * radius; }
 
-// Number of pieces for a ribbon whose normals rotate, at most 15 degrees each. Embree represents the edges by cubic
-// curves, which would deviate for larger rotations.
+// Number of pieces of a ribbon such that its normal rotates by at most 15 degrees within each. Embree represents the
+// edges by cubic curves, which would deviate visibly for larger rotations.
 int piecesForTurn(const Vec3& n0, const Vec3& n1) {
     return int(std::ceil(std::acos(std::clamp(dot(n0, n1), -1.f, 1.f)) * (12 / kPi)));
 }
 
-// Control points of a Bezier curve through both normals that has the tangents of the arc between them at its ends.
+// Control points of a Bezier curve from n0 to n1 (unit) whose tangents at the ends are those of the circular arc
+// between them.
 std::array<Vec3, 4> arcBetween(const Vec3& n0, const Vec3& n1) {
     const float cosine = std::clamp(dot(n0, n1), -1.f, 1.f), angle = std::acos(cosine), sine = std::sin(angle);
     if (!(sine > 1e-4f)) return {n0, n0 * (2 / 3.f) + n1 * (1 / 3.f), n0 * (1 / 3.f) + n1 * (2 / 3.f), n1};
@@ -100,7 +102,8 @@ void Curves::add(const std::array<Vec3, 4>& points, const std::array<float, 2>& 
             const float radius = 0.5f * lerp(lerp(float(k) / 3, u0, u1), widths[0], widths[1]);
             points_.push_back({part[k], radius});
             if (type_ == CurveType::Ribbon) normals_.push_back({arcPart[k]});
-            // Comparisons with NaN are false, so NaN would not be noticed in the bounds.
+            // Bounds::extend() ignores NaN, because comparisons with NaN are false. Infinite bounds make the error
+            // visible.
             if (!std::isfinite(part[k].x + part[k].y + part[k].z + radius)) bounds_.extend(Vec3(kInfinity));
             bounds_.extend(part[k] - Vec3(radius));
             bounds_.extend(part[k] + Vec3(radius));
@@ -123,7 +126,8 @@ Curves::Point Curves::at(uint32_t piece, float u) const {
     r.p = c[0].p * (v * v * v) + c[1].p * (3 * v * v * u) + c[2].p * (3 * v * u * u) + c[3].p * (u * u * u);
     r.d1 = ((c[1].p - c[0].p) * (v * v) + (c[2].p - c[1].p) * (2 * v * u) + (c[3].p - c[2].p) * (u * u)) * 3.f;
     r.d2 = ((c[0].p - c[1].p * 2.f + c[2].p) * v + (c[1].p - c[2].p * 2.f + c[3].p) * u) * 6.f;
-    // Where control points coincide the derivative is zero; the direction along the whole curve is used instead.
+    // The derivative is zero where control points coincide; the direction from the first to the last control point
+    // replaces it.
     if (!(lengthSquared(r.d1) > 0)) r.d1 = c[3].p - c[0].p;
     r.radius = lerp(u, c[0].radius, c[3].radius);
     r.radiusStep = c[3].radius - c[0].radius;
@@ -212,7 +216,7 @@ std::optional<ShapeHit> Curves::intersect(const Ray& ray, float tMin) const {
 const Distribution1D& Curves::lengths() const {
     std::call_once(lengthsOnce_, [this] {
         constexpr double kBytesPerStep =
-            sizeof(float) + sizeof(double) + sizeof(int);  // of the values and of the distribution
+            sizeof(float) + sizeof(double) + sizeof(int);  // of `steps` and of the distribution
         const MemoryClaim memory(double(pieceCount()) * kStepsPerPiece * kBytesPerStep,
                                  fmt::format("a light of curves of {} pieces", pieceCount()));
         std::vector<float> steps;
@@ -298,7 +302,7 @@ float Curves::pdfFrom(const Vec3& p, const Vec3&, const ShapePoint& hit) const {
 
 float Curves::density(const Vec3& p, const Chosen& chosen, float s) const {
     const Point c = at(chosen.piece, chosen.u);
-    // The direction that the curve's side faces, and its derivative along the curve.
+    // The normal of the sampled side, and its derivative with respect to the piece's parameter.
     Vec3 facing(0.f), turn(0.f);
     if (type_ == CurveType::Ribbon) {
         facing = normalAt(chosen.piece, chosen.u, &turn);
@@ -310,7 +314,7 @@ float Curves::density(const Vec3& p, const Chosen& chosen, float s) const {
     const Vec3 q = cross(facing, c.d1), b = across(facing, c.d1);
     const Vec3 qStep = cross(turn, c.d1) + cross(facing, c.d2);
     const Vec3 bStep = (qStep - b * dot(b, qStep)) / length(q);
-    // Derivatives of the point c + s r b with respect to u and s, and the solid angle that they span.
+    // Derivatives of the point c + s r b with respect to u and s; the solid angle follows from their cross product.
     const Vec3 byU = c.d1 + b * (s * c.radiusStep) + bStep * (s * c.radius), byS = b * c.radius;
     const Vec3 d = c.p + b * (s * c.radius) - p;
     const float distance = length(d);

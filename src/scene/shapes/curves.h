@@ -1,5 +1,5 @@
-// Many thin curves of the same type: hair, fur, grass (PBR 3e, section 3.7). Each is a cubic Bezier curve without
-// thickness, whose width changes linearly along it.
+// Many thin curves of the same type: hair, fur, grass (PBR 3e, section 3.7). Each follows a cubic Bezier curve and has
+// no thickness; its width changes linearly along the curve.
 #pragma once
 #include <array>
 #include <mutex>
@@ -19,18 +19,18 @@ enum class CurveType {
 
 // u runs along each curve and v across it, along dpdv. For curves that face the viewer, dpdv is along cross(ray
 // direction, dpdu) as in pbrt, and the normals face the ray, or face away with flipNormal. (In pbrt they face away,
-// where nobody could see what the curves emit.) Across a cylinder, the normals vary as in the pbrt program, so that it
-// is shaded as if one saw the far side of a hollow tube; images made with pbrt look like this. A tube has the
-// normals of the round surface that it stands for, as hair does in other renderers. The normal of a ribbon is the given
-// one, or its opposite with flipNormal. In pbrt all of this holds in the shape's own space, so that v runs in the
-// opposite direction where the shape's transform mirrors.
+// where nobody could see what the curves emit.) Across a Cylinder, the normals vary as in the pbrt program: those of
+// the far inner wall of a hollow tube, which reproduces images made with pbrt. A Tube has the normals of the outside of
+// a round tube, as hair has in other renderers. The normal of a Ribbon is the given one, or its opposite with
+// flipNormal. In pbrt all of this holds in the shape's own space, so that v runs in the opposite direction if the
+// shape's transform mirrors (`mirrored`).
 class Curves final : public Shape {
   public:
     Curves(CurveType type, bool flipNormal, bool mirrored = false)
         : type_(type), flipNormal_(flipNormal), mirrored_(mirrored) {}
 
-    // Adds a curve: its control points, and the widths and (for ribbons) unit normals at both ends. A curve without
-    // length is ignored.
+    // Adds a curve: its control points, and the widths and (for ribbons) unit normals at both ends. A curve whose
+    // control points coincide is ignored.
     void add(const std::array<Vec3, 4>& points, const std::array<float, 2>& widths,
              const std::array<Vec3, 2>& normals = {Vec3(0.f), Vec3(0.f)});
     // Number of pieces into which add() would split the curve.
@@ -61,7 +61,7 @@ class Curves final : public Shape {
     const std::vector<ControlPoint>& controlPoints() const { return points_; }
     const std::vector<ControlNormal>& controlNormals() const { return normals_; }  // ribbons only
 
-    // Describes the hit of a ray at distance t on a piece, at the parameter u of that piece.
+    // Describes the hit of a ray on a piece. u: parameter within the piece, in [0, 1]. t: distance along the ray.
     ShapeHit hitAt(uint32_t piece, float u, const Ray& ray, float t) const;
 
     const Curves* asCurves() const override { return this; }
@@ -69,45 +69,45 @@ class Curves final : public Shape {
     Bounds bounds() const override { return bounds_; }
     // Tests all pieces, for unit tests. Rendering uses Embree.
     std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const override;
-    // The area of flat curves and cylinders is that of round tubes, whose projected area, averaged over all directions,
-    // is the same.
+    // Curves that face the ray count as round tubes, whose projected area, averaged over all directions, equals theirs.
     float area() const override;
     ShapeSample sample(const Vec2& u) const override;
-    // Samples the side that faces p, for which the density is known. Hits report their piece in `part` and their uv.
+    // Samples the side that faces p and returns the pdf per solid angle. `part` is the index of the piece.
     ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const override;
     float pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const override;
     Vec2 uvSeenFrom(const ShapeSample& at, const Vec3& d) const override;
 
   private:
-    // A point on a piece with its derivatives with respect to the piece's parameter.
+    // A point of a piece's axis, its first and second derivative with respect to the piece's parameter, the radius
+    // (half the width) and the derivative of the radius.
     struct Point {
         Vec3 p, d1, d2;
         float radius, radiusStep;
     };
     Point at(uint32_t piece, float u) const;
     Vec3 normalAt(uint32_t piece, float u, Vec3* derivative = nullptr) const;
-    // The parameter of the piece, given u of the whole curve.
+    // Converts u of the whole curve to the parameter of the piece.
     float inPiece(uint32_t piece, float u) const;
-    // Unit vector across the curve, within the plane of the side that is perpendicular to `facing`.
+    // Unit vector across the curve: perpendicular to its direction `along` and to the normal `facing`.
     static Vec3 across(const Vec3& facing, const Vec3& along);
     const Distribution1D& lengths() const;
     struct Chosen {
         uint32_t piece;
-        float u, pdf;  // position on the piece, and density with respect to the piece's parameter
+        float u, pdf;  // parameter within the piece, and pdf per unit of that parameter
     };
     Chosen choose(float u) const;
-    // Density of sampleFrom(p) per solid angle, for the point at s times the radius from the curve's axis, s in [-1,
-    // 1].
+    // Pdf of sampleFrom(p), per solid angle at p, for the point at the signed distance s * radius from the curve's
+    // axis, s in [-1, 1].
     float density(const Vec3& p, const Chosen& at, float s) const;
 
     CurveType type_;
     bool flipNormal_, mirrored_;
     std::vector<ControlPoint> points_;
     std::vector<ControlNormal> normals_;
-    std::vector<Vec2> ranges_;  // for each piece, u of the whole curve at its ends
+    std::vector<Vec2> ranges_;  // for each piece, u of the whole curve at the piece's ends
     Bounds bounds_;
     mutable std::once_flag lengthsOnce_;
-    mutable Distribution1D lengths_;  // radius times length, over equal steps of the parameter along all pieces
+    mutable Distribution1D lengths_;  // radius * length of each of the kStepsPerPiece steps of each piece
 };
 
 }  // namespace drc

@@ -14,11 +14,11 @@ namespace {
 
 constexpr uint32_t kNone = ~0u;
 
-// Weight of each of the n neighbours of an interior vertex (Warren's choice), for a subdivision step and for the limit
+// Weight of each of the n neighbours of an interior vertex, for a subdivision step (Warren's choice) and for the limit
 // position.
 float neighbourWeight(uint32_t n) { return n == 3 ? 3 / 16.f : 3 / (8.f * float(n)); }
 float limitWeight(uint32_t n) { return 1 / (float(n) + 3 / (8 * neighbourWeight(n))); }
-// Weight of each of the two neighbours of a boundary vertex; the boundary is a cubic B-spline.
+// Weights of the two boundary neighbours of a boundary vertex. The boundary becomes a cubic B-spline.
 constexpr float kBoundaryWeight = 1 / 8.f, kBoundaryLimitWeight = 1 / 6.f;
 
 // Triangles as half-edges: the half-edge 3 f + k runs from the k-th corner of triangle f to the next.
@@ -30,7 +30,8 @@ struct HalfEdgeMesh {
     static uint32_t next(uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static uint32_t previous(uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
     uint32_t end(uint32_t h) const { return origin[next(h)]; }
-    // The next half-edge around the vertex in the sense of the winding, and against it.
+    // The next half-edge that starts at the same vertex: turned() rotates in the sense of the winding, turnedBack()
+    // against it. kNone beyond the boundary.
     uint32_t turned(uint32_t h) const { return twin[previous(h)]; }
     uint32_t turnedBack(uint32_t h) const { return twin[h] == kNone ? kNone : next(twin[h]); }
 };
@@ -71,7 +72,7 @@ HalfEdgeMesh makeHalfEdges(std::span<const Vec3> positions, std::span<const uint
     HalfEdgeMesh mesh;
     mesh.twin = findTwins(indices);
     mesh.origin.assign(indices.size(), kNone);
-    // Each fan of triangles gets its own vertex.
+    // Each fan of triangles around a vertex gets its own copy of the vertex.
     for (uint32_t h = 0; h < indices.size(); ++h) {
         if (mesh.origin[h] != kNone) continue;
         const auto vertex = uint32_t(mesh.positions.size());
@@ -83,7 +84,7 @@ HalfEdgeMesh makeHalfEdges(std::span<const Vec3> positions, std::span<const uint
     return mesh;
 }
 
-// Sums over a vertex's neighbours, as the subdivision rules need them.
+// Sums of the positions of a vertex's neighbours, for the subdivision rules.
 struct Neighbours {
     Vec3 sum{0.f};
     uint32_t count = 0;
@@ -109,9 +110,9 @@ std::vector<Neighbours> gatherNeighbours(const HalfEdgeMesh& mesh) {
     return result;
 }
 
-// Triangle f has four children. 4 f + k is at its k-th corner, with half-edges from there to the middle of the outgoing
-// edge, on to the middle of the incoming edge, and back. 4 f + 3 is in the centre, starting at the middle of the first
-// edge.
+// Splits triangle f into four. Triangle 4 f + k, k < 3, is at the k-th corner of f; its half-edges run from the corner
+// to the middle of the corner's outgoing edge, to the middle of its incoming edge, and back. Triangle 4 f + 3 is in the
+// centre and starts at the middle of the first edge.
 HalfEdgeMesh refine(const HalfEdgeMesh& mesh) {
     HalfEdgeMesh fine;
     const std::vector<Neighbours> neighbours = gatherNeighbours(mesh);
@@ -144,7 +145,8 @@ HalfEdgeMesh refine(const HalfEdgeMesh& mesh) {
         fine.origin[amid] = middle[h];
         fine.twin[first(h)] = twin == kNone ? kNone : second(twin);
         fine.twin[second(h)] = twin == kNone ? kNone : first(twin);
-        // In the central triangle, the edge that leaves the middle of h cuts off the corner at the end of h.
+        // In the central triangle, the half-edge that starts at the middle of h runs along the corner triangle at the
+        // end of h.
         const uint32_t cut = first(HalfEdgeMesh::next(h)) + 1;
         fine.twin[amid] = cut;
         fine.twin[cut] = amid;
@@ -152,8 +154,9 @@ HalfEdgeMesh refine(const HalfEdgeMesh& mesh) {
     return fine;
 }
 
-// Normal of the limit surface along the winding, not normalised (PBR 3e, section 3.8.2). start: a half-edge that leaves
-// the vertex; at the boundary, the first in the sense of the winding.
+// Normal of the limit surface at a vertex, oriented by the winding, not normalised (PBR 3e, section 3.8.2). start: a
+// half-edge that starts at the vertex; for a boundary vertex, the first one in the sense of the winding. ring: scratch
+// memory.
 Vec3 limitNormal(const HalfEdgeMesh& mesh, uint32_t start, bool boundary, std::vector<Vec3>& ring) {
     const Vec3 p = mesh.positions[mesh.origin[start]];
     ring.clear();
@@ -195,8 +198,8 @@ TriangleMesh subdivideLoop(std::span<const Vec3> positions, std::span<const uint
             fmt::format("subdividing {} triangles {} times makes {:.3g}, and at most {:.3g} are made; use fewer "
                         "levels",
                         indices.size() / 3, levels, triangles, limits::kSubdividedTriangles));
-    // The two half-edge meshes and the neighbours' sums would take 80 bytes per triangle, less than the mesh and its
-    // acceleration structure. There are half as many vertices as triangles.
+    // The two half-edge meshes and the sums over neighbours take 80 bytes per triangle, less than the final mesh and
+    // its acceleration structure, which are claimed here. There are half as many vertices as triangles.
     constexpr double kMesh = 3 * sizeof(uint32_t) + 2 * sizeof(Vec3) / 2.0, kHalfEdges = 6 * sizeof(uint32_t) + 6;
     MemoryClaim memory(triangles * (kMesh + kTracingBytesPerTriangle + kTracingBytesPerVertex / 2),
                        fmt::format("subdividing to {:.3g} triangles", triangles));

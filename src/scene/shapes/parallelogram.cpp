@@ -3,7 +3,7 @@
 namespace drc {
 namespace {
 
-// Tolerance relative to the largest coordinate: a few units in the last place, as transformations cause.
+// Tolerance relative to the largest coordinate: a few units in the last place, the rounding errors of transformations.
 constexpr float kRounding = 8 * 0x1p-23f;
 
 float largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }

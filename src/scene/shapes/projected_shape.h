@@ -1,16 +1,16 @@
-// A sphere, disk, ... under a transformation with perspective, which makes another surface of it: as a fine mesh, with
-// the exact normals.
+// A sphere, disk, ... under a perspective (not affine) transformation, as a fine mesh with exact normals. The
+// transformation turns the shape into another kind of surface.
 #pragma once
 #include "scene/shapes/shape.h"
 #include "scene/shapes/triangle_mesh.h"
 
 namespace drc {
 
-// Whether the last row of the matrix is 0 0 0 1, but for rounding.
+// Whether the last row of the matrix is (0, 0, 0, 1), up to rounding.
 bool isAffine(const Transform& t);
 
-// The shape, in its own space, seen through the transformation, which divides by w. Throws Error if its points are not
-// determined by (u, v), as those of curves, or if a part of it comes to lie at infinity.
+// Mesh of the shape with its points transformed by toWorld and divided by w. shape: in its own space. Throws Error if
+// (u, v) does not determine the shape's points (curves), or if a part of the shape is moved to infinity.
 TriangleMesh projectedShape(const Shape& shape, const Transform& toWorld);
 
 }  // namespace drc

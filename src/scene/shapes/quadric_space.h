@@ -15,10 +15,10 @@ class QuadricSpace {
             origin_[i] = objectToWorld.at(i, 3);
         }
         det_ = column_[0].dot(column_[1].cross(column_[2]));
-        // The inverse is computed from the very matrix that is used, so that transforming there and back gives the same
-        // point.
+        // The inverse is computed from column_, whose entries are rounded to float, so that transforming there and back
+        // gives the same point.
         for (int i = 0; i < 3; ++i) inverseRow_[i] = column_[(i + 1) % 3].cross(column_[(i + 2) % 3]) / det_;
-        // If the columns are perpendicular and of equal length, spheres stay spheres.
+        // Spheres stay spheres if the columns are perpendicular and of equal length.
         const double s2 = column_[0].length2(), tolerance = 1e-5 * s2;
         conformal_ = std::abs(column_[1].length2() - s2) < tolerance && std::abs(column_[2].length2() - s2) < tolerance;
         for (int i = 0; i < 3; ++i)
@@ -76,8 +76,8 @@ class QuadricSpace {
     bool conformal_;
     bool flip_;
 };
-// Given both intersections of a ray with a quadric, in any order, returns the nearer hit in (tMin, tMax) for which
-// hitAt(t) finds a point on the part of the quadric that exists. finds a point on the part of the quadric that exists.
+// t0, t1: both intersections of a ray with a quadric, in any order. Returns the nearer hit in (tMin, tMax) for which
+// hitAt(t) finds a point on the part of the quadric that exists.
 template <typename HitAt>
 auto nearerHit(double t0, double t1, double tMin, double tMax, const HitAt& hitAt) -> decltype(hitAt(t0)) {
     if (t0 > t1) std::swap(t0, t1);
@@ -88,8 +88,8 @@ auto nearerHit(double t0, double t1, double tMin, double tMax, const HitAt& hitA
     return {};
 }
 
-// Converts a pdf per area at `to`, where the unit normal is ng, to one per solid angle at `from` (PBR 3e,
-// section 5.5.3). Zero if the surface is seen edge-on, since no light can arrive then.
+// Converts a pdf per area at `to`, where the unit normal is ng, to one per solid angle at `from` (PBR 3e, section
+// 5.5.3). Zero if the surface is seen edge-on, because no light arrives from it.
 inline float toSolidAngle(float pdf, const Vec3& from, const Vec3& to, const Vec3& ng) {
     const Vec3d d = Vec3d(to) - Vec3d(from);
     const double cosineTimesD = std::abs(Vec3d(ng).dot(d));

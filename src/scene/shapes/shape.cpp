@@ -6,7 +6,8 @@ ShapeSample Shape::sampleFrom(const Vec3& p, const Vec2& u) const {
     ShapeSample s = sample(u);
     const Vec3 d = s.p - p;
     const float distance2 = lengthSquared(d), cosine = absDot(s.ng, d) / std::sqrt(distance2);
-    // dw = dA |cos| / d^2 (PBR 3e, section 5.5.3). No light arrives if the surface is edge-on or contains p.
+    // dw = dA |cos| / d^2 (PBR 3e, section 5.5.3). The pdf is zero if the surface is seen edge-on or contains p,
+    // because no light arrives from it.
     s.pdf = distance2 > 0 && cosine > 0 ? s.pdf * distance2 / cosine : 0;
     if (!std::isfinite(s.pdf)) s.pdf = 0;
     return s;

@@ -1,7 +1,7 @@
 // A shape that is not made of triangles: sphere, disk, ... (PBR 3e, chapter 3).
 //
-// A shape knows its own transform to world space. All arguments and results are in world space, or in the space of the
-// object definition that the shape belongs to.
+// A shape stores its own object-to-world transform. All arguments and results are in world space or, for a shape in an
+// instanced object, in the object's space.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -40,27 +40,27 @@ struct Bounds {
 
 struct ShapeHit {
     float t = 0;
-    Vec3 p;        // exactly on the surface, whereas o + t d has the rounding error of the ray's length
-    Vec3 ng;       // unit, oriented as in pbrt
-    Vec3 ns{0.f};  // shading normal, unit, on the side of ng; zero if it is ng
+    Vec3 p;        // on the surface up to rounding of p; the rounding error of o + t d grows with t
+    Vec3 ng;       // unit; each shape documents its side
+    Vec3 ns{0.f};  // shading normal, unit, on the side of ng; zero if equal to ng
     Vec2 uv;
     Vec3 dpdu, dpdv;
-    uint32_t part = 0;  // for shapes that consist of several parts
+    uint32_t part = 0;  // index of the part, for shapes that consist of several
 };
 
 struct ShapeSample {
     Vec3 p;
     Vec3 ng;        // unit
     float pdf = 0;  // per unit area
-    Vec2 uv{0.f};   // as a hit at p has
+    Vec2 uv{0.f};   // that of a hit at p
     uint32_t part = 0;
 };
 
-// A place given by its (u, v).
+// A point of a shape, given by its (u, v).
 struct ShapeSpot {
     Vec3 p;
     Vec3 ng;         // unit
-    float area = 0;  // per unit of u and v; zero where there is no surface
+    float area = 0;  // per unit area of (u, v); zero where there is no surface
 };
 
 // The description of a hit that pdf() and pdfFrom() need.
@@ -79,24 +79,25 @@ class Shape {
     // Nearest hit with tMin < t < ray.tMax.
     virtual std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const = 0;
     virtual float area() const = 0;
-    // Samples a point uniformly by area, or nearly so: by area before a transformation that stretches.
+    // Samples a point uniformly by object-space area, or nearly so. The pdf per world-space area varies if the
+    // transform stretches the shape unevenly.
     virtual ShapeSample sample(const Vec2& u) const = 0;
     // Pdf of sample() per unit area.
     virtual float pdf(const ShapePoint&) const { return 1 / area(); }
-    // Samples a point for illumination of p; its pdf is per solid angle at p. By default sample() with the pdf
+    // Samples a point that illuminates p; the pdf is per solid angle at p. The default is sample() with its pdf
     // converted.
     virtual ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const;
     // Pdf of sampleFrom(p), per solid angle, for the direction wi, which hits the shape at `hit`.
     virtual float pdfFrom(const Vec3& p, const Vec3& wi, const ShapePoint& hit) const;
-    // Whether sampleFrom() samples directions, and not points by area.
+    // Whether sampleFrom() samples directions by solid angle rather than points by area.
     virtual bool samplesDirections() const { return false; }
-    // The place at (u, v) in [0, 1]^2. None if (u, v) does not determine the place.
+    // The point at (u, v) in [0, 1]^2. Empty for shapes whose points are not determined by (u, v).
     virtual std::optional<ShapeSpot> spotAt(const Vec2&) const { return {}; }
-    // The (u, v) that a ray finds which arrives at a sampled point from the direction d (unit). By default the sample's
-    // own; flat curves turn towards the ray.
+    // The (u, v) of the hit of a ray with direction -d (d unit) at a sampled point. By default the sample's own; flat
+    // curves turn towards the ray.
     virtual Vec2 uvSeenFrom(const ShapeSample& at, const Vec3& d) const;
-    // Whether the surface turns towards each ray, so that rays that arrive from two directions do not find the same
-    // points and normals.
+    // Whether the surface turns towards each ray, so that rays from different directions find different points and
+    // normals.
     virtual bool facesRays() const { return false; }
     // The curves, which Embree intersects itself; null for any other shape.
     virtual const Curves* asCurves() const { return nullptr; }

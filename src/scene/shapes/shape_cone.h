@@ -12,8 +12,8 @@ struct ConeParams {
     float phiMax = 360;  // degrees from +x towards +y
 };
 
-// u = phi / phiMax, v runs from the base to the apex. If the height is positive, ng points outward in a right-handed,
-// unreversed frame; as in pbrt, ReverseOrientation and a transform that swaps handedness each flip it.
+// u = phi / phiMax, v runs from the base to the apex. If the height is positive, ng points outward, also under
+// mirroring; ReverseOrientation flips it.
 ShapePtr makeCone(const ConeParams& params);
 
 }  // namespace drc

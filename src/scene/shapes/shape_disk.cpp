@@ -24,8 +24,7 @@ class Disk final : public Shape {
         for (int i = 0; i < 4; ++i)
             box.extend(
                 Vec3(space_.pointToWorld(Vec3d(i & 1 ? radius_ : -radius_, i & 2 ? radius_ : -radius_, height_))));
-        // Padded by the rounding errors of what is computed from these floats, which also gives a flat box some
-        // thickness.
+        // Padded for the rounding of hit points to float. The padding also gives a flat box some thickness.
         const float pad = 1e-6f * (box.radius() + length(box.center()));
         box.min -= Vec3(pad, pad, pad);
         box.max += Vec3(pad, pad, pad);
@@ -48,7 +47,7 @@ class Disk final : public Shape {
         hit.ng = ng_;
         hit.uv = uvOf(p);
         hit.dpdu = Vec3(space_.vectorToWorld(Vec3d(-p.y, p.x, 0) * phiMax_));
-        // At the centre any radial direction can be used.
+        // At the centre, any radial direction will do.
         const Vec3d radial = r > 0 ? Vec3d(p.x / r, p.y / r, 0) : Vec3d(1, 0, 0);
         hit.dpdv = Vec3(space_.vectorToWorld(radial * -width));
         return hit;

@@ -5,9 +5,10 @@
 namespace drc {
 namespace {
 
-// The pbrt program takes the surface width (x^2 + y^2) - height z^2 = 1, with coefficients such that the circles of p2
-// and of a point beyond it on the same line, p2 + (p2 - p1), lie on it. If those two lie on a cone around the origin it
-// tries further points, and if all of them do, it never terminates. Here the surface is then that cone.
+// The pbrt program uses the surface width (x^2 + y^2) - height z^2 = 1, with coefficients such that the surface
+// contains the circles of p2 and of a second point beyond p2 on the same line, p2 + (p2 - p1). If these two circles lie
+// on a cone around the origin, it tries points further on, and if all points lie on the cone, it never terminates. This
+// function tries three points and otherwise returns the cone.
 RevolutionProfile profileOf(const Vec3d& p1, const Vec3d& p2) {
     const auto radiusSquared = [](const Vec3d& p) { return p.x * p.x + p.y * p.y; };
     const double r2 = radiusSquared(p2), z2 = p2.z * p2.z;

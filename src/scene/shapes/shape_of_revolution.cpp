@@ -18,7 +18,8 @@ double integralOfArea(const RevolutionProfile& profile, double a, double b) {
     return sum * half;
 }
 
-// vMin and 1, and between them the points where the curve meets the axis, beyond which it may have no points.
+// Ends of the sections of [vMin, 1]: vMin, the zeros of radiusSquared in between, and 1. On one side of a zero there
+// may be no surface.
 std::vector<double> sectionsOf(const RevolutionProfile& profile) {
     std::vector<double> ends = {profile.vMin};
     const auto& c = profile.c;
@@ -54,7 +55,7 @@ class AreaTable {
         const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, target);
         const size_t cell = size_t(above - sums_.begin()) - 1;
         const double a = edges_[cell], b = edges_[cell + 1], inCell = target - sums_[cell];
-        // Newton's method, starting at the solution for a constant area element.
+        // Newton's method, which starts at the solution for a constant area element.
         double v = a + (b - a) * inCell / (sums_[cell + 1] - sums_[cell]);
         for (int i = 0; i < 3; ++i) {
             const double element = profile_.areaElement(v);
@@ -100,7 +101,7 @@ class ShapeOfRevolution final : public Shape {
             Vec3 low, high;
             for (int i = 0; i < 3; ++i) {
                 const double extent = maxRadius_ * std::hypot(x[i], y[i]);
-                // Padded by the rounding errors of what is computed from these floats.
+                // Padded for the rounding of hit points to float.
                 const double pad = 1e-6 * (std::abs(centre[i]) + extent + std::abs(profile_.dz) * space_.extent(i));
                 low[i] = float(centre[i] - extent - pad);
                 high[i] = float(centre[i] + extent + pad);
@@ -114,7 +115,8 @@ class ShapeOfRevolution final : public Shape {
     std::optional<ShapeHit> intersect(const Ray& ray, float tMin) const override {
         // d is not normalised, so that t has the same meaning in both spaces.
         const Vec3d origin = space_.pointToObject(ray.o), d = space_.vectorToObject(Vec3d(ray.d));
-        // The ray's origin is moved next to the shape, because the coefficients would cancel from far away.
+        // The ray's origin is moved next to the shape, because the coefficients would suffer from cancellation if it
+        // were far away.
         const Vec3d centre(0, 0, profile_.z0 + 0.5 * profile_.dz);
         const double start = (centre - origin).dot(d) / d.length2();
         const Vec3d o = origin + d * start;
@@ -125,7 +127,8 @@ class ShapeOfRevolution final : public Shape {
         const double a0 = o.x * o.x + o.y * o.y - (c[0] + v * (c[1] + v * c[2]));
         const double discriminant = a1 * a1 - a2 * a0;
         if (!(discriminant >= 0)) return {};
-        // If the quadratic coefficient is zero, one of the two solutions is infinite and the other is right.
+        // If a2 is zero, one of the two solutions below is infinite and the other one is the root of the linear
+        // equation.
         const double q = -(a1 + std::copysign(std::sqrt(discriminant), a1));
         return nearerHit(start + q / a2, start + a0 / q, tMin, ray.tMax,
                          [&](double t) { return hitAt(origin + d * t, t); });
@@ -168,7 +171,7 @@ class ShapeOfRevolution final : public Shape {
     Vec3d normalAt(const Vec3d& p, double v) const {
         const Vec3d n(p.x * profile_.dz, p.y * profile_.dz, -0.5 * profile_.slope(v));
         const double l = n.length();
-        return l > 0 ? n / l : Vec3d(1, 0, 0);  // at the apex of a cone any normal can be used
+        return l > 0 ? n / l : Vec3d(1, 0, 0);  // at the apex of a cone, any normal will do
     }
     // Pdf of sample() per unit world area, where the object-space normal is n.
     float areaPdf(const Vec3d& n) const { return float(1 / (objectArea_ * space_.areaScale(n))); }
@@ -177,12 +180,12 @@ class ShapeOfRevolution final : public Shape {
         const double v = (p.z - profile_.z0) / profile_.dz;
         if (!(v >= profile_.vMin && v <= 1)) return {};
         const Vec3d g = profile_.at(v);
-        // The rotation that takes the curve's point to p.
+        // The angle by which the curve's point must be rotated to reach p.
         double phi = std::atan2(p.y * g.x - p.x * g.y, p.x * g.x + p.y * g.y);
         if (phi < 0) phi += 2 * kPiD;
         if (phi > phiMax_) return {};
         const double cosine = std::cos(phi), sine = std::sin(phi), radius = profile_.radius(v);
-        // Moves p exactly onto the surface. On the axis, derivatives are those slightly beside it.
+        // Moves p exactly onto the surface. On the axis, derivatives are computed at a small distance from it.
         const double away = std::max(radius, 1e-5 * maxRadius_);
         const Vec3d outward = radius > 0 ? Vec3d(g.x * cosine - g.y * sine, g.x * sine + g.y * cosine, 0) / radius
                                          : Vec3d(cosine, sine, 0);
@@ -266,8 +269,8 @@ Vec3d RevolutionProfile::at(double v) const {
 }
 
 double RevolutionProfile::areaElement(double v) const {
-    // |dp/dphi x dp/dv|, which for a surface of revolution is r sqrt(z'^2 + r'^2), with r r' half the derivative of
-    // r^2. A line's twist changes dp/dv only along dp/dphi.
+    // |dp/dphi x dp/dv| = r sqrt(z'^2 + r'^2) for a surface of revolution, where r r' is half the derivative of r^2. If
+    // phi depends on v, as for a line that does not intersect the axis, dp/dv changes only along dp/dphi.
     return std::hypot(dz * radius(v), 0.5 * slope(v));
 }
 

@@ -28,7 +28,7 @@ class Sphere final : public Shape {
                 Vec3d(i & 1 ? radius_ : -radius_, i & 2 ? radius_ : -radius_, i & 4 ? zMax_ : zMin_))));
         for (int i = 0; i < 3; ++i) {
             const double c = space_.origin()[i], e = radius_ * space_.extent(i);
-            // Padded by the rounding errors of what is computed from these floats.
+            // Padded for the rounding of hit points to float.
             const double pad = 1e-6 * (std::abs(c) + e);
             box.min[i] = float(std::max(double(box.min[i]), c - e) - pad);
             box.max[i] = float(std::min(double(box.max[i]), c + e) + pad);
@@ -66,7 +66,7 @@ class Sphere final : public Shape {
                          float(area * space_.areaScale(n))};
     }
 
-    // Uniform over the cone that the sphere subtends (PBR 3e, section 14.2.2), if there is one.
+    // Uniform over the cone that the sphere subtends (PBR 3e, section 14.2.2); by area if there is no such cone.
     ShapeSample sampleFrom(const Vec3& p, const Vec2& u) const override {
         const std::optional<Cone> cone = coneFrom(p);
         if (!cone) {
@@ -76,7 +76,7 @@ class Sphere final : public Shape {
         }
         const double h = u.x * cone->oneMinusCos, sin2 = h * (2 - h), cosine = 1 - h;  // h = 1 - cos theta
         const double r = radius_ * space_.scale(), distance = cone->distance;
-        // Distance to the near intersection, and from it the angle at the centre between that point and p.
+        // Distance from p to the near intersection, and the angle at the centre between the intersection and p.
         const double hit = distance * cosine - std::sqrt(std::max(0.0, r * r - distance * distance * sin2));
         const double cosAlpha = std::clamp((distance - hit * cosine) / r, -1.0, 1.0);
         const double sinAlpha = std::min(1.0, hit * std::sqrt(std::max(0.0, sin2)) / r);
@@ -91,7 +91,7 @@ class Sphere final : public Shape {
 
     float pdfFrom(const Vec3& p, const Vec3&, const ShapePoint& hit) const override {
         if (const std::optional<Cone> cone = coneFrom(p)) {
-            // Only the near side is sampled. A ray may still hit the far side, through a hole of an alpha mask.
+            // Only the near side is sampled, but a ray may hit the far side through a hole of an alpha mask.
             const Vec3d at(hit.p);
             return (at - space_.origin()).dot(Vec3d(p) - at) >= 0 ? cone->pdf() : 0;
         }
@@ -106,7 +106,7 @@ class Sphere final : public Shape {
         float pdf() const { return float(1 / (2 * kPiD * oneMinusCos)); }
     };
 
-    // None for partial spheres and ellipsoids, and if p is inside or too close.
+    // Empty for partial spheres and ellipsoids, and if p is inside the sphere or too close.
     std::optional<Cone> coneFrom(const Vec3& p) const {
         if (!full_ || !space_.conformal()) return {};
         const Vec3d toCentre = space_.origin() - Vec3d(p);

@@ -13,8 +13,8 @@ struct SphereParams {
     float phiMax = 360;  // and to phi <= phiMax, in degrees from +x towards +y
 };
 
-// u = phi / phiMax, v runs from zMin to zMax in equal steps of the polar angle. ng points outward in a right-handed,
-// unreversed frame; as in pbrt, ReverseOrientation and a transform that swaps handedness each flip it.
+// u = phi / phiMax, v runs from zMin to zMax in equal steps of the polar angle. ng points outward, also under
+// mirroring; ReverseOrientation flips it.
 ShapePtr makeSphere(const SphereParams& params);
 
 }  // namespace drc

@@ -3,7 +3,7 @@
 namespace drc {
 namespace {
 
-// Twice the area, along the normal given by the winding. pbrt uses the two edges from the third vertex; the cross
+// Normal given by the winding; its length is twice the area. pbrt uses the two edges from the third vertex; the cross
 // product of any two edges in the order of the winding is the same.
 Imath::V3d windingNormal(const TriangleMesh& mesh, uint32_t triangle) {
     const uint32_t* v = &mesh.indices[3 * size_t(triangle)];

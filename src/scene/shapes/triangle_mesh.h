@@ -13,20 +13,21 @@ namespace drc {
 
 // The directions along which bump maps displace meshes that have normals or tangents of their own.
 enum class BumpTangents {
-    Derivatives,  // the derivatives of position with respect to u and v, projected to the plane of the shading normal
-                  // Unit vectors in the opposite directions, as in the pbrt-v3 program: bumps are turned inside out,
-                  // and as steep as if the mesh's texture were one unit wide.
+    // The derivatives of position with respect to u and v, projected to the plane of the shading normal.
+    Derivatives,
+    // Unit vectors opposite to the shading frame's s and t, as in the pbrt-v3 program: bumps are turned inside out, and
+    // as steep as if the mesh's texture were one unit wide.
     OppositeUnit,
 };
 
-// A bound on the distance, along the normal, between a point of a triangle and the plane in which a ray that starts
-// there finds the triangle in single precision, apart from the rounding of the point itself. e1, e2: the edges from a
-// corner. p: the point, relative to that corner.
+// A bound on the distance, along the normal, between a point of a triangle and the plane in which a single-precision
+// ray-triangle test places the triangle for a ray that starts at the point. The rounding of the point itself is not
+// included. e1, e2: the edges from a corner. p: the point, relative to that corner.
 //
-// A ray-triangle test has the sign of dot(p, n), where n = cross(e1, e2). In each of its three products, the factor p
-// has an error of one rounding, and n of those of its two products and their difference; p and the edges may come from
-// coordinates relative to the ray's origin, which adds as many again. All together is less than the factor below, which
-// SpawnPoint's tests try with triangles of all kinds.
+// A ray-triangle test depends on the sign of dot(p, n), where n = cross(e1, e2). In each of the three products of
+// dot(p, n), the factor of p has an error of one rounding, and the factor of n the errors of its two products and of
+// their difference; p and the edges may be computed from coordinates relative to the ray's origin, which doubles the
+// number of roundings. The factor below exceeds their sum; SpawnPoint's tests try it with triangles of all kinds.
 inline float planeError(const Vec3& e1, const Vec3& e2, const Vec3& p) {
     const Vec3 x(std::abs(e1.y * e2.z) + std::abs(e1.z * e2.y), std::abs(e1.z * e2.x) + std::abs(e1.x * e2.z),
                  std::abs(e1.x * e2.y) + std::abs(e1.y * e2.x));
@@ -38,10 +39,10 @@ struct TriangleMesh {
     std::vector<Vec3> positions;    // world space, or object space if the object is instanced
     std::vector<Vec3> normals;      // unit; empty or one per vertex
     std::vector<Vec2> uvs;          // empty or one per vertex
-    std::vector<Vec3> tangents;     // direction of the shading frame's s in place of dpdu; empty or one per vertex
+    std::vector<Vec3> tangents;     // replaces dpdu as direction of the shading frame's s; empty or one per vertex
     std::vector<uint32_t> indices;  // three per triangle
-    // Flips the geometric normal (pbrt's ReverseOrientation xor a transform that swaps handedness). The normals above
-    // are final: pbrt negates them for ReverseOrientation when it reads the mesh.
+    // Flips the geometric normal (pbrt's ReverseOrientation xor a transform that swaps handedness). It does not affect
+    // `normals`, which pbrt negates for ReverseOrientation when it reads the mesh.
     bool flipNormal = false;
     BumpTangents bumpTangents = BumpTangents::Derivatives;
 
