@@ -1,5 +1,5 @@
-// The materials of pbrt-v4, with names and parameters as in its documentation (https://pbrt.org/fileformat-v4). A new
-// material is an entry in the table of material_factory_v4.cpp.
+// The materials of pbrt-v4, with names and parameters as in its documentation (https://pbrt.org/fileformat-v4). To add
+// a material, add an entry to the table in material_factory_v4.cpp.
 #pragma once
 #include <string>
 
