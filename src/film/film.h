@@ -52,8 +52,8 @@ class Film {
     std::shared_ptr<const Film> snapshot() const { return snapshot(region_); }
     std::shared_ptr<const Film> snapshot(const PixelRegion& part) const;
     // Adds another film's sums, as if all its samples had been taken for this film. The two films must hold different
-    // samples (RenderParams::firstSample). Their numbers of complete passes are added as well. Throws Error if the
-    // films differ in layers or region.
+    // samples (RenderParams::firstSample). Their numbers of complete samples and of map passes add up. Throws Error if
+    // the films differ in layers or region.
     void add(const Film& other);
 
     // Save the film to a file, whole or not at all, and load it again. identity: describes what was rendered (scene,

@@ -45,9 +45,8 @@ class FilmLayer {
     FilmLayer() = default;
     FilmLayer(const PixelRegion& region, const FilmLayerSpec& spec);
 
-    // Adds a sample. weight: weight of the pixel filter, 1 on average. importance: positive factor on the weight that
-    // all samples of a pass share, such as a map pass; exact layers ignore it. Threads may add to different pixels at
-    // the same time.
+    // Adds a sample. weight: weight of the pixel filter, 1 on average. importance: weight of the sample's pass relative
+    // to other passes, positive; exact layers ignore it. Threads may add to different pixels at the same time.
     void add(int x, int y, int group, std::span<const float> values, float weight, float importance = 1);
     void add(int x, int y, int group, const Rgb& value, float weight, float importance = 1) {
         const float values[] = {value.x, value.y, value.z};

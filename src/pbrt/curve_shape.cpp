@@ -109,7 +109,7 @@ Geometry curve(const ShapeContext& context) {
     const float widths[2] = {params.getNonNegativeFloat("width0", width), params.getNonNegativeFloat("width1", width)};
     params.ignore({"splitdepth"});  // how finely pbrt splits curves for its own BVH
 
-    // Flat curves and cylinders always face the viewer, so they have no sides that a mirroring transform could swap.
+    // Flat curves and cylinders always face the viewer, so a mirroring transform has no sides to swap.
     const bool mirrored = context.objectToWorld.swapsHandedness();
     const bool turned = mirrored && type == CurveType::Ribbon;
     auto curves = std::make_shared<Curves>(type, context.reverseOrientation != turned, mirrored);

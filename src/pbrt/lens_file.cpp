@@ -69,7 +69,7 @@ std::vector<LensElement> readLensFile(const std::string& path, float stopDiamete
         const bool isLast = i + 4 == numbers.size();
         if (!isLast && !(e.thickness >= 0))
             fail(numbers[i + 1].pos, "the distance to the next surface must not be negative");
-        // An aperture stop has no index; some files give it 0.
+        // An aperture stop has no index of refraction; some files contain 0 for it.
         if (!(e.eta >= 1 || e.eta == 0)) fail(numbers[i + 2].pos, "the index of refraction must be 1 or more");
         if (!(diameter > 0)) fail(numbers[i + 3].pos, "the diameter must be positive");
         if (e.radius == 0) {

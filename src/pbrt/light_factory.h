@@ -23,8 +23,8 @@ struct SourceLight {
     ShapePtr bulb;
 };
 
-// Null, with a warning, for types that are not supported. Throws Error for types that do not exist in pbrt-v3.
-// fromFile: transform from the file's world space to the scene's.
+// Without a light for types that are not supported, with a warning, and for lights that nothing can see. Throws Error
+// for types that do not exist in pbrt-v3. fromFile: transform from the file's world space to the scene's.
 SourceLight makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
                       const Transform& fromFile, const FileSearch& files);
 

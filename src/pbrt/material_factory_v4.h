@@ -7,8 +7,8 @@
 
 namespace drc::pbrt {
 
-// "interface", "" and "none" give a null material. Types that are not supported become grey diffuse, with a warning.
-// Throws Error for types that pbrt-v4 does not have either, and for wrong parameters; warns of unknown parameters.
+// "interface", "" and "none" give a null material. Throws Error for types that do not exist in pbrt-v4, and for wrong
+// parameters; warns about unknown parameters.
 std::shared_ptr<const MaterialInstance> makeMaterialV4(const std::string& type, ParamSet params,
                                                        const MaterialSources& sources);
 

@@ -21,7 +21,7 @@ enum class Beyond { Constant, Zero };
 // single sample becomes a triangle that reaches zero one nanometre to either side.
 Rgb spectrumToRgb(std::vector<SpectrumSample> samples, Beyond beyond = Beyond::Constant);
 // The colour of a reflectance under pbrt-v4's white, D65: a spectrum that is 1 everywhere is white. Clamped to [0, 1],
-// because a saturated spectrum would otherwise reflect more red, green or blue than it receives.
+// because a saturated spectrum might otherwise give components outside, that is, reflect more light than it receives.
 Rgb reflectanceToRgb(std::vector<SpectrumSample> samples, Beyond beyond = Beyond::Constant);
 // Weights w_i for reflectances sampled at common, ascending wavelengths: colour = sum_i w_i * value_i.
 std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths);
