@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// quota, period: microseconds of processor time per period, both from the group's files. "max" or -1 means no quota.
+// The group may use `quota` microseconds of processor time in each period of `period` microseconds. Files with "max" or
+// -1 in place of the quota set no limit.
 double cores(double quota, double period) { return quota > 0 && period > 0 ? quota / period : kNone; }
 
 // Version 2 stores both numbers in one file.

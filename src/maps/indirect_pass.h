@@ -34,11 +34,11 @@ class IndirectPass {
     // Receives the value of camera sample `sample` (0 to primarySamples - 1) of a pixel, and the pixel filter's weight.
     using Add = std::function<void(int x, int y, int sample, const Rgb& value, float weight)>;
 
-    // Estimates every pixel's indirect radiance from its broad lobes (PathTracer::layers estimates that from the glossy
-    // ones). Calls add primarySamples times per pixel, from any thread. spacing: distance between grid maps in pixels;
-    // if 1 or less, each camera sample gets a map of its own. stride: for a first look, only every stride-th row and
-    // column of pixels is estimated. Returns false if cancelled, in which case some pixels got no value. The result
-    // does not depend on the number of threads.
+    // Estimates every pixel's indirect radiance from its broad lobes (PathTracer::layers covers the glossy ones). Calls
+    // add primarySamples times per pixel, from any thread. spacing: distance between grid maps in pixels; if 1 or less,
+    // each camera sample gets a map of its own. stride: for a first look, only every stride-th row and column of pixels
+    // is estimated. Returns false if cancelled, in which case some pixels got no value. The result does not depend on
+    // the number of threads.
     bool run(int pass, float spacing, const Add& add, const CancelToken* cancel = nullptr, int stride = 1);
 
     // The number of maps captured by the last run.
