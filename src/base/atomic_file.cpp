@@ -18,7 +18,7 @@ namespace drc {
 namespace fs = std::filesystem;
 namespace {
 
-// The new file gets the old one's permissions, and its owner and group if the system lets us give them away.
+// Gives the new file the old one's permissions, and its owner and group if the system allows that.
 void keepAccess(int fd, const struct stat& old) {
     struct stat now = {};
     if (fstat(fd, &now) != 0) return;
@@ -27,7 +27,7 @@ void keepAccess(int fd, const struct stat& old) {
     const bool sameOwner = now.st_uid == old.st_uid;
     if ((!sameOwner || !sameGroup) && fchown(fd, old.st_uid, old.st_gid) != 0 && !sameGroup &&
         fchown(fd, uid_t(-1), old.st_gid) != 0)
-        mode = (mode & ~070u) | (mode & 07u) << 3;  // what one group might do is no right of another group
+        mode = (mode & ~070u) | (mode & 07u) << 3;  // a group other than the old one gets only the rights of others
     [[maybe_unused]] const int ignored = fchmod(fd, mode);
 }
 
@@ -38,7 +38,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
     findTarget();
     struct stat old = {};
     const bool exists = ownDescriptor(target_) >= 0 || stat(target_.c_str(), &old) == 0;
-    // Such as a name that is too long, which the temporary file's would not be.
+    // For example a name that is too long; the temporary file's name would not be.
     if (!exists && errno != ENOENT) fail(errno);
     if (exists && S_ISDIR(old.st_mode)) fail(EISDIR);
     if (exists && !S_ISREG(old.st_mode)) {
@@ -49,7 +49,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
         }
         return;
     }
-    // A file that its owner made read-only is not to be replaced, although the folder's permissions allow it.
+    // A file that its owner made read-only must not be replaced, even where the folder's permissions allow it.
     if (exists && faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
     openTemporary(exists);
     if (exists) keepAccess(fd_, old);
@@ -66,13 +66,14 @@ void AtomicFile::findTarget() {
 void AtomicFile::openTemporary(bool replaces) {
     static std::atomic<int> serial{0};
     const fs::path t(target_);
-    constexpr size_t kLongestName = 200;  // leaves room for the rest, where names have at most 255 bytes
+    constexpr size_t kLongestName = 200;  // leaves room for the suffix: names have at most 255 bytes
     do {
         // Hidden, and without the target's extension, so that no "*.exr" picks up a half-written file.
         const std::string name =
             fmt::format(".{}.{}.{}.tmp", t.filename().string().substr(0, kLongestName), getpid(), serial++);
         temp_ = (t.parent_path() / name).string();
-        // A file of that name is that of another machine on the same disk, or was left by a crash: neither is ours.
+        // If the name exists, the file belongs to another machine on the same disk or is left from a crash: try the
+        // next.
         fd_ = ::open(temp_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? 0600 : 0666);
     } while (fd_ < 0 && errno == EEXIST);
     if (fd_ >= 0) return;
@@ -114,7 +115,7 @@ void AtomicFile::write(std::string_view data) {
 }
 
 void AtomicFile::commit() {
-    // File systems over a network, and quotas, may report a full disk only here. Pipes and terminals cannot be flushed.
+    // Network file systems and quotas may report a full disk only here. Pipes and terminals cannot be flushed.
     if (::fsync(fd_) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) fail(errno);
     const int closed = ::close(fd_);
     fd_ = -1;

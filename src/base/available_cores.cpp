@@ -13,10 +13,11 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// Microseconds of processor time in each period; "max" and -1 stand for none.
+// The group may use `quota` microseconds of processor time in each period of `period` microseconds. Files with "max" or
+// -1 in place of the quota set no limit.
 double cores(double quota, double period) { return quota > 0 && period > 0 ? quota / period : kNone; }
 
-// Version 2 has both numbers in one file.
+// Version 2 stores both numbers in one file.
 double quotaV2(const std::filesystem::path& group) {
     std::ifstream file(group / "cpu.max");
     double quota = 0, period = 0;
@@ -30,8 +31,8 @@ double quotaV1(const std::filesystem::path& group) {
                : kNone;
 }
 
-// The least quota of a group and of those around it, up to the root. path: as /proc/self/cgroup gives it. In a
-// container it may be that of the host, where the container's own group appears as the root.
+// The least quota of a group and its ancestors, up to the root. path: from /proc/self/cgroup. In a container, this may
+// be the host's path; the container's own group then appears as the root.
 template <class Quota>
 double leastQuota(const std::filesystem::path& root, const std::string& path, const Quota& quotaOf) {
     double least = quotaOf(root);

@@ -1,4 +1,4 @@
-// A checksum over bytes: it finds damage and changes, not attacks.
+// A checksum over bytes. It detects damage and changes, not attacks.
 #pragma once
 #include <cstdint>
 #include <string_view>
@@ -7,7 +7,8 @@ namespace drc {
 
 inline constexpr uint64_t kChecksumStart = 0xcbf29ce484222325ull;
 
-// FNV-1a over 64-bit words. sum: of what came before, which must be a multiple of eight bytes.
+// Like FNV-1a, but over 64-bit words and with a shift that mixes high bits into low ones. sum: checksum of the
+// preceding bytes; their number must be a multiple of eight for the result to equal that of all bytes in one call.
 uint64_t checksum(std::string_view bytes, uint64_t sum = kChecksumStart);
 
 }  // namespace drc

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One spelling for all paths to a file, which need not exist, but for hard links.
+// Gives all paths to a file the same spelling, except those by hard links. The file need not exist.
 std::string canonicalPath(const std::string& path) {
     std::error_code failure;
     const fs::path end = fs::absolute(endOfLinks(path, failure), failure);

@@ -1,4 +1,4 @@
-// Keeps the files of a command apart: what it writes replaces neither what it reads nor another of its outputs.
+// Keeps a command's files apart: an output must replace neither an input nor another output.
 #pragma once
 #include <map>
 #include <string>
@@ -6,19 +6,19 @@
 
 namespace drc {
 
-// Whether two paths lead to one file, also by symbolic or hard links, or will once the file is made.
+// Whether two paths lead to the same file, also by symbolic or hard links, or will once the file is created.
 bool isSameFile(const std::string& a, const std::string& b);
 
 class DistinctFiles {
   public:
-    // what: names the file in messages, as "--timing" or "the scene's file". Both throw Error, in one line that begins
-    // with what names the written file and its path, if one file is written and read, or written twice. Devices, such
-    // as /dev/null, may be written by all.
+    // Register an input or an output. what: names the file in messages, such as "--timing" or "the scene's file". Both
+    // throw Error if one file is read and written, or written twice: one line that begins with the written file's
+    // `what` and path. Devices such as /dev/null may be written any number of times.
     void reads(const std::string& what, const std::string& path) { add({what + " " + path, true}, path); }
     void writes(const std::string& what, const std::string& path) { add({what + " " + path, false}, path); }
 
   private:
-    using Inode = std::pair<unsigned long, unsigned long>;  // device and number
+    using Inode = std::pair<unsigned long, unsigned long>;  // device number and inode number
     struct File {
         std::string name;  // for messages
         bool isRead;
@@ -26,7 +26,7 @@ class DistinctFiles {
     void add(const File& file, const std::string& path);
 
     std::map<std::string, File> byPath_;
-    std::map<Inode, File> byInode_;  // finds hard links
+    std::map<Inode, File> byInode_;  // detects hard links
 };
 
 }  // namespace drc

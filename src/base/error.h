@@ -1,11 +1,11 @@
-// The exception for faults that the user can mend: a bad file, a bad option, a full disk.
+// The exception for errors that the user can fix: a bad file, a bad option, a full disk.
 #pragma once
 #include <stdexcept>
 #include <string>
 
 namespace drc {
 
-// A position in a text file. Lines and columns count from 1; a line of 0 means the file as a whole.
+// A position in a text file. Lines and columns count from 1; line 0 means the whole file.
 struct SourceLocation {
     std::string file;
     int line = 0;
@@ -17,7 +17,7 @@ struct SourceLocation {
 };
 
 // what() is ready to print: "file:line:column: message", followed on the next lines by an excerpt of the file with a
-// caret, if one was given. The message says what is wrong and what would be right.
+// caret, if available. The message says what is wrong and what would be right.
 class Error : public std::runtime_error {
   public:
     explicit Error(const std::string& message) : std::runtime_error(message) {}

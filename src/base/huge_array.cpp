@@ -9,7 +9,7 @@ namespace drc {
 void* allocatePages(size_t bytes) {
     void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
-    // Advice alone: the system may have no huge pages.
+    // Only a hint: the system may have no huge pages.
     madvise(memory, bytes, MADV_HUGEPAGE);
     return memory;
 }

@@ -1,5 +1,5 @@
-// An array that is read at random places all over: its memory is asked for in huge pages, which saves most of the
-// misses of the address translation. Elements are zero bytes at first, which must be a valid T.
+// An array for random access. Its memory is requested in huge pages, which avoids most TLB misses. All bytes are zero
+// at first, so zero bytes must be a valid T.
 #pragma once
 #include <cstddef>
 #include <type_traits>

@@ -11,13 +11,13 @@ namespace {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-// Not local statics: their initialisation guards must not run inside the handler.
+// Globals, because the initialisation guards of local statics must not run inside the signal handler.
 CancelToken token;
 std::atomic<int> firstSignal{0};
 std::atomic<bool> somethingToSave{true};
 static_assert(std::atomic<int>::is_always_lock_free, "the signal handler writes it");
 
-// Only calls that are safe in a signal handler.
+// Calls only functions that are safe in a signal handler.
 void handle(int signal) {
     if (token.cancelled()) {
         if (signal == SIGINT) _exit(128 + SIGINT);
@@ -28,7 +28,7 @@ void handle(int signal) {
         [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
         _exit(128 + signal);
     }
-    firstSignal = signal;  // before the token: whoever sees the token raised knows by what
+    firstSignal = signal;  // before the token: a thread that sees the token raised can read the signal
     token.cancel();
     const int savedErrno = errno;
     const std::string_view message = signal == SIGINT
@@ -51,7 +51,7 @@ void installInterruptHandler() {
     action.sa_handler = handle;
     action.sa_flags = SA_RESTART;
     sigemptyset(&action.sa_mask);
-    // One signal at a time, so that the message and the flag cannot interleave with another signal's.
+    // Blocks the other signals in the handler, so that its message and flag cannot interleave with theirs.
     for (const int signal : kSignals) sigaddset(&action.sa_mask, signal);
     for (const int signal : kSignals) {
         struct sigaction before = {};

@@ -1,5 +1,5 @@
-// Interrupts: the first Ctrl-C asks the program to finish and save what it has, the second ends it at once. The signals
-// of batch systems and of a closed terminal count as the first.
+// Interrupts: the first Ctrl-C asks the program to finish and save its results, the second ends it at once. Signals
+// from batch systems or a closed terminal act like the first.
 #pragma once
 #include "base/parallel.h"
 
@@ -9,19 +9,19 @@ namespace drc {
 // installInterruptHandler().
 CancelToken& interruptToken();
 
-// The signal that raised interruptToken(); 0 before. A program that ends because of it exits with the shell's code,
-// 128 + interruptSignal().
+// The signal that raised interruptToken(); 0 before. A program that ends because of it uses the shell's exit code, 128
+// + interruptSignal().
 int interruptSignal();
 
-// Whether there is anything to finish and save; true by default. While there is not, the first signal ends the process
-// at once, with the exit code 128 + its number: nothing has been written, and old files stay as they are.
+// Whether there are results to finish and save; true by default. While false, the first signal ends the process at once
+// with the exit code 128 + signal: nothing has been written, and old files are unchanged.
 void setSomethingToSave(bool something);
 
-// From now on, the first of these signals raises interruptToken() and says so on standard error, if there is something
-// to save. A further SIGINT ends the process with 130. A further SIGTERM or SIGHUP does nothing, because one request
-// may send both twice: `timeout` signals its child and then the whole group, and both the shell and the system report a
-// closed terminal. A signal that was ignored when the program started (nohup, background jobs of scripts) stays
-// ignored.
+// From now on, the first SIGINT, SIGTERM or SIGHUP raises interruptToken() and, if there are results to save, prints a
+// message on standard error. A further SIGINT ends the process with exit code 130. A further SIGTERM or SIGHUP does
+// nothing, because one request may send it twice: `timeout` signals its child and then the whole group, and both the
+// shell and the system report a closed terminal. A signal that was ignored when the program started (nohup, background
+// jobs of scripts) stays ignored.
 void installInterruptHandler();
 
 }  // namespace drc

@@ -8,10 +8,10 @@
 
 namespace drc {
 
-// By hand: std::filesystem::weakly_canonical stops before a link that leads to nothing yet.
+// Follows links itself, because std::filesystem::weakly_canonical stops before a link whose target does not exist yet.
 std::string endOfLinks(const std::string& path, std::error_code& failure) {
     namespace fs = std::filesystem;
-    constexpr int kMostLinks = 40;  // as the system has it
+    constexpr int kMostLinks = 40;  // the system's limit
     failure.clear();
     std::string end = path;
     for (int links = 0; ownDescriptor(end) < 0; ++links) {
@@ -24,7 +24,7 @@ std::string endOfLinks(const std::string& path, std::error_code& failure) {
         }
         const fs::path link(end), next = fs::read_symlink(link, failure);
         if (failure) break;
-        end = (link.parent_path() / next).string();  // an absolute one stands alone
+        end = (link.parent_path() / next).string();  // an absolute target replaces the parent path
     }
     return end;
 }

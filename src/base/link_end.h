@@ -5,9 +5,9 @@
 
 namespace drc {
 
-// The file that is replaced or created by whoever writes to `path`: the end of its symbolic links, which need not
-// exist. `path` itself if it is no link. Links to what is not a regular file, such as pipes in /proc, are not followed:
-// they may have no path. failure: set if the links have no end.
+// The file that writing to `path` replaces or creates: the end of its symbolic links, which need not exist; `path`
+// itself if it is not a link. Links to anything but regular files, such as pipes in /proc, are not followed, because
+// their target may have no path. failure: set if following fails, for instance for a cycle.
 std::string endOfLinks(const std::string& path, std::error_code& failure);
 
 }  // namespace drc

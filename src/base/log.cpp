@@ -25,8 +25,8 @@ spdlog::logger& logger() {
     return *instance;
 }
 
-// Messages quote files. Control characters are replaced, so that a file cannot send escape sequences to the terminal,
-// and very long names are cut.
+// Messages quote files. This replaces control characters, so that a file cannot send escape sequences to the terminal,
+// and cuts very long texts.
 std::string printable(std::string text) {
     if (text.size() > limits::kMessageBytes) {
         text.resize(limits::kMessageBytes);
@@ -42,17 +42,17 @@ std::set<std::string>& warnings() {
     static std::set<std::string> seen;
     return seen;
 }
-int unseenWarnings = 0;  // warnings beyond limits::kWarnings; their texts are not kept, so repetitions count too
+int unseenWarnings = 0;  // warnings beyond limits::kWarnings; without their texts, repetitions are counted too
 bool saidThereAreMore = false;
 
 std::string warningText(const SourceLocation& where, const std::string& message) {
     return printable((where.empty() ? "" : where.str() + ": ") + "warning: " + message);
 }
 
-// A warning that a WarningBatch keeps back.
+// A warning that a WarningBatch holds back.
 struct Kept {
-    std::string text;  // with the first place
-    int more = 0;      // further places
+    std::string text;  // including the first location
+    int more = 0;      // number of further locations
 };
 int openBatches = 0;
 std::vector<Kept>& kept() {
@@ -64,14 +64,14 @@ std::map<std::string, size_t>& keptByMessage() {
     return indices;
 }
 
-// Warnings with the same key are the same. atEnd: what is added to a warning that is not kept back.
+// Warnings with equal keys count as identical. atEnd: suffix for a warning that is printed at once.
 void warn(const std::string& key, const SourceLocation& where, const std::string& message, const char* atEnd) {
     std::string text = warningText(where, message);
     {
         const std::lock_guard lock(warningMutex);
         std::set<std::string>& seen = warnings();
         if (const auto known = keptByMessage().find(message); known != keptByMessage().end() && !where.empty()) {
-            // A further place, unless this very warning has been given.
+            // Counts a further location, unless this exact warning was given before.
             Kept& first = kept()[known->second];
             if (first.text == text || seen.contains(text)) return;
             ++first.more;

@@ -18,12 +18,12 @@ void logInfo(const std::string& message);
 void logDebug(const std::string& message);
 // Prints "file:line:column: warning: message". Safe to call from several threads. Identical warnings are printed once.
 void logWarning(const SourceLocation& where, const std::string& message);
-// logWarning() for problems that a file may have at thousands of places: only the first is named, with "(said once)"
-// or, while a WarningBatch (warning_batch.h) counts them, with the number of the others.
+// Like logWarning(), for problems that may occur at thousands of locations in a file: prints only the first location,
+// with "(said once)" or, within a WarningBatch (warning_batch.h), with the number of further ones.
 void logWarningOnce(const SourceLocation& where, const std::string& message);
 inline void logWarning(const std::string& message) { logWarning({}, message); }
-// Number of different warnings given so far, for tests and `drc info`. Warnings beyond limits::kWarnings are not kept,
-// so repetitions of those are counted each time.
+// Number of different warnings so far, for tests and `drc info`. Texts beyond limits::kWarnings are not stored, so
+// repetitions of those warnings are counted each time.
 int warningCount();
 // Forgets all earlier warnings, for tests and for programs that read many files.
 void forgetWarnings();

@@ -1,4 +1,4 @@
-// A file mapped into memory for reading. Only the pages that are accessed are read from disk.
+// A file mapped into memory for reading. The system reads only the pages that are accessed.
 #pragma once
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@ class MappedFile {
     MappedFile& operator=(const MappedFile&) = delete;
     MappedFile& operator=(MappedFile&&) = delete;
 
-    // The contents, of the length that the file had when it was opened. Valid while this object lives.
+    // The contents, with the length that the file had when it was opened. Valid as long as this object exists.
     std::string_view bytes() const { return bytes_; }
 
   private:

@@ -15,20 +15,20 @@ namespace drc {
 namespace {
 
 constexpr uint64_t kUnlimited = std::numeric_limits<uint64_t>::max();
-// Asking the system takes about 50 us, too long for every one of a million small objects of a file. Claims up to
-// kSmallClaim are therefore summed, and checked when their sum reaches kSmallClaims.
+// Asking the system takes about 50 us, too long for each of a million small objects in a file. Claims up to kSmallClaim
+// bytes are therefore summed, and checked when the sum reaches kSmallClaims bytes.
 constexpr double kSmallClaim = 1 << 20, kSmallClaims = 64 << 20;
-// Share of the available memory that claims may use. The rest is for allocations that are not claimed: image encoding,
-// Embree's and other libraries' own.
+// Share of the available memory that claims may use. The rest is for unclaimed allocations: image encoding, Embree and
+// other libraries.
 constexpr double kShare = 0.9;
 
-// Guards heldBack and smallClaims. Checking and claiming are one step, so that two threads are not both granted the
+// Guards heldBack and smallClaims. Check and claim happen under one lock, so that two threads cannot both claim the
 // same memory.
 std::mutex claimMutex;
 uint64_t heldBack = 0;
 double smallClaims = 0;  // sum of the small claims since the system was last asked
 
-// The number that a file begins with. None if there is no such file or it begins with a word, as "max" in control
+// The number at the start of a file. None if the file is missing or begins with a word, such as "max" in control
 // groups.
 std::optional<uint64_t> numberIn(const std::string& path) {
     std::ifstream in(path);
@@ -53,8 +53,8 @@ uint64_t leftOf(std::optional<uint64_t> limit, std::optional<uint64_t> used) {
     return *limit > *used ? *limit - *used : 0;
 }
 
-// Bytes left below the limits of the process's control group, version 2 or version 1. Inside a container the process's
-// own group appears as the root, so both paths are tried.
+// Bytes left below the limits of the process's control group, version 2 or 1. In a container, the process's own group
+// appears as the root, so both paths are tried.
 uint64_t leftInControlGroup() {
     std::string line, own;
     std::ifstream groups("/proc/self/cgroup");

@@ -1,5 +1,5 @@
-// The memory that this process holds, by use. Large owners note what they allocate, so that --stats can say where the
-// memory goes. For checks in advance see memory.h.
+// The memory that this process holds, by use. Large owners register their allocations, so that --stats can show where
+// memory is used. memory.h checks allocations in advance.
 #pragma once
 #include <cstdint>
 #include <utility>
@@ -8,11 +8,11 @@ namespace drc {
 
 enum class MemoryUse { Accelerator, Textures };
 
-// Adds to what is noted for the use; negative for what has been freed. Any thread.
+// Add to the memory registered for a use (negative when freed), and read it. Thread-safe.
 void addMemoryUse(MemoryUse use, int64_t bytes);
 int64_t memoryUse(MemoryUse use);
 
-// Notes memory for as long as it lives.
+// Registers memory for the lifetime of this object.
 class NotedMemory {
   public:
     NotedMemory() = default;
@@ -32,7 +32,8 @@ class NotedMemory {
     int64_t bytes_ = 0;
 };
 
-// Bytes of the whole process, its program and libraries included; zeros where the system does not tell.
+// Memory of the whole process in bytes, including the program and its libraries; zeros if the system does not report
+// it.
 struct ProcessMemory {
     int64_t resident = 0, peak = 0;
 };

@@ -1,11 +1,11 @@
-// Names beside those that the user gave, for pictures that may not or cannot take their place.
+// Alternative names beside the user's, for pictures that cannot or must not be written under the user's name.
 #pragma once
 #include <string>
 
 namespace drc {
 
-// FOLDER/NAME.WORD.EXT, or FOLDER/NAME.WORD-NUMBER.EXT from the second on, where `path` ends in NAME.EXT. NAME is cut
-// where the file's name would be longer than a file system takes.
+// Where `path` ends in NAME.EXT: FOLDER/NAME.WORD.EXT, or FOLDER/NAME.WORD-NUMBER.EXT if number > 1. NAME is shortened
+// if the file name would be too long for the file system.
 std::string numberedPath(const std::string& folder, const std::string& path, const std::string& word, int number);
 
 }  // namespace drc

@@ -18,8 +18,8 @@
 namespace drc {
 namespace {
 
-// The default arena never exceeds the number of cores, so a thread count of the user's needs an arena of its own; the
-// global limit makes libraries that use oneTBB themselves (Embree, oneDNN) keep to the same count.
+// The default arena never exceeds the number of cores, so a thread count set by the user needs its own arena. The
+// global limit applies the count also to libraries that use oneTBB themselves (Embree, oneDNN).
 struct Threads {
     explicit Threads(int n)
         : count(n), limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(n)), arena(n) {}
@@ -33,7 +33,7 @@ std::unique_ptr<Threads>& threads() {
     return instance;
 }
 
-// While it lives, the calling thread works on a piece of a loop, in the arena.
+// Marks the calling thread, for the lifetime of the object, as working on a piece of a loop inside the arena.
 class InArena {
   public:
     InArena() { inside() = true; }
@@ -50,7 +50,7 @@ class InArena {
     const bool before_ = inside();
 };
 
-// Whether the calling thread's loops are its own: see onThisThread.
+// Whether loops of the calling thread run on this thread alone (onThisThread).
 bool& isAlone() {
     thread_local bool value = false;
     return value;
@@ -62,7 +62,7 @@ void setThreadCount(int count) {
     if (count < 0) throw Error(fmt::format("the number of threads is {}: it must be 0 (all) or more", count));
     const int n = count == 0 ? availableCores() : count;
     if (n == threads()->count) return;
-    threads().reset();  // the strictest of the limits alive rules, so the old one has to go first
+    threads().reset();  // the strictest existing limit applies, so remove the old one first
     threads() = std::make_unique<Threads>(n);
 }
 
@@ -90,7 +90,7 @@ void parallelFor(int begin, int end, int grain, const std::function<void(int, in
             },
             tbb::simple_partitioner());
     };
-    // To enter the arena again would end an isolation.
+    // Entering the arena again would end the isolation of an enclosing isolated().
     if (InArena::here()) return loop();
     const ParallelSection section;
     threads()->arena.execute(loop);
@@ -111,7 +111,8 @@ BackgroundTasks::~BackgroundTasks() {
 void BackgroundTasks::start(std::function<void()> task) {
     threads()->arena.execute([&] {
         impl_->group.run([task = std::move(task), cancel = &impl_->cancel] {
-            // A thread that waits in the task must not begin another one: each holds memory of its own.
+            // isolated(): a thread that waits within the task must not begin another task, because each holds memory of
+            // its own.
             if (!cancel->cancelled()) isolated(task);
         });
     });

@@ -11,7 +11,7 @@ using Clock = std::chrono::steady_clock;
 struct Sections {
     std::mutex mutex;
     int alive = 0;
-    Clock::time_point since;  // when alive became 1
+    Clock::time_point since;  // start of the current section: when `alive` became 1
     Clock::duration before{};
 };
 

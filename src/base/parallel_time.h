@@ -1,10 +1,11 @@
-// How long the process has had work for several threads. The rest of its life, all cores but one wait: the serial share
-// of Amdahl's law.
+// How long the process has had work for several threads. For the rest of its run time, all cores but one are idle: the
+// serial share in Amdahl's law.
 #pragma once
 
 namespace drc {
 
-// While it lives, there is work for several threads: a parallel loop, or a library's own. May be nested and overlap.
+// Its lifetime marks a period with work for several threads: a parallel loop, or a library's own. Sections may be
+// nested and may overlap.
 class ParallelSection {
   public:
     ParallelSection();
@@ -13,7 +14,7 @@ class ParallelSection {
     ParallelSection& operator=(const ParallelSection&) = delete;
 };
 
-// Seconds in which at least one section was alive. Safe from any thread.
+// Total time in seconds during which at least one section existed. Thread-safe.
 double parallelSeconds();
 
 }  // namespace drc

@@ -11,12 +11,12 @@ namespace drc {
 
 enum class ProgressMode {
     Auto,   // a bar if standard error is a terminal, otherwise a line every 10 seconds
-    Bar,    // a bar, even if standard error is no terminal
+    Bar,    // a bar, even if standard error is not a terminal
     Lines,  // a line every 10 seconds
     Quiet,  // nothing
 };
 
-// A duration for people: "59s", "12m05s", "3h07m".
+// A duration for readers: "59s", "12m05s", "3h07m".
 std::string formatDuration(double seconds);
 
 class Progress {
@@ -28,14 +28,14 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // Safe from any thread and cheap enough to call often: the display is updated at most ten times a second.
+    // Thread-safe and cheap enough to call often: the display is updated at most ten times a second.
     void add(int64_t done = 1);
-    // Sets the amount done so far, for jobs that measure it instead of counting. Smaller values than the present one
-    // are ignored.
+    // Sets the amount done so far, for jobs that measure it instead of counting. Values below the current one are
+    // ignored.
     void set(int64_t done);
     // Sets the text that follows the bar, such as "pass 3".
     void setNote(const std::string& note);
-    // Draws the final state and ends the line. An interrupted job keeps showing how far it came rather than 100 %.
+    // Draws the final state and ends the line. An interrupted job shows how far it got, not 100 %.
     void finish();
 
     int64_t done() const { return done_.load(std::memory_order_relaxed); }

@@ -1,4 +1,4 @@
-// Whether a path is that of a regular file, which can be read again, and replaced: no pipe, folder or device.
+// Whether a path leads to a regular file, which can be read repeatedly and replaced: not a pipe, folder or device.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace drc {
 
-// False also where it cannot be told.
+// Also false if the system cannot tell.
 inline bool isRegularFile(const std::string& path) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(path, ignored);

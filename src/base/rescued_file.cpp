@@ -19,7 +19,7 @@ std::string writeRescued(const std::string& path, std::string_view bytes, const 
             std::error_code ignored;
             for (int number = 1;; ++number) {
                 const std::string file = numberedPath(folder, path, "rescued", number);
-                // Whatever is there is not ours, also a link that leads to nothing.
+                // Never overwrite an existing entry, not even a link whose target does not exist.
                 if (fs::exists(fs::symlink_status(file, ignored))) continue;
                 writeFileAtomically(file, bytes);
                 return file;

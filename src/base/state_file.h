@@ -1,6 +1,6 @@
-// Files that a program's state is saved in, so that it can go on later: a line of text that says what it is the state
-// of, values of fixed width in little-endian order, and a checksum. They are written whole or not at all, and a damaged
-// or foreign file is refused before anything of it is used.
+// Files that store a program's state, so that it can continue later: a line of text that identifies the state, values
+// of fixed width in little-endian order, and a checksum. A file is written whole or not at all. A damaged or foreign
+// file is rejected before any of its values are used.
 #pragma once
 #include <bit>
 #include <concepts>
@@ -22,7 +22,7 @@ concept StateValue = std::is_arithmetic_v<T>;
 
 class StateWriter {
   public:
-    // Throws Error as AtomicFile does, as do all functions. header: one line, without its end.
+    // All functions throw Error as AtomicFile does. header: one line, without the line end.
     StateWriter(const std::string& path, const std::string& header);
 
     void bytes(std::span<const std::byte> data);
@@ -34,7 +34,7 @@ class StateWriter {
     void values(std::span<const T, N> v) {
         bytes(std::as_bytes(v));
     }
-    // Puts the file in its place.
+    // Replaces the file at the path.
     void commit();
 
   private:
@@ -47,11 +47,12 @@ class StateWriter {
 
 class StateReader {
   public:
-    // Throws Error, in one line that begins with the path, if the file cannot be read, if it is damaged, or if its
-    // header is another one: kind is what the headers of all such files begin with, by which others are told apart.
+    // Throws Error, in one line that begins with the path, if the file is unreadable or damaged or has another header.
+    // kind: the words that all headers of this kind of file begin with; other files are reported as not being of this
+    // kind.
     StateReader(const std::string& path, const std::string& kind, const std::string& header);
 
-    // All throw Error if the file does not have as much.
+    // These throw Error if the file ends before the requested size.
     void bytes(std::span<std::byte> to);
     template <StateValue T>
     T value() {
@@ -64,9 +65,9 @@ class StateReader {
         bytes(std::as_writable_bytes(to));
     }
     size_t remaining() const { return rest_.size(); }
-    // Throws Error if the file has more than what was read.
+    // Throws Error if the file contains more than was read.
     void finish() const;
-    // Throws Error: the values contradict each other.
+    // Throws Error that the file is damaged, for values that contradict each other.
     [[noreturn]] void fail(const std::string& why) const;
 
   private:
@@ -75,7 +76,7 @@ class StateReader {
     std::string_view rest_;
 };
 
-// The header of a file that a StateWriter has written, of this kind. Throws Error as StateReader does.
+// The header of a state file of the given kind. Throws Error as StateReader does.
 std::string stateHeader(const std::string& path, const std::string& kind);
 
 }  // namespace drc

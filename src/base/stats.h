@@ -1,4 +1,4 @@
-// Named counters and timers that any thread may add to at any time, and a report of them.
+// Named counters and timers that any thread may add to at any time, and reports of their values.
 #pragma once
 #include <array>
 #include <atomic>
@@ -10,7 +10,7 @@
 
 namespace drc {
 
-// A sum spread over several cache lines, so that threads which add often do not contend for one.
+// A sum spread over several cache lines, to avoid contention between threads that add often.
 class Counter {
   public:
     void add(int64_t n = 1) { shards_[shard()].value.fetch_add(n, std::memory_order_relaxed); }
@@ -25,7 +25,7 @@ class Counter {
     std::array<Shard, kShards> shards_;
 };
 
-// Accumulated time and number of calls. The time is summed over all threads, so it may exceed the wall-clock time.
+// Accumulated time and number of calls. The time is summed over all threads, so it may exceed wall-clock time.
 class Timer {
   public:
     void add(std::chrono::nanoseconds t) {
@@ -53,14 +53,14 @@ class ScopedTimer {
 };
 
 // A name is a path: "cache/maps/captured" is reported below "cache" and "maps". Looking up a name takes a lock, so hot
-// loops should keep the reference, which stays valid as long as the Stats object.
+// loops should keep the reference, which is valid as long as the Stats object.
 class Stats {
   public:
     Counter& counter(const std::string& name);
     Timer& timer(const std::string& name);
 
     void add(const std::string& name, int64_t n = 1) { counter(name).add(n); }
-    // For numbers that are no sums. One thread at a time.
+    // Replaces the counter's value, for numbers that are not sums. Only one thread may call this at a time.
     void set(const std::string& name, int64_t n) { counter(name).add(n - count(name)); }
     // The counter's value; 0 if there is no such counter.
     int64_t count(const std::string& name) const;

@@ -23,11 +23,11 @@ namespace drc {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds kPause(50);  // between looks at the interrupt
+constexpr std::chrono::milliseconds kPause(50);  // between checks for an interrupt
 
 [[noreturn]] void fail(int errorNumber) { throw Error(std::strerror(errorNumber)); }
 
-// Waits without end for the other side of a pipe, but after an interrupt only one second more.
+// Patience with the other side of a pipe: unlimited before an interrupt, one second after it.
 class Patience {
   public:
     bool over() {
@@ -43,7 +43,7 @@ class Patience {
 int openPipe(const std::string& path) {
     Patience patience;
     for (auto wait = kPause * 0;; wait += kPause) {
-        // Opened for good, a pipe without a reader would block, and signals would restart the call.
+        // Without O_NONBLOCK, opening a pipe without a reader would block, and the call would restart after signals.
         const int fd = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
         if (fd >= 0) return fd;
         if (errno == EINTR) continue;
@@ -68,7 +68,8 @@ int ownDescriptor(const std::string& path) {
 }
 
 int openStream(const std::string& path) {
-    // Opening /dev/stdout would start at the beginning of a file that the shell appends to, and fail with a socket.
+    // The descriptor is duplicated, because opening /dev/stdout by name would start at the beginning of a file that the
+    // shell appends to, and would fail for a socket.
     if (const int own = ownDescriptor(path); own >= 0) {
         const int mode = ::fcntl(own, F_GETFL);
         if (mode < 0) fail(errno);
@@ -95,7 +96,7 @@ void writeStream(int descriptor, std::string_view data) {
             if (patience.over()) throw Error("nobody goes on reading");
             continue;
         }
-        // A pipe that is ready takes so many bytes at once. More would block until somebody reads the rest.
+        // A ready pipe accepts PIPE_BUF bytes at once. Writing more would block until the reader reads the rest.
         const ssize_t n = ::write(descriptor, data.data(), std::min<size_t>(data.size(), PIPE_BUF));
         if (n < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (n < 0) fail(errno);

@@ -1,20 +1,20 @@
 // Writes to files that cannot be replaced: pipes, terminals, devices, and descriptors that the program was given. Once
-// the program is interrupted (base/interrupt.h), no call blocks for more than a second: so long a reader may take.
+// the program is interrupted (base/interrupt.h), calls fail if the reader takes longer than a second.
 #pragma once
 #include <string>
 #include <string_view>
 
 namespace drc {
 
-// The open descriptor of this process that a path names: /dev/stdout, /dev/fd/3, /proc/self/fd/3, without links before
-// the last name. -1 if the path names none.
+// The number of this process's descriptor that a path names, such as /dev/fd/3 or /proc/self/fd/3; -1 if it names none.
+// The last component must be the number itself: resolve links such as /dev/stdout first (link_end.h).
 int ownDescriptor(const std::string& path);
 
-// Opens a pipe, terminal or device for writing, or a copy of ownDescriptor(path). Waits until a reader opens the pipe,
-// as the shell's redirection does. Throws Error with the reason alone.
+// Opens a pipe, terminal or device for writing, or duplicates ownDescriptor(path). Waits until a reader opens the pipe,
+// as the shell's redirection does. Throws Error with only the reason.
 int openStream(const std::string& path);
 
-// Writes all data. Throws Error with the reason alone.
+// Writes all data. Throws Error with only the reason.
 void writeStream(int descriptor, std::string_view data);
 
 }  // namespace drc

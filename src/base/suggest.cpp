@@ -12,7 +12,7 @@ bool same(char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-// Edit distance, ignoring case: letters to change, insert, delete or transpose with a neighbour.
+// Edit distance, ignoring case: number of letters to change, insert, delete or swap with a neighbour.
 size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<size_t> beforeLast, last(b.size() + 1), row(b.size() + 1);
     std::iota(row.begin(), row.end(), size_t(0));

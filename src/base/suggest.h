@@ -6,7 +6,7 @@
 
 namespace drc {
 
-// "; did you mean 'x'?" with the candidate closest to name; "" if none is close.
+// "; did you mean 'x'?" with the candidate closest to the name; "" if none is close.
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates);
 
 }  // namespace drc

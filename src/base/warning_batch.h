@@ -1,10 +1,10 @@
-// Says the same warning once, however many places of a file it is true of, and how many those are.
+// Prints identical warnings about a file once, with the number of their locations.
 #pragma once
 
 namespace drc {
 
-// While one lives, warnings are kept back. At its end each message is printed once, in the order in which they came
-// first, with the first of its places and, if there are more, "(and 129 more)". Inner batches add to the outermost.
+// Holds back warnings during its lifetime. The destructor prints each message once, in the order of first occurrence,
+// with the first location and, if there are more, "(and 129 more)". Inner batches add to the outermost one.
 class WarningBatch {
   public:
     WarningBatch();

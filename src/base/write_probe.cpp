@@ -15,7 +15,7 @@
 namespace drc {
 namespace {
 
-// A full disk still has room for a name, but not for a block.
+// A full disk may still have room for a name, but not for a block of data.
 constexpr size_t kBlock = 4096;
 
 bool isStream(const std::string& path) {

@@ -19,14 +19,14 @@ size_t bytesOf(const std::vector<FilmLayerSpec>& layers) {
     return bytes;
 }
 
-// The first words of files that have a film alone, and their version.
+// The first words of files that contain only a film; kHeader adds the version of the format.
 const std::string kKind = "drc film", kHeader = kKind + " 3 ";
 
 }  // namespace
 
 void Film::requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSpec>& layers) {
-    // Finishing a picture takes about as much memory as the film itself.
-    constexpr double kForPicture = 200;  // bytes a pixel: images, G-buffer and the encoded files
+    // Finishing a picture needs about as much memory as the film itself: hence the factor 2 below.
+    constexpr double kForPicture = 200;  // bytes per pixel: images, G-buffer and the encoded files
     const PixelRegion region = settings.region();
     try {
         const MemoryClaim memory(double(region.count()) * (2 * double(bytesOf(layers)) + kForPicture),

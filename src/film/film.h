@@ -1,7 +1,7 @@
-// The state of a render: for each pixel sums over samples, in named layers, and for each row of pixels the number of
-// sample passes that it has had. Sums commute: films of different samples of one picture add up, in any order, to the
-// film of all of them (exact layers to the bit, others to rounding), and a film that was saved and loaded continues
-// where it was.
+// The state of a render: sums over samples for each pixel, in named layers, and the number of completed sample passes
+// for each row of pixels. Sums commute: adding films of different samples of one picture, in any order, gives the film
+// of all their samples (exact layers to the bit, others up to rounding). A film that was saved and loaded continues
+// where it stopped.
 #pragma once
 #include <atomic>
 #include <memory>
@@ -14,15 +14,15 @@ namespace drc {
 
 class Film {
   public:
-    // Throws Error, naming the film's place in the scene's file, if a picture of these layers does not fit into memory:
-    // the film, and what it takes to finish it.
+    // Throws Error, with the location of the film in the scene file, if memory cannot hold both a film of these layers
+    // and the buffers that finishing the picture needs.
     static void requireMemory(const RenderSettings& settings, const std::vector<FilmLayerSpec>& layers);
 
-    // Throws Error, naming the film's place in the scene's file, if the layers do not fit into memory.
+    // Throws Error like requireMemory().
     Film(const RenderSettings& settings, std::vector<FilmLayerSpec> layers);
 
     const PixelRegion& region() const { return region_; }
-    // Layers by index, in the order of the specs, or by name, which throws std::out_of_range if there is no such layer.
+    // Layers by index, in the order of the specs, or by name; an unknown name throws std::out_of_range.
     size_t layerCount() const { return layers_.size(); }
     FilmLayer& layer(size_t i) { return layers_[i]; }
     const FilmLayer& layer(size_t i) const { return layers_[i]; }
@@ -31,15 +31,16 @@ class Film {
     bool has(std::string_view name) const;
     size_t bytesPerPixel() const;
 
-    // Must be held while adding to a row of pixels, or while reading it when others may add. Not needed for splats.
+    // Hold this lock while adding to a row of pixels, or while reading it if other threads may add. Splats need no
+    // lock.
     std::unique_lock<std::mutex> lockRow(int y) const { return std::unique_lock(rowMutexes_[size_t(y - region_.y0)]); }
 
-    // The number of sample passes (SamplePass) that a row has had. These counts may be read while others change them.
+    // The number of sample passes (SamplePass) that a row has completed. Threads may read and set it concurrently.
     int rowPasses(int y) const { return shared(rowPasses_[size_t(y - region_.y0)]).load(std::memory_order_relaxed); }
     void setRowPasses(int y, int passes) {
         shared(rowPasses_[size_t(y - region_.y0)]).store(passes, std::memory_order_relaxed);
     }
-    // The number of passes that every row has had.
+    // The number of passes that all rows have completed.
     int passes() const;
     // The number of complete map passes.
     int mapPasses() const { return shared(mapPasses_).load(std::memory_order_relaxed); }
@@ -47,23 +48,23 @@ class Film {
 
     // Removes all samples.
     void clear();
-    // A copy of a part of the region, or of all of it. Safe while others add under lockRow.
+    // Copies a part of the region, or all of it. Safe while other threads add under lockRow().
     std::shared_ptr<const Film> snapshot() const { return snapshot(region_); }
     std::shared_ptr<const Film> snapshot(const PixelRegion& part) const;
-    // Adds another film's sums, as if all of its samples had been taken here. The films must have had different samples
-    // (RenderParams::firstSample); their complete passes are counted together. Throws Error if the films do not have
-    // the same layers and region.
+    // Adds another film's sums, as if all its samples had been taken for this film. The two films must hold different
+    // samples (RenderParams::firstSample). Their numbers of complete samples and of map passes add up. Throws Error if
+    // the films differ in layers or region.
     void add(const Film& other);
 
-    // Writes the film to a file, whole or not at all, and reads it back. identity: describes what was rendered (scene,
-    // camera, settings). load throws Error, and changes nothing, if the file's identity, layers or region differ, or if
-    // it is damaged.
+    // Save the film to a file, whole or not at all, and load it again. identity: describes what was rendered (scene,
+    // camera, settings). load() throws Error, and leaves the film unchanged, if the file is damaged or if its identity,
+    // layers or region differ.
     void save(const std::string& path, const std::string& identity) const;
     void load(const std::string& path, const std::string& identity);
-    // Write and read the film as the last part of a larger file, whose header must contain description().
+    // Save and load the film as the last part of a larger file, whose header must contain description().
     void save(StateWriter& to) const;
     void load(StateReader& from);
-    // Region, layers and identity in words, the latter as a hash.
+    // The region and the layers as text, and a hash of the identity.
     std::string description(const std::string& identity) const;
 
   private:

@@ -156,7 +156,7 @@ void FilmLayer::copyRow(const FilmLayer& from, int y) {
         std::copy_n(&from.single_[at], count, &single_[to]);
         return;
     }
-    // Splats may arrive at the same time. Relaxed atomic loads cost no more than plain ones.
+    // Other threads may add splats meanwhile. Relaxed atomic loads cost no more than plain ones.
     auto* values = const_cast<int64_t*>(&from.exact_[at]);
     for (size_t i = 0; i < count; ++i) exact_[to + i] = std::atomic_ref(values[i]).load(std::memory_order_relaxed);
 }

@@ -66,8 +66,8 @@ Rgb LayeredPicture::varianceAt(int x, int y) const {
 
 void LayeredPicture::compose() {
     beauty = part("");
-    // Pixel filters with negative lobes undershoot beside bright areas. As in pbrt the picture is clamped at zero; its
-    // layers are not.
+    // Pixel filters with negative lobes undershoot beside bright areas. As in pbrt, only the final picture is clamped
+    // at zero; its layers are not.
     for (float& v : beauty.data()) v = std::max(v, 0.f);
 }
 
@@ -113,7 +113,7 @@ void addGBufferSpec(std::vector<FilmLayerSpec>& layers, int groups) {
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& s, float filterWeight, int group) {
     float values[] = {s.albedo.x, s.albedo.y, s.albedo.z, s.normal.x,
                       s.normal.y, s.normal.z, s.depth,    lengthSquared(s.albedo) + lengthSquared(s.normal)};
-    // One sample with a broken texture must not take the pixel's guide from all others.
+    // Otherwise one sample with a NaN from a broken texture would spoil the means of the whole pixel.
     for (float& value : values)
         if (!std::isfinite(value)) value = 0;
     layer.add(x, y, group, values, filterWeight);
@@ -167,8 +167,8 @@ GBuffer gBufferOf(const Film& film, std::optional<int> group) {
             g.depth.at(column, row, 0) = mean(6);
             double variance = mean(7);
             for (int c = 0; c < 6; ++c) variance -= double(mean(c)) * double(mean(c));
-            // Overestimates the variance of the mean of stratified samples. A single sample tells nothing, so it is
-            // taken for a bad one.
+            // Overestimates the variance of the mean, because it treats the samples as independent although they are
+            // stratified. One sample gives no estimate, so 1 is assumed, which counts as noisy.
             noiseOfRow[size_t(row)] += expected < 2 ? 1 : std::max(0.0, variance) / (expected - 1);
             ++sampledInRow[size_t(row)];
         }

@@ -1,5 +1,5 @@
-// A picture as the sum of its layers, with the G-buffer and variance that denoisers and compositing need. All images
-// have the size of the film's region; radiance is linear RGB times the film's scale.
+// A picture as the sum of its layers, with the G-buffer and the variance that denoisers and compositing need. All
+// images have the size of the film's region; radiance is linear RGB multiplied by the film's scale.
 #pragma once
 #include <memory>
 #include <optional>
@@ -14,73 +14,75 @@ namespace drc {
 
 struct PictureLayer {
     std::string name;
-    // The part of the picture that this layer is added to: "direct" or "indirect". Empty: it has light of both.
+    // The kind of light in this layer, "direct" or "indirect". Empty: the layer contains both.
     std::string part;
-    Image mean;                     // may be negative, where the pixel filter has negative lobes
-    std::optional<Image> variance;  // of the mean, for R, G and B, from the differences between groups of samples
+    Image mean;                     // may be negative where the pixel filter has negative lobes
+    std::optional<Image> variance;  // variance of the mean, for R, G and B, from the differences between groups
 };
 
-// The G-buffer: means of GBufferSample over a pixel's samples; zero where no surface is seen.
+// The G-buffer: means of GBufferSample over a pixel's samples; zero where the camera sees no surface.
 struct GBuffer {
     Image albedo;  // RGB, in [0, 1]
-    Image normal;  // X, Y, Z, world space; shorter than 1 where a pixel shows several surfaces
+    Image normal;  // X, Y, Z, world space; length below 1 where a pixel shows several orientations
     Image depth;   // Z, world units
-    // The root mean square, over the pixels, of the standard error of albedo and normal, taken as one vector. Large
-    // where depth of field, motion, reflections or mere edges meet few samples.
+    // Noise of albedo and normal together, as a vector of six components: root mean square over the pixels of the
+    // standard error of its mean. Large where few samples meet depth of field, motion, reflections or just edges.
     float noise = 0;
 };
 
 struct LayeredPicture {
-    std::shared_ptr<const Film> film;  // that the picture was made from
-    // Whether filters take every pixel as sampled, whatever the film says: to measure how long they will take.
+    std::shared_ptr<const Film> film;  // the film that the picture was made from
+    // Makes filters treat every pixel as sampled, whatever the film says. Used to measure how long they will take at
+    // the end.
     bool takenAsComplete = false;
-    float scale = 1;  // the film's, already applied to all images
+    float scale = 1;  // the film's scale; all images are already multiplied by it
     std::vector<PictureLayer> layers;
-    Image beauty;  // the sum of the layers, clamped at zero; denoisers may replace it
+    Image beauty;  // sum of the layers, clamped at zero; denoisers may replace it
     std::optional<GBuffer> gBuffer;
-    // Direct light (SampleParts::direct), of the same samples as the layers; for pictures whose layers have light of
-    // both parts.
+    // Direct light (SampleParts::direct), from the same samples as the layers. Set in pictures whose layers each
+    // contain both direct and indirect light.
     std::optional<Image> direct;
-    // A: the share of each pixel that is covered (GBufferSample::covered), in [0, 1]; with a transparent film. The
-    // colours are premultiplied by it.
+    // A: coverage of each pixel (GBufferSample::covered), in [0, 1]. Set with a transparent film. The colours
+    // are premultiplied by it.
     std::optional<Image> alpha;
     std::optional<Image> samples;  // X: number of camera samples; present if a layer has variance
-    std::optional<Image> error;    // X: DenoisedError::local, if it was estimated
+    std::optional<Image> error;    // X: DenoisedError::local, if estimated
 
     PictureLayer& layer(const std::string& name);
-    // Whether direct and indirect light can be told apart.
+    // Whether direct and indirect light are available separately.
     bool hasParts() const { return direct || (!layers.empty() && !layers[0].part.empty()); }
-    // "direct", "indirect", or "" for all: parts of the sum of the layers.
+    // The light of one part, "direct" or "indirect", or of the whole picture (""), as sums of layers.
     Image part(const std::string& name) const;
     // Variance of the sum of the layers.
     Image variance() const;
-    // part() and variance() of one pixel, counted from the region's corner.
+    // part() and variance() at one pixel; x and y count from the corner of the region.
     Rgb partAt(const std::string& name, int x, int y) const;
     Rgb varianceAt(int x, int y) const;
     // Sets beauty to the sum of the layers.
     void compose();
-    // Maps the colours of the layers and of the beauty, which is clamped at zero again. Variances become upper bounds.
-    // For the finished picture: filters compare it with the film, which stays as it is.
+    // Applies a colour matrix to the layers and to the beauty image, which is clamped at zero again. Variances become
+    // upper bounds. Call it after all filters, because they compare the picture with the film, whose colours stay
+    // unchanged.
     void balance(const RgbMatrix& matrix);
 };
 
-// Maps the colours of a beauty and clamps them at zero.
+// Applies a colour matrix to a beauty image and clamps the result at zero.
 void balanceBeauty(Image& beauty, const RgbMatrix& matrix);
 
-// Makes a picture's layer from a film's layer: means, and the variance of the mean if there are several groups.
+// Makes a picture layer from a film layer: means, and the variance of the mean if there are several groups.
 PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale);
 
-// The film's layer that GBufferSamples are added to: albedo, normal, depth, and the squared length of albedo and normal
-// as one vector, from which follows how noisy they are.
+// The film layer that GBufferSamples are added to. Channels: albedo, normal, depth, and |albedo|^2 + |normal|^2, from
+// which GBuffer::noise is computed.
 inline constexpr const char* kGBufferLayer = "g-buffer";
 void addGBufferSpec(std::vector<FilmLayerSpec>& layers, int groups = 1);
 void addGBufferSample(FilmLayer& layer, int x, int y, const GBufferSample& sample, float filterWeight, int group = 0);
-// The G-buffer from that layer, of all samples or, where a pixel has any, of those of a group alone.
+// Makes the G-buffer from that film layer. With a group, pixels that have samples in this group use only those.
 GBuffer gBufferOf(const Film& film, std::optional<int> group = {});
-// LayeredPicture::alpha from a layer of one channel.
+// LayeredPicture::alpha from a film layer with one channel.
 Image alphaOf(const FilmLayer& layer);
 float alphaAt(const FilmLayer& layer, int x, int y);
-// X: the number of samples in each pixel of a layer.
+// X: the number of samples of each pixel in a film layer.
 Image sampleCounts(const FilmLayer& layer);
 
 }  // namespace drc

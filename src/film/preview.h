@@ -9,11 +9,11 @@ namespace drc {
 
 // All images have the size of the film's region.
 struct Preview {
-    Image beauty;                // linear RGB times the film's scale, clamped at zero, unfiltered
+    Image beauty;                // linear RGB multiplied by the film's scale, clamped at zero, not denoised
     std::optional<Image> alpha;  // A: as LayeredPicture::alpha
     Image samples;               // X: number of camera samples
 
-    // Maps the colours as LayeredPicture::balance does.
+    // Applies a colour matrix, as LayeredPicture::balance does.
     void balance(const RgbMatrix& matrix);
 };
 

@@ -6,10 +6,10 @@ namespace drc {
 
 namespace {
 
-// has: whether a pixel has samples, by column and row.
+// has(column, row): whether a pixel has samples.
 template <class Has>
 void fill(std::initializer_list<Image*> images, int width, int height, const Has& has) {
-    // Reads sampled pixels alone and writes only others, so that rows may be filled in any order.
+    // Reads only sampled pixels and writes only unsampled ones, so rows may be filled in any order.
     const auto fillPixel = [&](int column, int row) {
         for (const int lattice : {2, 4}) {
             const int fromColumn = column - column % lattice, fromRow = row - row % lattice;

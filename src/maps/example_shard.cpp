@@ -38,8 +38,8 @@ void ExampleShard::read() {
     for (size_t i = 0; i < records.size(); ++i) {
         const ShardRecord& record = records[i];
         damaged_ += !sound[i];
-        // If a record does not begin where the last one ended, or has another viewpoint's number, something before it
-        // is missing.
+        // If a record does not begin at the end of the previous one, or has an unexpected viewpoint number, at least
+        // one record is missing before it.
         leading = leading && sound[i] && record.begin == leadingBytes_ + kRecordHeaderBytes &&
                   record.viewpoint == uint32_t(leading_);
         if (leading) leadingBytes_ = record.end();

@@ -8,19 +8,19 @@
 
 namespace drc {
 
-// The file is mapped and examples are decoded on request, so a data set may be larger than memory. The file may grow
-// while it is open, as when `drc reference` is still writing it; what is appended later is not seen.
+// The file is mapped, and examples are decoded on request, so a data set may be larger than memory. The file may grow
+// while it is open, for instance while `drc reference` writes it; records appended after opening are not seen.
 class ExampleShard final : public ExampleSource {
   public:
-    // Checks all records, on all threads. Damaged records are skipped and reported by damage(); the sound ones before
-    // and after them are available. Throws Error if the header is invalid.
+    // Checks all records, on all threads. Damaged records are skipped and reported by damage(); all others can be
+    // loaded. Throws Error if the header is invalid.
     explicit ExampleShard(const std::string& path);
 
     const ShardHeader& header() const { return header_; }
     // Whether the shard contains all its viewpoints.
     bool finished() const { return finished_; }
-    // The sound records in viewpoint order that precede any damage: their number, and the offset at which the last one
-    // ends. Writing can continue there.
+    // The sound records before the first damage, in viewpoint order: their number, and the file offset of their end.
+    // Writing can continue at this offset.
     int leadingRecords() const { return leading_; }
     size_t leadingBytes() const { return leadingBytes_; }
 
@@ -39,11 +39,11 @@ class ExampleShard final : public ExampleSource {
     std::vector<ShardRecord> examples_;
     size_t leadingBytes_ = 0;
     int leading_ = 0;
-    int damaged_ = 0;  // number of damaged places
+    int damaged_ = 0;  // number of damaged records and gaps
     bool finished_ = false;
 };
 
-// Whether a shard is complete. Reads only its last bytes. False if there is no such file or it cannot be read.
+// Whether a shard is complete. Reads only the last bytes of the file. False if the file is missing or unreadable.
 bool isFinishedShard(const std::string& path);
 
 }  // namespace drc

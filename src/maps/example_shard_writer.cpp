@@ -37,7 +37,7 @@ void ExampleShardWriter::open() {
     std::string there(start.size(), '\0');
     const ssize_t got = ::pread(fd_, there.data(), there.size(), 0);
     if (got < 0) fail(fmt::format("cannot read: {}", std::strerror(errno)));
-    // A writer that ended while it wrote the header leaves a prefix of it.
+    // A program that ended while writing the header left only a prefix of the header.
     if (size_t(got) < start.size() && start.compare(0, size_t(got), there, 0, size_t(got)) == 0) {
         if (::ftruncate(fd_, 0) != 0) fail(fmt::format("cannot write: {}", std::strerror(errno)));
         write(start);
@@ -47,7 +47,7 @@ void ExampleShardWriter::open() {
 }
 
 void ExampleShardWriter::resume() {
-    // Complete shards are not read through, since there may be many of them.
+    // Complete shards are only checked for their end, because there may be many of them.
     const bool ended = isFinishedShard(path_);
     std::string start(limits::kShardHeaderBytes + 64, '\0');
     const ssize_t got = ::pread(fd_, start.data(), start.size(), 0);
@@ -82,7 +82,7 @@ void ExampleShardWriter::write(std::string_view bytes) {
         if (n <= 0) {
             const int reason = n < 0 ? errno : ENOSPC;
             size_ = before;
-            // If truncating fails too, the next run will cut the partial record off.
+            // If truncating fails too, the next run cuts off the partial record.
             if (::ftruncate(fd_, off_t(before)) != 0) logDebug(path_ + ": " + std::strerror(errno));
             fail(fmt::format("cannot write: {}", std::strerror(reason)));
         }

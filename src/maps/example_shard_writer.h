@@ -8,25 +8,25 @@
 
 namespace drc {
 
-// Holds a lock on the file, so that no other writer can open it.
+// Locks the file, so that no other writer can open it.
 class ExampleShardWriter {
   public:
-    // An existing file is continued after its last sound record in viewpoint order; a record that was only partly
-    // written when a program ended is cut off. A complete shard is left as it is. Throws Error, beginning with the
-    // path, if the file is something else, was made with other settings (the message names the first that differs), is
-    // being written by another program, or cannot be written.
+    // Continues an existing file after its last sound record in viewpoint order, and cuts off a record that an
+    // interrupted program wrote only in part. A complete shard is left unchanged. Throws Error, beginning with the
+    // path, if the file is not a shard, has other settings (the message names the first difference), is being written
+    // by another program, or cannot be written.
     ExampleShardWriter(const std::string& path, const ShardHeader& header);
     ~ExampleShardWriter();
     ExampleShardWriter(const ExampleShardWriter&) = delete;
     ExampleShardWriter& operator=(const ExampleShardWriter&) = delete;
 
-    // Index of the next viewpoint to write; the number of viewpoints if the shard is complete.
+    // Index of the next viewpoint to write; equals the number of viewpoints if the shard is complete.
     int next() const { return next_; }
     bool finished() const { return finished_; }
 
-    // Appends viewpoint next(): the result of encodeExample(), or an empty string if the viewpoint gave no example.
-    // After the last viewpoint the shard is completed and flushed to disk. Throws Error, beginning with the path, if
-    // writing fails; the file can be continued after that.
+    // Appends the record of viewpoint next(): the result of encodeExample(), or an empty string if the viewpoint gave
+    // no example. After the last viewpoint, completes the shard and flushes it to disk. Throws Error, beginning with
+    // the path, if writing fails; a later writer can continue the file.
     void append(std::string_view example);
 
   private:

@@ -30,7 +30,7 @@ std::vector<std::string> findExamples(const std::vector<std::string>& paths) {
         if (failed) throw Error(SourceLocation{path}, failed.message());
     }
     found.insert(found.end(), folders.begin(), folders.end());
-    // Training must not depend on the order in which the file system lists a folder.
+    // Training must not depend on the order in which the file system lists a folder's files.
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;

@@ -5,8 +5,8 @@
 namespace drc {
 namespace {
 
-// Cosine between map and pixel normal below which the part of the pixel's hemisphere that lies below the map's horizon
-// matters. At this cosine it contributes 0.05 % of the irradiance.
+// Threshold on the cosine between the map's and the pixel's normal. Below it, the part of the pixel's hemisphere under
+// the map's horizon is sampled as well; at this cosine, that part contributes 0.05 % of the irradiance.
 constexpr float kParallel = 0.999f;
 
 struct Sides {
@@ -26,17 +26,17 @@ Rgb gather(const PrimaryHit& hit, const LobeMask& lobes, std::span<const Weighte
     float total = 0;
     for (const WeightedSite& s : sites) total += s.weight;
 
-    // A map's sampling density is that of diffuse reflection of its radiance, so for purely diffuse surfaces BSDF
-    // samples would only add noise. BSDF samples are needed for glossy lobes, and for directions below the horizon of a
-    // map whose normal differs from the pixel's, which the map never samples. There the radiance at the map's horizon
+    // A map's pdf is proportional to the integrand of diffuse reflection, so for purely diffuse surfaces BSDF samples
+    // would only add noise. BSDF samples are needed for glossy lobes, and, where the normals of map and pixel differ,
+    // for directions below the map's horizon, which the map never samples. For these, the radiance at the map's horizon
     // is the best available estimate.
     const bool glossy = hit.bsdf.has(LobeFlags::Glossy, lobes);
     const BsdfView view(hit.bsdf, at.wo, lobes);
     const auto contribution = [&](const Sides& sides, const Vec3& d, float pdf, const LobeValue& bsdf) {
         const RadianceMap* map = dot(d, normal) >= 0 ? sides.front : sides.back;
         if (map == nullptr) return Rgb(0.f);
-        // Directions between the shading and the geometric horizon have pdf 0. Path tracing never samples them, so they
-        // are left out here too.
+        // Directions between the shading and the geometric horizon have BSDF pdf 0. Path tracing never samples them, so
+        // gathering ignores them too.
         if (bsdf.pdf <= 0) return Rgb(0.f);
         return bsdf.f * map->radianceAt(at.p, d) * (absDot(d, shading) / pdf);
     };

@@ -47,8 +47,8 @@ std::string fileName(const std::string& folder, char kind, int x, int y) {
     return fmt::format("{}/{}_{}_{}.pfm", folder, kind, x, y);
 }
 
-// Counts values of the magnitudes that occur in maps. Floats with swapped bytes hardly ever have such magnitudes, so
-// the count tells the byte order.
+// Counts values of a magnitude that is plausible in maps. Floats with swapped bytes hardly ever are, so the count
+// reveals the byte order.
 size_t ordinaryNumbers(const Image& image) {
     return size_t(std::count_if(image.data().begin(), image.data().end(),
                                 [](float v) { return v == 0 || (std::abs(v) > 1e-12f && std::abs(v) < 1e12f); }));
@@ -62,7 +62,7 @@ Image readMap(const std::string& path, uint64_t* hash) {
     return ordinaryNumbers(other) > ordinaryNumbers(named) ? std::move(other) : std::move(named);
 }
 
-// The image's values in planar order, [channels][size * size]. Throws Error if the image has another size.
+// The image's values as planes, [channels][size * size]. Throws Error if the image is not size x size.
 std::vector<float> planar(const Image& image, size_t channels, int size, const std::string& path) {
     if (image.width() != size || image.height() != size || size_t(image.channels()) < channels)
         throw Error(fmt::format("{}: {} x {} with {} channels, not {} x {} with {}", path, image.width(),
@@ -83,8 +83,8 @@ Image picture(const std::vector<float>& values, int channels, int size) {
 }
 
 void faceOrigin(CapturedMap& map, const MapLayout& layout) {
-    // Angle between a texel's centre and its corner. Within this angle a surface seen at grazing incidence may face the
-    // actual ray, but seem to face away from the direction of the texel's centre.
+    // Angle from a texel's centre to its corner. A surface seen at grazing incidence may face the actual ray, yet face
+    // away from the direction of the texel's centre by up to this angle.
     const float grazing = kPi / float(layout.size()) * 0.75f;
     const auto texels = size_t(layout.texels());
     for (size_t i = 0; i < texels; ++i) {
@@ -106,7 +106,7 @@ IisptFolder::IisptFolder(const std::string& path) {
     guides_ = false;
     scene_ = fs::absolute(path).lexically_normal().filename().string();
     if (scene_.empty()) scene_ = fs::absolute(path).lexically_normal().parent_path().filename().string();
-    std::map<std::pair<int, int>, std::set<char>> found;  // kinds of files, by row and column
+    std::map<std::pair<int, int>, std::set<char>> found;  // kinds of files present, by (row, column)
     std::error_code failed;
     for (fs::directory_iterator i(path, failed), end; !failed && i != end; i.increment(failed))
         if (const auto name = parseName(i->path().filename().string())) found[{name->y, name->x}].insert(name->kind);
@@ -196,7 +196,7 @@ IisptWriter::IisptWriter(const std::string& path, const ShardHeader& header) : p
     if (!fs::exists(info)) {
         for (const auto& entry : fs::directory_iterator(path))
             if (isIisptFile(entry.path().filename().string())) fail("made by another program; name another folder");
-        // The authors' format has these two numbers; nothing reads them.
+        // The authors' format contains these two numbers, but nothing reads them.
         const Json json{{"normalization_intensity", 0.0},
                         {"normalization_distance", 0.0},
                         {"drc", Json::parse(headerJson(header))}};
@@ -216,7 +216,7 @@ IisptWriter::IisptWriter(const std::string& path, const ShardHeader& header) : p
 }
 
 bool IisptWriter::has(const Vec2& film) const {
-    // write() writes this file last.
+    // write() writes the file of this kind last.
     return fs::exists(fileName(path_, kKinds.back(), int(film.x), int(film.y)));
 }
 

@@ -6,16 +6,16 @@
 namespace drc {
 namespace {
 
-// Purposes of random numbers, which keep their streams apart.
+// Purposes of random numbers, mixed into the seed so that each purpose has its own stream.
 constexpr uint64_t kPrimary = 0x1001, kGather = 0x1002, kCapture = 0x1003, kOffset = 0x1004, kFill = 0x1005,
                    kFallback = 0x1006;
 constexpr int kRowsPerTask = 1;
-// The maps that one level may add, as a share of the grid's maps in the bands so far: the cost of a pass must follow
-// from its spacing, even in a scene full of edges. Pixels that still lack maps are left to the fallback and to later,
-// denser passes.
+// The number of maps that each level may add, as a share of the number of grid maps in the bands so far. This keeps the
+// cost of a pass proportional to its number of grid maps, even in a scene full of edges. Pixels that still lack maps
+// are left to the path-traced fallback and to later, denser passes.
 constexpr float kFillBudget = 0.5f;
-constexpr float kSmallestFill = 2.5f;  // pixels
-// The share of minCoverage that a pixel needs at least; below it, its light is path-traced.
+constexpr float kSmallestFill = 2.5f;  // smallest radius of added maps, pixels
+// If the weights of a pixel's maps sum to less than this share of minCoverage, its light is path-traced instead.
 constexpr float kLeastShare = 0.25f;
 
 PixelSite pixelSite(const PrimaryHit& hit, const LobeMask& broad, const Vec2& film) {
@@ -128,8 +128,8 @@ bool IndirectPass::run(int pass, float spacing, const Add& add, const CancelToke
     const Vec2 margin = film.filter->radius();
     PassMaps maps(MapGrid(region, spacing, offsets.get2D()), region, std::max(margin.x, margin.y),
                   settings_.interpolation);
-    // The grid of a band is captured while maps are added to the band above it, and then the pixels of the band above
-    // that, which has all of its maps, gather.
+    // A pipeline over bands: while the grid of band b is captured, maps are added to band b - 1; then the pixels of
+    // band b - 2, whose maps are complete, gather.
     State state{pass, stride, cancel, std::vector<size_t>(size_t(settings_.fillLevels) + 1)};
     const auto exists = [&](int band) { return band >= 0 && band < maps.bandCount(); };
     for (int band = 0; band < maps.bandCount() + 2 && !state.cancelled(); ++band) {
@@ -152,7 +152,7 @@ void IndirectPass::captureGrid(PassMaps& maps, int band, const State& state) {
 }
 
 void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state) {
-    // How well the maps serve each pixel.
+    // How well the maps cover a pixel.
     struct Pixel {
         PixelSite site;
         float coverage = -1;  // sum of weights; -1: no primary hit
@@ -177,7 +177,7 @@ void IndirectPass::fillIn(PassMaps& maps, int band, float spacing, State& state)
     for (size_t level = 1; level <= size_t(settings_.fillLevels) && !state.cancelled(); ++level) {
         const float radius = spacing / float(1 << level);
         if (radius < kSmallestFill) break;
-        // Pixels off the lattice lack maps if their neighbour on the lattice does.
+        // With a stride, pixels off the lattice are represented by the lattice pixel above and to the left of them.
         const auto onLattice = [&](int x, int y) {
             x -= (x - film.x0) % state.stride;
             y -= (y - film.y0) % state.stride;
@@ -268,7 +268,7 @@ bool IndirectPass::runPerPixel(int pass, const Add& add, const CancelToken* canc
                         site.n = faceForward(hit.surface.ng, hit.surface.wo);
                         const uint64_t capturing = hashCombine(stream(x, y, kCapture), uint64_t(index));
                         const auto capture = [&](const Vec3& n, uint64_t side) {
-                            // At the sample's own time, because no other pixel uses this map.
+                            // Captured at the time of the sample, because no other pixel uses this map.
                             captureMap(tracer_, settings_.capture, hit.surface.spawnPoint(), mapFrame(n, up),
                                        hashCombine(capturing, side), captured[0], hit.surface.time);
                             settings_.denoiser->denoise(captured, layout);

@@ -20,15 +20,15 @@ bool present(const PixelSite& pixel, const MapSite& site) {
 
 bool serves(const PixelSite& pixel, const MapSite& site) { return present(pixel, site) && dot(pixel.n, site.n) > 0; }
 
-// Distance of either point from the other's tangent plane, in units of half the map's radius. Large across depth edges
-// and steps.
+// Distance of each point from the other's tangent plane, the larger of the two, in units of half the map's radius of
+// influence (which counts as at least 2 pixels). Large across depth edges and steps.
 float planeOffset(const PixelSite& pixel, const MapSite& site) {
     const Vec3 d = site.p - pixel.p;
     return std::max(absDot(pixel.n, d), absDot(site.n, d)) / (0.5f * std::max(site.radius, 2.f) * pixel.pixelSize);
 }
 
-// Weight for the parallax between map and pixel. Incoming radiance changes over the harmonic mean distance to the
-// surfaces that the map sees; farther away, parallax correction cannot know what was hidden from the map.
+// Weight for the parallax between map and pixel. The map's radiance is valid over about the harmonic mean distance to
+// the surfaces that the map sees; beyond that, parallax correction cannot recover what was hidden from the map.
 float proximity(const PixelSite& pixel, const MapSite& site) {
     return 1 / (1 + 4 * sqr(length(site.p - pixel.p) / site.front.harmonicMeanDistance()));
 }

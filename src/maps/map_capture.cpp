@@ -5,7 +5,7 @@
 namespace drc {
 namespace {
 
-// The sums that a channel's mean and its variance are estimated from.
+// Sums from which the mean and the variance of a channel are estimated.
 struct Moments {
     double sum = 0, squares = 0;
     void add(double x) {
@@ -45,16 +45,16 @@ void captureMap(const PathTracer& tracer, const CaptureSettings& settings, const
     const bool deviations = settings.deviations && settings.samplesPerTexel > 1;
     result.deviation.resize(deviations ? 3 * texels : 0);
 
-    const float spread = std::sqrt(layout.solidAngle(n / 2));  // a texel's own cone
+    const float spread = std::sqrt(layout.solidAngle(n / 2));  // cone angle of one texel at the middle row
     const float weight = 1.f / float(settings.samplesPerTexel);
-    // Without motion no random number is spent on time.
+    // Without motion, no random number is used for the time.
     const bool drawTime = !time && tracer.anythingMoves();
     Sampler sampler(stream, 0);
     for (int row = 0; row < n; ++row) {
         for (int column = 0; column < n; ++column) {
             const auto texel = size_t(row * n + column);
             // Neighbouring texels get neighbouring sample indices, so that every dimension of the paths is stratified
-            // over each part of the map.
+            // over each region of the map.
             const uint32_t index = mortonIndex({column, row}) * uint32_t(settings.samplesPerTexel);
             Rgb sum(0.f);
             Moments moments[3];

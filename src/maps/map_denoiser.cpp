@@ -37,8 +37,8 @@ class GaussianMapDenoiser final : public MapDenoiser {
     std::string name() const override { return "gaussian"; }
 
   private:
-    // Blurs in one direction: `step` is the distance of neighbours along it, `stride` that of lines. The texel at the
-    // edge is repeated.
+    // Blurs along one axis. step: offset between neighbours on a line; stride: offset between lines. Texels at the edge
+    // are repeated beyond it.
     void blur(const float* in, float* out, int n, int step, int stride) const {
         for (int line = 0; line < n; ++line)
             for (int i = 0; i < n; ++i) {
@@ -75,7 +75,7 @@ void matchEnergy(std::span<const float> captured, const MapLayout& layout, std::
     for (size_t c = 0; c < 3; ++c) {
         const std::span<float> channel = radiance.subspan(c * texels, texels);
         const double want = mean(captured.subspan(c * texels, texels)), have = mean(channel);
-        // Written so that NaN counts as no light.
+        // NaN counts as no light: it fails `have > 0`.
         const bool usable = have > 0 && std::isfinite(have);
         if (usable && want <= kMostGain * have) {
             const auto scale = float(want / have);

@@ -26,7 +26,7 @@ std::vector<double> texelWeights(const MapLayout& layout) {
     return weights;
 }
 
-// An image of the map's luminance, multiplied by `exposure`.
+// A grey image of the map's luminance times `exposure`.
 Image greyPicture(std::span<const float> radiance, const MapLayout& layout, float exposure) {
     const auto texels = size_t(layout.texels());
     Image picture(layout.size(), layout.size(), {"Y"});
@@ -52,7 +52,7 @@ std::vector<double> irradiances(std::span<const float> radiance, const MapLayout
             const double w = weights[i] * std::max(0.f, dot(n, directions[i]));
             for (size_t c = 0; c < 3; ++c) sum[c] += w * radiance[c * texels + i];
         }
-        // The sum is a mean over the hemisphere; times its solid angle 2 pi, over pi.
+        // Each sum is the mean of L cos over the hemisphere, so irradiance / pi = 2 pi * mean / pi = 2 * mean.
         for (const double s : sum) result.push_back(2 * s);
     }
     return result;

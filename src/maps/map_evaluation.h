@@ -1,5 +1,5 @@
-// Compares the maps that map denoisers produce with converged ones: error measures for one map, and their evaluation
-// over a set of examples.
+// Compares the output of map denoisers with converged maps: error measures for one map, and an evaluation over a set of
+// examples.
 #pragma once
 #include <span>
 #include <string>
@@ -11,46 +11,45 @@
 namespace drc {
 
 // Errors of one map against its target. Both are first divided by the target's mean, so that bright and dark examples
-// have equal weight.
+// weigh the same.
 struct MapScores {
     double l1 = 0;          // mean absolute difference over the hemisphere and the three channels
     double ssim = 0;        // see scoreMap(); NaN if the map is smaller than SSIM's window
     double irradiance = 0;  // relative squared error of the irradiance, averaged over 64 normals and three channels
 };
 
-// Mean radiance over the hemisphere (texels weighted by solid angle) and the channels. Maps are planar, [3][N*N], here
-// and below.
+// Mean radiance over the hemisphere (texels weighted by solid angle) and over the channels. All maps in this file are
+// planar, [3][N*N].
 double hemisphereMean(std::span<const float> radiance, const MapLayout& layout);
 
 // `radiance` scaled so that its mean equals that of `target`. A black map stays black.
 std::vector<float> withMeanOf(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout);
 
-// Exposure for viewing the target: the factor that maps its 99th percentile of luminance to white, or its brightest
-// texel if less than 1 % of the map is lit. The target must not be black.
+// Exposure for viewing the target: the factor that maps the 99th percentile of its luminance to white. If less than 1 %
+// of the map is lit, its brightest texel is mapped to white instead. The target must not be black.
 float exposureOf(std::span<const float> target, const MapLayout& layout);
 
-// The target's mean must be positive.
-// SSIM is computed as by `drc compare`, on the luminances of both maps as grey images under the target's exposure
-// (exposureOf): values above white are clipped, the rest is sRGB-encoded. The window is 11 x 11 texels. The irradiance
-// is computed for the normals of an 8 x 8 equal-area map of the hemisphere; directions below the map's horizon
-// contribute nothing. The error is (e - t)^2 / (t^2 + 0.01), where e and t are the irradiances of map and target
-// divided by pi, in units of the target's mean.
+// Scores a map. The target's mean must be positive. SSIM is the measure of `drc compare`, on the luminances of both
+// maps as grey images under the target's exposure (exposureOf): values above white are clipped, the others
+// sRGB-encoded. The window is 11 x 11 texels. The irradiance is computed for the normals of an 8 x 8 equal-area map of
+// the hemisphere; directions below the map's horizon contribute nothing. Its error is (e - t)^2 / (t^2 + 0.01), where e
+// and t are the irradiances from map and target, divided by pi and by the target's mean.
 MapScores scoreMap(std::span<const float> radiance, std::span<const float> target, const MapLayout& layout);
 
-// An example's errors with and without its error of overall energy.
+// The errors of an example, before and after correcting its overall energy.
 struct ExampleScores {
-    MapScores asRendered;   // with the energy of the map denoiser's output, which is that of the captured map
-    MapScores equalEnergy;  // scaled to the target's mean: the error of the shape alone
+    MapScores asRendered;   // with the energy of the denoiser's output, which is the captured map's
+    MapScores equalEnergy;  // after scaling to the target's mean: only the error of the shape
 };
 
 struct EvaluatedExample {
     int viewpoint = 0;                  // as TrainingExample::viewpoint
     Vec2 film{0.f};                     // as TrainingExample::film
-    std::vector<ExampleScores> scores;  // one per denoiser: the mean over realisations, which are not independent
+    std::vector<ExampleScores> scores;  // one per denoiser: mean over the (not independent) realisations
 };
 
-// Runs the map denoisers on the first `inputs` realisations of each example (or on all, if there are fewer), in batches
-// of eight maps, on all threads. Returns one entry per example, in the order of `examples`.
+// Runs the map denoisers on the first `inputs` realisations of each example (or on all, if the examples have fewer), in
+// batches of eight maps, on all threads. Returns one entry per example, in the order of `examples`.
 std::vector<EvaluatedExample> evaluateMapDenoisers(const ExampleSource& examples,
                                                    std::span<const MapDenoiser* const> mapDenoisers, int inputs);
 

@@ -1,5 +1,5 @@
-// Where the radiance maps of a map pass are placed on the film: a regular grid whose spacing shrinks from pass to pass,
-// and buckets for the additional maps that are placed where the grid's do not serve.
+// Where a map pass places its radiance maps on the film: a regular grid whose spacing shrinks from pass to pass, and
+// buckets for additional maps where the grid's maps do not suffice.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,19 +8,19 @@
 
 namespace drc {
 
-// The paper's spacing: 100 pixels at a film height of 720, proportional to the height, shrinking so that each pass
-// has 1.257 times as many maps as the pass before.
-inline constexpr float kFirstSpacing = 100.f / 720.f;  // as a share of the film's height
+// The paper's spacing: 100 pixels at a film height of 720, proportional to the height. It shrinks so that each pass has
+// 1.257 times as many maps as the previous one.
+inline constexpr float kFirstSpacing = 100.f / 720.f;  // fraction of the film's height
 inline constexpr float kSpacingFactor = 0.891859f;
 
 // Grid spacing of pass 0, 1, 2, ... in pixels; at least 1.
 float passSpacing(int pass, int filmHeight, float firstSpacing = kFirstSpacing);
 
-// Number of whole passes that do at least `tasks` tasks. Tasks are the paper's unit of quality: a task is a square of
-// ten by ten grid cells.
+// The least number of whole passes that complete `tasks` tasks, the paper's unit of quality. A task is a square of ten
+// by ten grid cells.
 int passesForTasks(int tasks, int width, int height);
 
-// A grid of points that covers a region of the film and extends one cell beyond it, so that every pixel lies in a cell.
+// A grid of points that covers a region of the film and extends one cell beyond it, so that every pixel is in a cell.
 class MapGrid {
   public:
     // spacing in pixels; offset in [0,1)^2, in cells.
@@ -35,7 +35,7 @@ class MapGrid {
     // Index of the upper left corner of the cell that contains a film position. The cell's other corners are index + 1,
     // index + columns() and index + columns() + 1.
     int cell(const Vec2& film) const;
-    // The y coordinate of a row of grid points, in pixels.
+    // The y coordinate of a row of grid points on the film, in pixels.
     float rowAt(int row) const { return origin_.y + spacing_ * float(row); }
 
   private:
@@ -44,8 +44,8 @@ class MapGrid {
     int columns_, rows_;
 };
 
-// A uniform hash of points on a region of the film. Finds all points within `reach` pixels of a position, and possibly
-// some beyond, which the caller has to reject.
+// A uniform spatial hash of points on a region of the film. Visits all points within `reach` pixels of a position, and
+// possibly some beyond, which the caller must reject.
 class FilmBuckets {
   public:
     FilmBuckets(const PixelRegion& region, float reach);

@@ -9,7 +9,7 @@
 namespace drc {
 namespace {
 
-constexpr int kBatch = 8;  // measured: 1 is 15 % slower, 32 is no faster
+constexpr int kBatch = 8;  // measured: 1 is 15 % slower, 32 is not faster
 
 class NetworkMapDenoiser final : public MapDenoiser {
   public:

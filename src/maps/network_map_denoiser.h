@@ -1,4 +1,4 @@
-// "network": the U-Net that this project trains (Jiang and Kainz, section 4).
+// "network": the U-Net trained by this project (Jiang and Kainz, section 4).
 #pragma once
 #include <memory>
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace drc {
 
-// Without a precision, that of bestPrecision(weights). Throws Error if the network was trained for another projection
-// or size of map than `layout`.
+// Without a precision, uses bestPrecision(weights). Throws Error if the network was trained for another projection or
+// map size than `layout`.
 std::unique_ptr<MapDenoiser> makeNetworkMapDenoiser(std::shared_ptr<const UNetWeights> weights, const MapLayout& layout,
                                                     std::optional<Precision> precision = {});
 

@@ -5,8 +5,8 @@
 namespace drc {
 namespace {
 
-// Blocks in which a smaller share of the pixels lack maps get none and are left to the path-traced fallback, because a
-// map costs as much as a thousand paths.
+// The least share of a block's pixels that must lack maps before the block gets one. Below it, the pixels are left to
+// the path-traced fallback, because a map costs as much as a thousand paths.
 constexpr float kFillShare = 0.1f;
 
 }  // namespace
@@ -14,8 +14,8 @@ constexpr float kFillShare = 0.1f;
 PassMaps::PassMaps(const MapGrid& grid, const PixelRegion& region, float margin, Interpolation interpolation,
                    int bandMaps)
     : grid_(grid), region_(region), margin_(margin), interpolation_(interpolation) {
-    // Maps that serve a pixel are at most a grid cell and the sampling margins of both pixels away. A band must be at
-    // least that high, so that they lie in an adjacent band.
+    // A map that a pixel uses is away from it by at most a grid cell plus the sampling margins of two pixels. Bands of
+    // at least that height ensure that the map is in the same or an adjacent band.
     const int cellRows = grid.rows() - 1, leastRows = 1 + int(std::ceil(2 * margin / grid.spacing()));
     bands_.resize(size_t(std::max(1, std::min(grid.count() / std::max(1, bandMaps), cellRows / leastRows))));
     bandOfRow_.resize(size_t(grid.rows()));
@@ -25,7 +25,7 @@ PassMaps::PassMaps(const MapGrid& grid, const PixelRegion& region, float margin,
 
 int PassMaps::firstRow(int band) const { return int(int64_t(grid_.rows() - 1) * band / bandCount()); }
 
-// The first pixel row of a band is the first whose samples may lie below the band's first row of grid points.
+// A band begins at the first pixel row whose samples may fall below the band's first row of grid points.
 int PassMaps::firstPixelRow(int band) const {
     if (band == 0) return region_.y0;
     if (band == bandCount()) return region_.y1;

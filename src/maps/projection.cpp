@@ -24,7 +24,7 @@ Vec3 MapLayout::direction(int column, int row, const Vec2& u) const {
     const float n = float(size_);
     if (projection_ == Projection::EqualArea)
         return squareToHemisphere(Vec2((float(column) + u.x) / n, (float(row) + u.y) / n));
-    // Linear in cos theta, so that it is uniform in solid angle within the texel.
+    // Linear in cos theta, hence uniform in solid angle within the texel.
     const float top = std::cos(kPi * float(row) / n), bottom = std::cos(kPi * float(row + 1) / n);
     const float y = lerp(u.y, top, bottom);
     const float sinTheta = safeSqrt(1 - y * y);
@@ -51,7 +51,8 @@ float MapLayout::solidAngle(int row) const {
 }
 
 float broadAlpha(const MapLayout& layout) {
-    constexpr float kAlpha = 0.2f, kSolidAngle = 2 * kPi / (32 * 32);  // of the maps that it was chosen for
+    // kSolidAngle: mean solid angle of a texel in the 32 x 32 maps for which kAlpha was chosen.
+    constexpr float kAlpha = 0.2f, kSolidAngle = 2 * kPi / (32 * 32);
     return kAlpha * std::sqrt(layout.meanSolidAngle() / kSolidAngle);
 }
 

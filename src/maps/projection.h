@@ -10,10 +10,10 @@ namespace drc {
 
 enum class Projection {
     // Concentric mapping of the square to the disk, lifted to the hemisphere. Every texel has the solid angle 2 pi /
-    // N^2; u increases with x and v with y.
+    // N^2. u increases along x, v along y.
     EqualArea,
-    // The paper's: theta = pi v / N from the y axis and phi = pi u / N from the x axis; the normal is at the centre of
-    // the map.
+    // The paper's projection: theta = pi v / N from the y axis and phi = pi u / N from the x axis; the normal is at the
+    // map's centre.
     LatLong,
 };
 
@@ -22,14 +22,14 @@ Projection projectionFromName(const std::string& name);  // throws Error for any
 
 class MapLayout {
   public:
-    // size: texels along a side. Throws Error unless it is a power of two.
+    // size: number of texels along a side. Throws Error unless it is a power of two.
     MapLayout(Projection projection, int size);
 
     Projection projection() const { return projection_; }
     int size() const { return size_; }
     int texels() const { return size_ * size_; }
 
-    // Direction of the point u in [0,1)^2 of a texel, uniform in solid angle; u = (0.5, 0.5) is the texel's centre.
+    // Direction of the point u in [0,1)^2 within a texel, uniform in solid angle; u = (0.5, 0.5) is the texel's centre.
     Vec3 direction(int column, int row, const Vec2& u) const;
     // Continuous texel coordinates (u, v) of a direction, each in [0, N]. Directions below the horizon are clamped to
     // the horizon.
@@ -40,7 +40,7 @@ class MapLayout {
         const int column = std::clamp(int(c.x), 0, size_ - 1), row = std::clamp(int(c.y), 0, size_ - 1);
         return row * size_ + column;
     }
-    // Solid angle of the texels of a row, in steradians.
+    // Solid angle of each texel in a row, in steradians.
     float solidAngle(int row) const;
     // Mean solid angle of a texel, in steradians.
     float meanSolidAngle() const { return 2 * kPi / float(texels()); }
@@ -50,10 +50,10 @@ class MapLayout {
     int size_;
 };
 
-// The least alpha of a lobe whose reflections such a map resolves: those of smoother ones are finer than its texels,
-// and than what a network's blur leaves. 0.2 for 32x32 texels over a hemisphere, 4.5 degrees each, of which the lobe
-// then covers 6.5 at half its maximum (2 atan(alpha sqrt(sqrt(2) - 1)) to either side); in proportion to a texel's
-// width.
+// The least roughness alpha of a lobe whose reflections a map of this layout resolves: reflections of smoother lobes
+// are finer than its texels, and finer than what a network's blur leaves. It is 0.2 for 32x32 texels over a hemisphere.
+// There, a texel is 4.5 degrees wide, and the lobe is 6.5 texels wide at half its maximum (2 atan(alpha sqrt(sqrt(2) -
+// 1)) to either side). Proportional to the width of a texel.
 float broadAlpha(const MapLayout& layout);
 
 }  // namespace drc

@@ -5,18 +5,19 @@
 namespace drc {
 namespace {
 
-// Shares of the sampling density that ignore luminance, because a texel that is black in the map may be lit for another
-// point that looks through it. The first is proportional to the cosine. The second is uniform, for pixels whose normal
+// Shares of the sampling density that ignore luminance: a texel that is black in the map may be lit for another point
+// that gathers from it. The first share is proportional to the cosine; the second is uniform, for pixels whose normal
 // differs from the map's.
 constexpr float kCosineShare = 0.1f, kUniformShare = 0.1f;
-// Size of the guide table with the starting points for searches of the cumulative density (Chen and Asau, "On
-// Generating Random Variates from an Empirical Distribution", 1974).
+// Size of the guide table, which stores where to start searching the cumulative density (Chen and Asau, "On Generating
+// Random Variates from an Empirical Distribution", 1974).
 constexpr size_t kGuide = 256;
-// Distances whose relative difference is less than this are taken to belong to one surface.
+// Distances with a smaller relative difference count as one surface.
 constexpr float kSameSurface = 0.25f;
-// For offsets from the map's origin below this share of the harmonic mean distance, ray marching is not worth its cost.
+// Offset from the map's origin, as a share of the harmonic mean distance, below which ray marching is not worth its
+// cost.
 constexpr float kNegligibleOffset = 0.01f;
-// The march covers 0.5 to 64 times the offset. At that distance, parallax amounts to less than a fifth of a texel.
+// The march covers distances from 0.5 to 64 times the offset. At 64 times, parallax is less than a fifth of a texel.
 constexpr int kMarchSteps = 8;
 
 }  // namespace
@@ -32,8 +33,8 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
     float maxRadiance = 0, maxDistance = 0;
     for (const float r : captured.radiance) maxRadiance = std::max(maxRadiance, r);
     for (const float d : captured.distance) maxDistance = std::max(maxDistance, d);
-    // Half floats have full precision from 2^-14 to 2^15. Scaling the brightest texel to 2^14 leaves most of that range
-    // to the dark ones.
+    // Half floats have full precision from 2^-14 to 2^15. With the brightest texel at 2^14, most of that range is left
+    // for dark texels.
     scale_ = maxRadiance > 0 ? maxRadiance / 16384.f : 1.f;
     distanceScale_ = maxDistance > 0 ? maxDistance / 1024.f : 1.f;
 
@@ -59,7 +60,7 @@ RadianceMap::RadianceMap(const CapturedMap& captured, const MapLayout& layout)
     }
     harmonicMeanDistance_ = inverseDistance > 0 ? float(weight / inverseDistance) : kInfinity;
 
-    // Mean over the texel of the bilinearly interpolated luminance. Beside a bright texel, a dark one is partly bright.
+    // Mean over the texel of the bilinearly interpolated luminance: a dark texel beside a bright one is partly bright.
     const auto luminanceOf = [&](int row, int column) { return luminance(texel(row * n + column)); };
     const auto meanLuminance = [&](int row, int column) {
         const auto line = [&](int r) {
@@ -106,16 +107,16 @@ Rgb RadianceMap::radianceAt(const Vec3& x, const Vec3& d) const {
     const Vec3 offset = frame_.toLocal(x - origin_);
     const Vec3 direction = frame_.toLocal(d);
     const float b = dot(offset, direction), offset2 = lengthSquared(offset);
-    // Distance at which the ray from x leaves the sphere of the given radius around the map's origin; 0 if x lies
-    // outside it.
+    // Distance along the ray from x to the sphere of the given radius around the map's origin; 0 if x is outside the
+    // sphere.
     const auto meet = [&](float radius) {
         const float c = offset2 - sqr(radius);
         return c < 0 ? std::sqrt(b * b - c) - b : 0.f;
     };
     const auto towards = [&](float t) { return normalize(offset + direction * t); };
 
-    // In most cases x and the origin see the same smooth surface, and its distance in the direction d leads to the
-    // point that x sees.
+    // In most cases x and the origin see the same smooth surface, so the map's distance in direction d gives a good
+    // first estimate of the point that x sees.
     const float first = distance(direction);
     float t = meet(first);
     if (t > 0 && first < kInfinity) {
@@ -124,7 +125,7 @@ Rgb RadianceMap::radianceAt(const Vec3& x, const Vec3& d) const {
         if (refined > 0 && std::abs(second - first) < kSameSurface * first) return lookup(towards(refined));
     }
     if (offset2 < sqr(kNegligibleOffset * harmonicMeanDistance_)) return lookup(direction);
-    // Otherwise march along the ray until the map has a surface in front of the ray's point.
+    // Otherwise march along the ray until the surface in the map is closer to the origin than the point on the ray.
     float before = 0;
     t = 0.5f * std::sqrt(offset2);
     for (int i = 0; i < kMarchSteps; ++i, before = t, t *= 2) {

@@ -14,12 +14,13 @@ namespace drc {
 namespace {
 
 constexpr uint64_t kViewpoint = 0x3001, kInput = 0x3002, kTarget = 0x3003;
-// To be increased when the same settings give other examples than before.
+// Increase this number whenever the same settings produce different examples than before.
 constexpr int kDrawing = 1;
 
 Sampler viewpointSampler(const ExampleSettings& settings, int viewpoint) {
     const uint64_t stream = hashCombine(settings.seed, kViewpoint);
-    // Each cell has its own jitter; without cells, one sequence over the film spreads any number of viewpoints evenly.
+    // Each cell has its own jitter. Without cells, a single sequence spreads any number of viewpoints evenly over the
+    // film.
     if (settings.tiles > 0) return {hashCombine(stream, uint64_t(viewpoint)), 0};
     return {stream, uint32_t(viewpoint)};
 }
@@ -64,7 +65,7 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     example.bounces = hit.bounces;
     example.time = captureTime(hit.surface);
     Vec3 n = faceForward(hit.surface.ng, hit.surface.wo);
-    // A map behind a translucent surface is as good an example as one in front of it.
+    // A map behind a translucent surface is as good an example as a map in front of it.
     if (hit.bsdf.has(LobeFlags::Transmission, tracer.broad()) && sampler.get1D() < 0.5f) n = -n;
     const Frame frame = mapFrame(n, scene.sensor.camera->up());
     const auto capture = [&](int samples, uint64_t stream, CapturedMap& map) {
@@ -76,7 +77,7 @@ std::optional<TrainingExample> makeExample(const PathTracer& tracer, const Examp
     capture(settings.targetSamples, kTarget, target);
     example.target = std::move(target.radiance);
     example.targetDeviation = std::move(target.deviation);
-    // A black target needs no inputs.
+    // An example without a usable target, such as a black one, is discarded, so its inputs are not needed.
     if (!isSound(example)) return std::nullopt;
     example.inputs.resize(size_t(settings.inputs));
     for (int i = 0; i < settings.inputs; ++i) capture(1, kInput + (uint64_t(i) << 32), example.inputs[size_t(i)]);
@@ -89,7 +90,7 @@ void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, Ex
     const int end = settings.viewpoints();
     std::atomic<int> next{shard.next()};
     std::mutex mutex;
-    std::map<int, std::string> waiting;  // examples that wait for an earlier one
+    std::map<int, std::string> waiting;  // finished examples that wait for an earlier viewpoint, by viewpoint
     const auto work = [&] {
         while (!(cancel && cancel->cancelled())) {
             const int viewpoint = next.fetch_add(1);
@@ -105,8 +106,8 @@ void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, Ex
             }
         }
     };
-    // One piece for each thread, which takes one viewpoint after the other, so that no example waits long for an
-    // earlier one.
+    // Each thread runs one piece of the loop and draws the next viewpoint whenever it finishes one, so that no example
+    // waits long for an earlier one.
     parallelFor(0, threadCount(), 1, [&](int, int) {
         try {
             work();

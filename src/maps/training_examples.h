@@ -1,5 +1,5 @@
-// Training examples for the network: maps as a render captures them, and the same maps with many samples a texel as
-// targets (Jiang and Kainz, section 4: the reference mode).
+// Training examples for the network: inputs are maps as captured in a render, targets the same maps with many samples
+// per texel (Jiang and Kainz, section 4: the reference mode).
 #pragma once
 #include <functional>
 #include <optional>
@@ -14,33 +14,33 @@ namespace drc {
 
 struct ExampleSettings {
     MapLayout layout{Projection::EqualArea, 32};
-    // Viewpoints are primary points of camera rays. With tiles, there is one at random in each cell of a tiles x tiles
-    // grid over the film, row by row; without, there are `spread` of them, spread evenly.
+    // Viewpoints are the primary hits of camera rays. With tiles > 0, one ray is placed at random in each cell of a
+    // tiles x tiles grid over the film, row by row; with tiles = 0, `spread` rays are spread evenly over the film.
     int tiles = 0, spread = 128;
-    int targetSamples = 64;  // per texel of the target, at least 2
-    int inputs = 4;          // independent one-sample realisations of each map
+    int targetSamples = 64;  // samples per texel of the target, at least 2
+    int inputs = 4;          // independent realisations of each map, with one sample per texel
     uint64_t seed = 0;
 
     int viewpoints() const { return tiles > 0 ? tiles * tiles : spread; }
 };
 
-// The header of a scene's shard. sceneHash: of the scene's file.
+// The header of a scene's shard. sceneHash: hash of the scene file.
 ShardHeader shardHeader(const ExampleSettings& settings, const std::string& scene, uint64_t sceneHash);
 
 // The film position of the viewpoint's camera ray, in pixels.
 Vec2 viewpointOnFilm(const ExampleSettings& settings, const PixelRegion& film, int viewpoint);
 
-// None if the camera ray escapes or no light arrives. Deterministic for a seed and viewpoint.
+// Makes the example of a viewpoint; none if the camera ray escapes or the target is black. Deterministic for a seed and
+// viewpoint.
 std::optional<TrainingExample> makeExample(const PathTracer& tracer, const ExampleSettings& settings, int viewpoint);
 
-// Makes the examples that the shard lacks, on all threads, and appends them in the order of their viewpoints: the file
-// does not depend on the number of threads, nor on interruptions. done is called for each viewpoint in the file, by one
-// thread at a time, with whether it gave an example. After `cancel` is raised, examples that were begun are still
-// written.
+// Makes the examples missing from the shard, on all threads, and appends them in viewpoint order, so that the file
+// depends neither on the number of threads nor on interruptions. Calls done(gaveExample) for each viewpoint written,
+// from one thread at a time. After `cancel` is raised, examples in progress are still finished and written.
 void writeExamples(const PathTracer& tracer, const ExampleSettings& settings, ExampleShardWriter& shard,
                    const std::function<void(bool)>& done, const CancelToken* cancel);
-// Writes the examples to a folder of PFM files instead, with the first input of each. If several viewpoints fall into
-// one pixel, only the first is used. Returns how many examples existed already, for which done is not called;
+// Writes the examples to a folder of PFM files instead, each with its first input. If several viewpoints fall into one
+// pixel, only the first is used. Returns the number of examples that existed already, for which done is not called;
 // viewpoints without an example are tried again.
 int writeExamples(const PathTracer& tracer, const ExampleSettings& settings, const IisptWriter& folder,
                   const std::function<void(bool)>& done, const CancelToken* cancel);

@@ -16,7 +16,7 @@ using Type = dnnl::memory::data_type;
 }  // namespace
 
 Graph::Graph(PackedWeights& packed, Type type) : packed_(packed), type_(type), stream_(cpuEngine()) {
-    // oneDNN's default scratchpad belongs to the thread that created the primitive, but a network may run on another
+    // oneDNN's default scratchpad belongs to the thread that created the primitive, but a network may run on any
     // thread.
     plainAttributes_.set_scratchpad_mode(dnnl::scratchpad_mode::user);
 }
@@ -172,8 +172,8 @@ void Graph::run(const float* input, float* output) {
     tensors_[size_t(input_)].memory.set_data_handle(const_cast<float*>(input));
     tensors_[size_t(output_)].memory.set_data_handle(output);
     for (const Step& step : steps_)
-        // The C function is called directly, because dnnl::primitive::execute takes a hash map and converts it to an
-        // array at every call.
+        // Calls the C function directly, because dnnl::primitive::execute takes a hash map and converts it to an array
+        // at every call.
         dnnl::error::wrap_c_api(dnnl_primitive_execute(step.primitive.get(), stream_.get(), int(step.arguments.size()),
                                                        step.arguments.data()),
                                 "could not execute a layer of the network");

@@ -1,4 +1,5 @@
-// A sequence of oneDNN primitives. Memory layouts are chosen, buffers planned and arguments bound before the first run.
+// A sequence of oneDNN primitives. Memory layouts are chosen, buffers are planned and arguments are bound before the
+// first run.
 #pragma once
 #include <dnnl.hpp>
 #include <vector>
@@ -7,23 +8,23 @@
 
 namespace drc {
 
-// To be built with the layer functions in order of evaluation, then compiled once with compile(), then run any number
-// of times. Not thread-safe. run() makes no allocations of its own. The layer functions throw dnnl::error if oneDNN
-// does not support the request.
+// Usage: call the layer functions in order of evaluation, then compile() once, then run() any number of times. Not
+// thread-safe. run() makes no allocations of its own. The layer functions throw dnnl::error if oneDNN does not support
+// the request.
 class Graph {
   public:
     using TensorId = int;
     struct ConvOptions {
-        int firstIn = 0, countIn = 0;  // the input channels of the weight that `source` provides; countIn 0: all
+        int firstIn = 0, countIn = 0;  // the weight's input channels that `source` provides; countIn 0: all
         bool bias = true;
-        float slope = 1;      // of the activation max(x, slope x): 0 is ReLU, 1 is none
+        float slope = 1;      // slope of the activation max(x, slope x): 0 is ReLU, 1 is none
         TensorId addTo = -1;  // if set, the result is added to this tensor in place, before the activation
         bool affine = true;   // apply the scale and shift of the convolution, if it has them
-        // Keep the result in float, whatever the precision of intermediate results is.
+        // Keep the result in float, whatever the type of the other intermediate results.
         bool inFloat = false;
     };
 
-    // type: of all intermediate results and of the packed weights. Sums and biases are float.
+    // type: data type of intermediate results and packed weights. Accumulators and biases are float.
     Graph(PackedWeights& packed, dnnl::memory::data_type type);
 
     // The network's input: float, NCHW; its memory is passed to run().

@@ -13,7 +13,7 @@ MemoryPlan planMemory(const std::vector<BufferUse>& uses) {
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return uses[a].bytes > uses[b].bytes; });
 
     const auto aligned = [](size_t n) { return (n + kBufferAlignment - 1) / kBufferAlignment * kBufferAlignment; };
-    std::vector<size_t> placed;  // indices of the buffers placed so far, sorted by offset
+    std::vector<size_t> placed;  // indices of the buffers that already have an offset, sorted by offset
     for (size_t i : order) {
         size_t offset = 0;
         for (size_t j : placed) {

@@ -18,7 +18,7 @@ struct MemoryPlan {
     size_t bytes = 0;             // size of the whole block
 };
 
-// Greedy: largest buffers first, each at the lowest offset that is free during its lifetime.
+// A greedy plan: the largest buffers first, each at the lowest offset that is free during its lifetime.
 MemoryPlan planMemory(const std::vector<BufferUse>& uses);
 
 }  // namespace drc

@@ -5,8 +5,8 @@
 namespace drc {
 namespace {
 
-// Which OpenMP library there is, if any, is the choice of whoever built oneDNN, and a second one linked here would have
-// its own idea of the number of threads: its two functions are looked up at run time.
+// The functions that set OpenMP's number of threads, looked up at run time: whoever built oneDNN chose its OpenMP
+// library, if any, and a second one linked to this program would have its own number of threads.
 struct OpenMp {
     int (*maxThreads)() = nullptr;
     void (*setThreads)(int) = nullptr;
@@ -19,29 +19,29 @@ OpenMp openMpOf(void* library) {
     return found.maxThreads && found.setThreads ? found : OpenMp{};
 }
 
-// The shared library that oneDNN is in: null where it is part of the program, or of what calls this.
+// The shared library that contains oneDNN; null if it is linked statically.
 void* oneDnnLibrary() {
     Dl_info info = {};
-    // By its data: the address of a function may be that of the caller's jump to it.
+    // By the address of its data, because a function's address may be that of the caller's PLT entry.
     if (::dladdr(::dnnl_version(), &info) == 0 || !info.dli_fname) return nullptr;
     return ::dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
 }
 
-// A process may have several OpenMP libraries, each with its own number of threads: a Python program that loads PyTorch
-// has. oneDNN uses the one that it was linked to, unless another was globally visible when oneDNN was loaded.
+// The OpenMP library that oneDNN was linked to. A process may have several OpenMP libraries, each with its own number
+// of threads, for instance a Python program that loads PyTorch. oneDNN uses the linked one, unless another was globally
+// visible when oneDNN was loaded.
 OpenMp linkedOpenMp() {
     void* const library = oneDnnLibrary();
     return library ? openMpOf(library) : OpenMp{};
 }
 
-// The library that is globally visible, if it is not the linked one: oneDNN may use it, or it came later and is not
-// oneDNN's.
+// The globally visible OpenMP library, if it is not the linked one. oneDNN uses it, unless it was loaded after oneDNN.
 OpenMp visibleOpenMp() {
     const OpenMp visible = openMpOf(RTLD_DEFAULT);
     return visible.setThreads == linkedOpenMp().setThreads ? OpenMp{} : visible;
 }
 
-// One of them is oneDNN's; it does no harm to hold the other to one thread for a while.
+// One of these is oneDNN's. Limiting the other to one thread for a while does no harm.
 const std::array<OpenMp, 2>& openMps() {
     static const std::array<OpenMp, 2> all{linkedOpenMp(), visibleOpenMp()};
     return all;

@@ -1,16 +1,17 @@
-// The engine for every use of oneDNN here, and the promise that a call stays on the calling thread.
+// The oneDNN engine that all networks share, and a scope that keeps oneDNN's work on the calling thread.
 #pragma once
 #include <array>
 #include <dnnl.hpp>
 
 namespace drc {
 
-// The one CPU engine; memory and primitives of different engines do not mix.
+// The only CPU engine, because memory and primitives of different engines cannot be mixed.
 const dnnl::engine& cpuEngine();
 
-// While it lives, OpenMP regions of the calling thread (oneDNN's, under Debian's build) run on this thread alone. The
-// renderer runs one network a thread: a team of OpenMP threads in each would wait for each other in spin barriers.
-// oneDNN plans for the number of threads it sees when a primitive is made, so that making one needs this as well.
+// While an object of this class exists, OpenMP regions of the calling thread (oneDNN uses them in Debian's build) run
+// on this thread alone. The renderer runs one network per thread; with a team of OpenMP threads for each, the teams
+// would wait for each other in spin barriers. Creating a primitive needs this scope too, because oneDNN then plans for
+// the number of threads that it sees.
 class SingleThreadScope {
   public:
     SingleThreadScope();
@@ -19,7 +20,8 @@ class SingleThreadScope {
     SingleThreadScope& operator=(const SingleThreadScope&) = delete;
 
   private:
-    std::array<int, 2> previous_{};  // of each OpenMP library that may be oneDNN's; 0: none
+    // For each library that may be oneDNN's, its number of threads before; 0: no such library.
+    std::array<int, 2> previous_{};
 };
 
 }  // namespace drc

@@ -15,8 +15,8 @@ class PackedWeights {
   public:
     // Input channels [firstIn, firstIn + countIn) of a convolution's weight, in the layout and data type of `wanted`.
     dnnl::memory weight(const UNetWeights::Conv& conv, int firstIn, int countIn, const dnnl::memory::desc& wanted);
-    // A per-channel array (bias, scale or shift). The address of `values` is the cache key, so it must be the array in
-    // the weights.
+    // A per-channel array (bias, scale or shift). `values` must be the array in the weights itself, because its address
+    // is the cache key.
     dnnl::memory perChannel(const std::vector<float>& values, const dnnl::memory::desc& wanted);
 
   private:

@@ -39,7 +39,7 @@ uint16_t toBf16(float value) {
 size_t bytesPerElement(DType type) { return type == DType::F32 ? 4 : 2; }
 
 uint64_t hashBytes(const void* data, size_t size) {
-    // FNV-1a on words of 8 bytes rather than on bytes, with a shift that mixes high bits into low ones.
+    // FNV-1a on words of 8 bytes instead of bytes, with a shift that mixes high bits into low ones.
     constexpr uint64_t kPrime = 0x100000001b3;
     uint64_t h = 0xcbf29ce484222325 ^ size;
     const auto mix = [&h](uint64_t word) {

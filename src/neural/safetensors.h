@@ -1,5 +1,5 @@
-// Safetensors files, in which the network's weights are stored: named tensors and a map of strings. Layout: the
-// header's length as 8 bytes (little endian), a JSON header, the raw data.
+// Safetensors files, which store the network's weights: named tensors and a map of strings. Layout: the header's length
+// in 8 bytes (little endian), a JSON header, the raw data.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -29,8 +29,7 @@ struct TensorView {
 };
 
 // A memory-mapped file. The constructor checks everything that reading a tensor relies on. It throws drc::Error, one
-// line that begins with the file name, if the file is truncated, if tensors overlap, or if it is invalid in another
-// way.
+// line that begins with the file name, if the file is truncated, has overlapping tensors, or is invalid in another way.
 class SafetensorsFile {
   public:
     explicit SafetensorsFile(const std::string& path);
@@ -56,7 +55,7 @@ class SafetensorsFile {
     std::map<std::string, TensorView> tensors_;
 };
 
-// A tensor to write. `data` are floats, which are converted to `type` with rounding to nearest even.
+// A tensor to write. `data` contains floats, which are converted to `type` with rounding to nearest even.
 struct TensorToWrite {
     std::string name;
     std::vector<int64_t> shape;
@@ -64,10 +63,10 @@ struct TensorToWrite {
     DType type = DType::F32;
 };
 
-// Writes the file whole or not at all. Throws drc::Error if it cannot be written.
+// Writes a file, whole or not at all. Throws drc::Error if it cannot be written.
 void writeSafetensors(const std::string& path, const std::vector<TensorToWrite>& tensors, const StringMap& metadata);
 
-// The hash function of contentHash().
+// The hash that contentHash() returns in hexadecimal.
 uint64_t hashBytes(const void* data, size_t size);
 
 }  // namespace drc

@@ -9,8 +9,8 @@
 namespace drc {
 namespace {
 
-constexpr float kScale = 10.f;   // radiance equal to the mean is encoded as ln(1 + 1/kScale),
-constexpr float kOffset = 0.1f;  // which this shifts to about 0
+constexpr float kScale = 10.f;   // radiance equal to the mean is encoded as ln(1 + 1/kScale) - kOffset,
+constexpr float kOffset = 0.1f;  // which is about 0
 
 float radianceOrZero(float value) { return std::isfinite(value) && value > 0 ? value : 0.f; }
 
@@ -18,13 +18,13 @@ constexpr float kAlbedoOffset = 0.05f;
 float unitOrZero(float value) { return value > 0 ? std::min(value, 1.f) : 0.f; }  // also maps NaN to 0
 float offAlbedo(float albedo) { return unitOrZero(albedo) + kAlbedoOffset; }
 
-// 1/(10 m), or 0 if m is so small that its inverse overflows. The map then counts as black.
+// 1/(10 m), or 0 if m is so small that the inverse would overflow; such a map counts as black.
 float inverseScale(float mean) {
     return mean > std::numeric_limits<float>::min() * kScale && std::isfinite(mean) ? 1 / (kScale * mean) : 0.f;
 }
 
-// A texel exceeds the mean of its own map by at most the number of texels, but another map's mean (a target is scaled
-// by the mean of its input) can be arbitrarily smaller.
+// Clamped because the ratio may overflow: a texel exceeds the mean of its own map at most by the number of texels, but
+// a target is scaled by the mean of its input map, which may be arbitrarily smaller.
 float logScale(float value, float inverse) {
     return std::log(1 + std::min(value * inverse, std::numeric_limits<float>::max()));
 }
@@ -72,7 +72,7 @@ float encodeInput(const MapView& map, float* planes) {
         normals[i] = std::isfinite(normal[i]) ? std::clamp(normal[i], -1.f, 1.f) : 0.f;
 
     float* distances = planes + 6 * texels;
-    // Distances are divided by the mean distance of the hits, so that the units of the scene do not matter.
+    // Distances are divided by the mean distance of the hits, so that the scene's units do not matter.
     double hitSum = 0;
     size_t hits = 0;
     for (size_t i = 0; i < texels; ++i)

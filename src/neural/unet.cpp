@@ -49,14 +49,14 @@ void buildNetwork(Graph& graph, const UNetShape& shape, const std::vector<UNetWe
         } else {
             Graph::ConvOptions options;
             options.slope = layer.slope;
-            // The last layer stays in float. That costs nothing, and rounding its results to bf16 would be the largest
-            // error of all.
+            // The last layer stays in float. This costs nothing; rounding its results to bf16 would be the largest of
+            // all errors.
             options.inFloat = &layer == &layers.back();
             options.firstIn = layer.skip < 0 ? 0 : channels[size_t(layer.skip)];
             options.countIn = channels[source];
             if (layer.add >= 0) options.addTo = values[size_t(layer.add)];
-            // The convolution of two concatenated tensors is the sum of two convolutions, so they need not be copied
-            // together.
+            // The convolution of two concatenated tensors is the sum of two convolutions, so the concatenation need not
+            // be stored.
             if (layer.skip >= 0) options.addTo = addConvOnSkip(graph, layer, values, *conv, options.firstIn);
             result(graph.conv(values[source], *conv++, options), layer.conv.out);
         }
@@ -85,7 +85,7 @@ struct UNet::State {
     int batch;
     Graph graph;
     size_t inputFloats, outputFloats;          // per map
-    std::vector<float> lastInput, lastOutput;  // for a batch that is not full
+    std::vector<float> lastInput, lastOutput;  // for the last batch, if it is not full
 };
 
 UNet::UNet(std::shared_ptr<const UNetWeights> weights, int batch, Precision precision) {
@@ -125,17 +125,16 @@ size_t UNet::memoryBytes() const {
 float bf16Error(const UNetWeights& weights) {
     constexpr int kMaps = 2;
     UNetShape shape = weights.shape();
-    // Smaller maps take a quarter of the time with as many roundings per texel. The coarsest level keeps two texels
+    // Smaller maps need a quarter of the time, with as many roundings per texel. The coarsest level keeps two texels
     // along a side.
     shape.size = std::min(shape.size, std::max(16, 2 << (shape.levels - 1)));
-    // The standard deviation of the noise is between that of noisy radiance at this scale (.1) and that of normals
-    // (.6).
+    // The noise's standard deviation is between that of noisy encoded radiance (0.1) and that of normals (0.6).
     std::mt19937 generator(1);
     std::normal_distribution<float> normal(0, 0.3f);
     std::vector<float> input(kMaps * size_t(shape.inputs) * texels(shape));
     for (float& v : input) v = normal(generator);
     const auto outputOf = [&](Precision precision) {
-        // The fp32 layouts are discarded with the probe, since a renderer that works in bf16 has no use for them.
+        // The fp32 layouts are discarded with the probe, because a renderer that works in bf16 does not need them.
         PackedWeights passing;
         std::vector<float> output(kMaps * size_t(shape.outputs) * texels(shape));
         const SingleThreadScope single;

@@ -40,7 +40,7 @@ int readInt(const SafetensorsFile& file, const std::string& key, int low, int hi
     return value;
 }
 
-// Generates the layers in order. Every function returns the number of its result.
+// Generates the layers in order. Every function returns the number of the value that its last layer computes.
 class Writer {
   public:
     explicit Writer(const UNetShape& shape) : shape_(shape), channels_{shape.inputs}, sizes_{shape.size} {}
@@ -53,8 +53,8 @@ class Writer {
         layer.skip = skip, layer.add = addTo, layer.slope = slope;
         return add(layer, out);
     }
-    // A block of the shape's kind, applied to `skip` (if any) concatenated with `source`. `last`: output channels of
-    // the second convolution of a Paper block.
+    // A block of the shape's kind, applied to the concatenation of `skip` (if any) and `source`. `last`: output
+    // channels of the second convolution in a Paper block.
     int block(const std::string& name, int skip, int source, int out, int last, bool affine) {
         const auto part = [&](const char* suffix) { return name + suffix; };
         switch (shape_.kind) {
@@ -100,7 +100,7 @@ class Writer {
 
     const UNetShape& shape_;
     std::vector<Layer> layers_;
-    std::vector<int> channels_, sizes_;  // of each result
+    std::vector<int> channels_, sizes_;  // of each value, by its number
 };
 
 }  // namespace

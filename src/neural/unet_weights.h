@@ -22,9 +22,9 @@ class UNetWeights {
     };
 
     // Reads and checks a weights file: the architecture, the shape of every tensor, that all values are finite, and
-    // that no tensor is missing or left over. Throws drc::Error: one line that begins with the file name.
+    // that no tensor is missing or superfluous. Throws drc::Error, one line that begins with the file name.
     static std::shared_ptr<const UNetWeights> load(const std::string& path);
-    // He initialisation for LeakyReLU and small random biases, for tests and benchmarks.
+    // Random weights for tests and benchmarks: He initialisation for LeakyReLU, and small random biases.
     static std::shared_ptr<const UNetWeights> random(const UNetShape& shape, uint64_t seed);
     // `convs`: in the order of shape.convs().
     UNetWeights(const UNetShape& shape, std::vector<Conv> convs, StringMap metadata = {}, std::string hash = "");
@@ -32,16 +32,16 @@ class UNetWeights {
     UNetWeights(const UNetWeights&) = delete;
     UNetWeights& operator=(const UNetWeights&) = delete;
 
-    // Writes a file that load() can read. `provenance` is added to the metadata of the architecture.
+    // Writes a file that load() can read. `provenance`: further metadata beside the architecture's.
     void save(const std::string& path, const StringMap& provenance, DType type = DType::F32) const;
 
     const UNetShape& shape() const { return shape_; }
     const std::vector<Conv>& convs() const { return convs_; }
     // All metadata of the file, including provenance.
     const StringMap& metadata() const { return metadata_; }
-    // Projection of the maps that the network was trained on; "" if unknown.
+    // Projection of the maps that the network was trained with; "" if unknown.
     std::string projection() const;
-    // The inputs that were hidden in training and must be hidden when it runs.
+    // The inputs that were hidden in training, and must be hidden at run time too.
     Ablation ablation() const { return ablation_; }
     // SafetensorsFile::contentHash of the file; "" for weights that do not come from a file.
     const std::string& hash() const { return hash_; }

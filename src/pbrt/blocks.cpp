@@ -33,7 +33,7 @@ void Blocks::end(const std::string& kind, const SourcePos& pos, GraphicsState& s
     if (dialect_ == Dialect::V3) return endInV3(kind, pos, state);
     checkNesting(kind, pos);
     GraphicsState& saved = open_.back().saved;
-    // Names belong to the file.
+    // Names of textures and materials belong to the whole file, so they outlive the block.
     saved.textures = std::move(state.textures);
     saved.namedMaterials = std::move(state.namedMaterials);
     state = std::move(saved);

@@ -1,4 +1,4 @@
-// The blocks of a scene file that are open, and what the end of each restores: docs/pbrt-dialects.md, "Scopes".
+// The open blocks of a scene file, and the state that the end of each block restores: docs/pbrt-dialects.md, "Scopes".
 #pragma once
 #include <string>
 #include <vector>
@@ -15,12 +15,12 @@ class Blocks {
 
     // kind: "Attribute", "Transform", "Object", "Import". Throws Error at pos if too many are open.
     void begin(const std::string& kind, const SourcePos& pos, const GraphicsState& state);
-    // Restores in `state` what the end of the block restores. Where blocks do not nest: throws Error in pbrt-v4, and
-    // goes on in pbrt-v3, with a warning.
+    // Restores in `state` what the end of the block restores. If blocks are not properly nested, throws Error in
+    // pbrt-v4, and warns and continues in pbrt-v3.
     void end(const std::string& kind, const SourcePos& pos, GraphicsState& state);
 
     bool empty() const { return open_.empty(); }
-    // "AttributeEnd of AttributeBegin in line 2 of a.pbrt", of the innermost block, for messages.
+    // The innermost block, for messages: "AttributeEnd of AttributeBegin in line 2 of a.pbrt".
     std::string innermost() const;
 
   private:
@@ -28,8 +28,8 @@ class Blocks {
         std::string kind;
         SourcePos pos;
         GraphicsState saved;
-        // pbrt-v3 keeps states and transformations on two stacks. Where blocks do not nest, one half of a block may end
-        // before the other.
+        // pbrt-v3 keeps states and transformations on two stacks. If blocks are not properly nested, one of the two may
+        // be restored before the other.
         bool hasState = true, hasTransform = true;
     };
     void checkNesting(const std::string& kind, const SourcePos& pos) const;

@@ -1,4 +1,4 @@
-// The BSDF files of a scene's materials. Each is read once and shared by all materials that name it.
+// The BSDF files of a scene's materials. Each file is read once and shared by all materials that name it.
 #pragma once
 #include <map>
 #include <memory>
@@ -12,7 +12,7 @@ namespace drc::pbrt {
 
 class BsdfFiles {
   public:
-    // Both throw Error, at pos or in the file, if it cannot be read.
+    // Both functions throw Error, located at pos or in the file, if the file cannot be read.
     std::shared_ptr<const FourierTable> fourier(const std::string& path, const SourcePos& pos);
     std::shared_ptr<const MeasuredTable> measured(const std::string& path, const SourcePos& pos);
 

@@ -76,7 +76,7 @@ std::unique_ptr<Camera> makeEnvironment(const CameraContext& context) {
     return makeEnvironmentCamera(p, context.film);
 }
 
-// pbrt-v4's spherical camera, of which only the lat-long mapping is supported.
+// pbrt-v4's spherical camera. Only its lat-long mapping is supported.
 std::unique_ptr<Camera> makeSpherical(const CameraContext& context) {
     const std::string mapping = context.params.getString("mapping", "equalarea");
     if (mapping != "equalarea" && mapping != "equirectangular")
@@ -88,7 +88,7 @@ std::unique_ptr<Camera> makeSpherical(const CameraContext& context) {
     return makeEnvironment(context);
 }
 
-// simpleWeighting: the default for pbrt-v3, where the file may change it. pbrt-v4 has only one kind of weighting.
+// simpleWeighting: pbrt-v3 scenes may choose it by a parameter; pbrt-v4 has only the other kind of weighting.
 std::unique_ptr<Camera> makeLensCamera(const CameraContext& context, bool simpleWeighting) {
     const ParamSet& params = context.params;
     RealisticCameraParams p;

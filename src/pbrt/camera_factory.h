@@ -1,4 +1,4 @@
-// Creates the camera of a scene file. A new camera is an entry in the table of camera_factory.cpp.
+// Creates the camera of a scene file. To add a camera, add an entry to the table in camera_factory.cpp.
 #pragma once
 #include <array>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace drc::pbrt {
 
-// The camera's transform, and the two times between which it and everything else moves.
+// The camera's transform, and the two times between which the camera and all other moving things move.
 struct CameraMotion {
     AnimatedTransform worldToCamera;
     std::array<float, 2> transformTimes{0, 1};
@@ -19,10 +19,10 @@ struct CameraMotion {
 // Throws Error for an unknown type or wrong parameters.
 std::unique_ptr<Camera> makeCamera(const std::string& type, const ParamSet& params, const CameraMotion& motion,
                                    const FilmGeometry& film, const FileSearch& files);
-// pbrt-v4's.
+// The counterpart for pbrt-v4.
 std::unique_ptr<Camera> makeCameraV4(const std::string& type, const ParamSet& params, const CameraMotion& motion,
                                      const FilmGeometry& film, const FileSearch& files);
-// The exposure time, by which pbrt-v4 multiplies the picture. Throws Error if the shutter never opens.
+// The exposure time, which multiplies the picture in pbrt-v4. Throws Error if the shutter never opens.
 float exposureTimeV4(const ParamSet& camera);
 
 }  // namespace drc::pbrt

@@ -41,7 +41,7 @@ void CameraOverride::applyFov(const std::string& type, ParamSet& params) const {
         params.replace(std::move(p));
     };
     replace("fov", double(*fov));
-    replace("halffov", -1);  // which would have the last word
+    replace("halffov", -1);  // otherwise it would override "fov"
 }
 
 }  // namespace drc::pbrt

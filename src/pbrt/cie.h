@@ -13,7 +13,7 @@ struct CieEntry {
 };
 extern const std::array<CieEntry, kCieCount> kCie;
 
-// Linear interpolation between the entries; 0 outside.
+// Interpolates linearly between the entries; 0 outside the table.
 CieEntry cieAt(float nanometres);
 
 }  // namespace drc::pbrt

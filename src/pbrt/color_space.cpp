@@ -25,8 +25,8 @@ V3d xyzOf(const Imath::V2d& xy) { return V3d(xy.x / xy.y, 1, (1 - xy.x - xy.y) /
 
 M33d rows(const V3d& a, const V3d& b, const V3d& c) { return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}; }
 
-// Chromatic adaptation from one white point to another, by Bradford's cone responses. Like all of Imath's matrices, for
-// row vectors.
+// Chromatic adaptation from one white point (XYZ) to another, by Bradford's cone responses. The matrix is for row
+// vectors, like all of Imath's.
 M33d adaptation(const V3d& from, const V3d& to) {
     const M33d cones = M33d(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296).transposed();
     const V3d a = from * cones, b = to * cones;
@@ -38,7 +38,7 @@ Rgb toRec709(const V3d& xyz) { return xyzToRgb(Vec3(float(xyz.x), float(xyz.y), 
 }  // namespace
 
 ColorSpace::ColorSpace(const Primaries& primaries) {
-    // The luminance of each primary that adds up to white.
+    // Luminances of the primaries for which they add up to white.
     const V3d white = xyzOf(primaries.white);
     const V3d colors[] = {xyzOf(primaries.red), xyzOf(primaries.green), xyzOf(primaries.blue)};
     const V3d amounts = white * rows(colors[0], colors[1], colors[2]).inverse();
@@ -53,10 +53,10 @@ ColorSpace::ColorSpace(const Primaries& primaries) {
 Rgb ColorSpace::reflectance(const Rgb& c) const {
     const Rgb plain = clampNonNegative(mix(reflectance_, c));
     const float most = std::max({plain.x, plain.y, plain.z});
-    // Above the first, the colour begins to depart from the plain one, and from the second on it is another.
+    // Up to kPlain the plain colour is used, from kOther on the other one, and between them a blend.
     constexpr float kPlain = 0.8f, kOther = 1;
     if (most <= kPlain) return plain;
-    // All bounces between walls of the albedo a bring a / (1 - a) of the light of the lamps.
+    // Light from all bounces between walls of albedo a, relative to the light of the lamps: a / (1 - a).
     constexpr float kMost = 1 - 1e-6f;
     const auto allBounces = [&](float a) { return std::clamp(a, 0.f, kMost) / (1 - std::clamp(a, 0.f, kMost)); };
     const Rgb sum = clampNonNegative(mix(reflectance_, Rgb(allBounces(c.x), allBounces(c.y), allBounces(c.z))));

@@ -15,11 +15,11 @@ class ColorSpace {
     static const ColorSpace& srgb() { return *named("srgb"); }
     static std::vector<std::string_view> names();
 
-    // Colours outside Rec. 709 are clamped at zero. Light keeps its chromaticity.
+    // Colours outside Rec. 709 are clamped at zero. Light keeps its chromaticity: white is not adapted.
     Rgb light(const Rgb& c) const { return clampNonNegative(mix(light_, c)); }
-    // From 0 to 1. A reflectance keeps its appearance under the colour space's own white, so that white paper stays
-    // white, as long as Rec. 709 can show it. A saturated one may not have a colour from 0 to 1 there: then it is the
-    // one with which the light between walls adds up to the same colour.
+    // c from 0 to 1. A reflectance keeps its appearance under the colour space's own white, so that white paper stays
+    // white, as long as Rec. 709 can show it. For a saturated colour outside Rec. 709, the result is the reflectance
+    // for which interreflections between walls add up to the right colour.
     Rgb reflectance(const Rgb& c) const;
 
   private:
@@ -29,7 +29,7 @@ class ColorSpace {
         return primaries[0] * c.x + primaries[1] * c.y + primaries[2] * c.z;
     }
 
-    Rgb light_[3], reflectance_[3];  // the primaries in Rec. 709
+    Rgb light_[3], reflectance_[3];  // the primaries as linear Rec. 709
 };
 
 }  // namespace drc::pbrt

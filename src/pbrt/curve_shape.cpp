@@ -14,7 +14,7 @@ Vec3 mix(const Vec3& a, const Vec3& b, float t) { return a * (1 - t) + b * t; }
 // Degree elevation: the cubic control points of a quadratic curve.
 Segment elevated(const Vec3& a, const Vec3& b, const Vec3& c) { return {a, mix(a, b, 2 / 3.f), mix(b, c, 1 / 3.f), c}; }
 
-// Bezier control points of the segment of a uniform B-spline with these control points (by blossoming, PBR 3e,
+// Bezier control points of the segment that these control points of a uniform B-spline define (by blossoming, PBR 3e,
 // section 3.7).
 Segment fromQuadraticSpline(const Vec3* p) { return elevated(mix(p[0], p[1], 0.5f), p[1], mix(p[1], p[2], 0.5f)); }
 Segment fromCubicSpline(const Vec3* p) {
@@ -63,7 +63,7 @@ CurveType typeOf(const ParamSet& params) {
     fail(params.pos(), "the type of a curve must be 'flat', 'cylinder', 'tube' or 'ribbon', not '" + name + "'");
 }
 
-// Unit normals in world space at the ends of the segments; empty if the type has none.
+// Unit normals in world space at the ends of the segments; empty for curves that are not ribbons.
 std::vector<Vec3> ribbonNormals(const ShapeContext& context, CurveType type, size_t segments) {
     const ParamSet& params = context.params;
     const Param* normals = params.find("N", {ParamType::Normal3});
@@ -83,11 +83,11 @@ std::vector<Vec3> ribbonNormals(const ShapeContext& context, CurveType type, siz
     return result;
 }
 
-// The scale of lengths: the cube root of the scale of volumes.
+// The factor by which the transform scales widths: the cube root of its factor for volumes.
 float widthScale(const ShapeContext& context) {
     const Transform& t = context.objectToWorld;
     const Vec3 x = t.vector(Vec3(1, 0, 0)), y = t.vector(Vec3(0, 1, 0)), z = t.vector(Vec3(0, 0, 1));
-    // In double precision, where a volume is a number if lengths are.
+    // Doubles, because the volume may overflow a float where the lengths do not.
     const float scale = float(std::cbrt(std::abs(Imath::V3d(x).dot(Imath::V3d(y).cross(Imath::V3d(z))))));
     for (const Vec3& axis : {x, y, z})
         if (std::abs(length(axis) - scale) > 0.02f * scale) {
@@ -109,7 +109,7 @@ Geometry curve(const ShapeContext& context) {
     const float widths[2] = {params.getNonNegativeFloat("width0", width), params.getNonNegativeFloat("width1", width)};
     params.ignore({"splitdepth"});  // how finely pbrt splits curves for its own BVH
 
-    // Flat curves and cylinders always face the viewer, so they have no sides that a mirroring transform could swap.
+    // Flat curves and cylinders always face the viewer, so a mirroring transform has no sides to swap.
     const bool mirrored = context.objectToWorld.swapsHandedness();
     const bool turned = mirrored && type == CurveType::Ribbon;
     auto curves = std::make_shared<Curves>(type, context.reverseOrientation != turned, mirrored);
@@ -124,7 +124,7 @@ Geometry curve(const ShapeContext& context) {
         return type == CurveType::Ribbon ? std::array<Vec3, 2>{normals[i], normals[i + 1]}
                                          : std::array<Vec3, 2>{Vec3(0.f), Vec3(0.f)};
     };
-    // A segment takes a few bytes of the file, but may become up to 64 pieces.
+    // A segment takes a few bytes in the file, but may become up to 64 pieces.
     size_t pieces = 0;
     for (size_t i = 0; i < segments.size(); ++i)
         pieces += size_t(curves->piecesOf(segments[i], endWidths(i), endNormals(i)));

@@ -64,7 +64,7 @@ constexpr TypeMark kTypes[] = {
     {"Texture", "directionmix", V4},
 };
 
-// An empty string matches everything.
+// Parameters that belong to one dialect. An empty string matches any word.
 struct ParameterMark {
     std::string_view directive, type, typeName, name;
     Dialect dialect;

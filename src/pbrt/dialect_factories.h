@@ -1,4 +1,4 @@
-// The factory functions of each dialect, which SceneBuilder calls for everything that a file names.
+// The factory functions of each dialect, which SceneBuilder calls to create the things that a file describes.
 #pragma once
 #include "pbrt/camera_factory.h"
 #include "pbrt/dialect.h"
@@ -21,7 +21,7 @@ struct DialectFactories {
     decltype(&applyFilm) film;
     decltype(&applySampler) sampler;
     decltype(&applyIntegrator) integrator;
-    // Types that are used if the file does not say.
+    // Types to use if the file contains no such directive.
     const char *defaultMaterial, *defaultFilm, *defaultFilter, *defaultSampler, *defaultIntegrator;
     bool needsWorldEnd;
 };

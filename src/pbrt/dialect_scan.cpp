@@ -9,11 +9,11 @@
 namespace drc::pbrt {
 namespace {
 
-// The number of strings between a directive and its parameters, and which of them is the type.
+// How many strings stand between a directive and its parameters, and which of them is the type.
 struct Form {
     std::string_view directive;
     int strings;
-    int type;  // -1: none of them
+    int type;  // index of the string with the type; -1: none
 };
 constexpr Form kForms[] = {
     {"Accelerator", 1, 0}, {"AreaLightSource", 1, 0}, {"Attribute", 1, -1},       {"Camera", 1, 0},

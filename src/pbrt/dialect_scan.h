@@ -7,9 +7,10 @@
 
 namespace drc::pbrt {
 
-// The first directive or type that is exclusive to a dialect decides, searched for in the file and everything it
-// includes; it is usually in the first lines. Failing that, the first such parameter decides, and failing that too, it
-// is pbrt-v3. The search ends silently where the file is malformed or missing, which is left to the parser to report.
+// Searches the file and everything that it includes for the first directive or type that is exclusive to a dialect,
+// which is usually in the first lines. If there is none, the first exclusive parameter decides; if there is none
+// either, the dialect is pbrt-v3. The search ends silently where the file is malformed or a file is missing: the parser
+// reports that.
 DialectFinding findDialect(std::shared_ptr<const Source> main, const FileSearch& files);
 
 }  // namespace drc::pbrt

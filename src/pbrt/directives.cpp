@@ -35,7 +35,7 @@ std::array<double, N> numbers(Context c) {
     return result;
 }
 
-// A quoted type with parameters, as in: Shape "sphere" "float radius" 2.
+// A quoted type with parameters, such as "sphere" "float radius" 2.
 struct Typed {
     std::string type;
     ParamSet params;
@@ -53,8 +53,8 @@ Typed typed(Context c, const std::string& kind) {
 
 Vec3 vec3(const double* v) { return Vec3(float(v[0]), float(v[1]), float(v[2])); }
 
-// Matrices are stored column by column. A last row of 0 0 0 w divides all points by w, which shapes that are not
-// meshes, and instances, do not know: the same transformation is one with a last row of 0 0 0 1.
+// Files store matrices column by column. A last row of 0 0 0 w divides all points by w. Dividing the whole matrix by w
+// gives the same transformation with a last row of 0 0 0 1, which instances, and shapes other than meshes, need.
 Transform matrix(Context c) {
     const auto m = numbers<16>(c);
     const double w = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] != 0 ? m[15] : 1;
@@ -108,7 +108,7 @@ void include(Context c) {
     c.tokens.include(c.files.find(name.value(), name.pos, "file to include"), name.pos);
 }
 
-// Like Include, but the graphics state is restored at the end of the file. The parser ends the block.
+// Like Include, but the end of the file restores the graphics state. The parser ends the block.
 void import(Context c) {
     c.builder.beginBlock("Import", c.pos);
     include(c);
@@ -189,7 +189,7 @@ void makeNamedMedium(Context c) {
 
 void mediumInterface(Context c) {
     const Token inside = c.tokens.expectString("the inside medium of MediumInterface");
-    // If there is one name, it is that of both.
+    // A single name applies to both sides.
     const Token outside = c.tokens.peek().kind == TokenKind::String ? c.tokens.next() : inside;
     c.builder.mediumInterface(inside, outside);
 }

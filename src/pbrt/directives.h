@@ -1,4 +1,4 @@
-// The directives of the pbrt format. A new directive is an entry in the table of directives.cpp.
+// The directives of the pbrt format. To add one, add an entry to the table in directives.cpp.
 #pragma once
 #include <string_view>
 

@@ -7,16 +7,15 @@
 namespace drc::pbrt {
 namespace {
 
-constexpr int kSamplesPerSide = 4;  // of a pixel of the result
+constexpr int kSamplesPerSide = 4;  // per pixel of the result
 
-// Nearest-neighbour lookup, since interpolation would blur suns and lamps twice.
+// Nearest-neighbour lookup, because interpolation would blur suns and lamps twice.
 const Rgb& nearest(const LightImage& image, const Vec2& uv) {
     return image.at(std::clamp(int(uv.x * float(image.width)), 0, image.width - 1),
                     std::clamp(int(uv.y * float(image.height)), 0, image.height - 1));
 }
 
-// Difference of cos(theta) between the upper and the lower edge of a row, to which the row's solid angle is
-// proportional.
+// Difference of cos(theta) between the upper and the lower edge of a row; proportional to the row's solid angle.
 double rowHeight(int row, int rows) {
     const double step = std::numbers::pi / rows;
     return std::cos(row * step) - std::cos((row + 1) * step);
@@ -26,7 +25,7 @@ double rowHeight(int row, int rows) {
 
 Vec2 equalAreaSquareOf(const Vec3& direction) {
     const Vec3 d = normalize(direction);
-    // Radius of the rings of the square: the share of the hemisphere within an angle to the axis is 1 - |cos|.
+    // r = |u| + |v| in the square. Its square is the share of the hemisphere that is nearer to the z axis: 1 - |cos|.
     const float r = std::sqrt(std::max(0.f, 1 - std::abs(d.z)));
     const float turn = std::atan2(std::abs(d.y), std::abs(d.x)) / (0.5f * kPi);  // 0 at x, 1 at y
     float v = turn * r, u = r - v;
@@ -41,10 +40,10 @@ Vec2 equalAreaSquareOf(const Vec3& direction) {
 
 Vec3 equalAreaDirectionOf(const Vec2& uv) {
     const float u = 2 * uv.x - 1, v = 2 * uv.y - 1;
-    const float inside = 1 - std::abs(u) - std::abs(v);  // negative beyond the diamond
+    const float inside = 1 - std::abs(u) - std::abs(v);  // negative outside the diamond
     const float r = 1 - std::abs(inside);
     const float phi = (r == 0 ? 1 : (std::abs(v) - std::abs(u)) / r + 1) * (0.25f * kPi);
-    const float s = r * std::sqrt(2 - r * r);  // sine of the angle to the axis
+    const float s = r * std::sqrt(2 - r * r);  // sine of the angle to the z axis
     return Vec3(s * std::copysign(std::cos(phi), u), s * std::copysign(std::sin(phi), v),
                 std::copysign(1 - r * r, inside));
 }
@@ -74,7 +73,7 @@ LightImage latLongFromEqualArea(const LightImage& square) {
             }
         }
     });
-    // A sun of a single pixel may get a sample too many or too few. Rescaling preserves the total energy.
+    // A sun of one pixel may get one sample too many or too few. Rescaling preserves the total energy.
     double before[3] = {}, after[3] = {};
     for (const Rgb& c : square.texels)
         for (int k = 0; k < 3; ++k) before[k] += double(c[k]) / double(square.texels.size());

@@ -13,13 +13,13 @@ namespace drc::pbrt {
 class FileSearch {
   public:
     explicit FileSearch(std::string mainDirectory) : mainDirectory_(std::move(mainDirectory)) {}
-    // The path of a file that is named at pos. Absolute paths are used as they are. Others are searched for in the
-    // directory of the naming file, then in that of the main scene file, then where a symbolic link to the naming file
-    // points, and in each of them also with / for every backslash. Throws Error at pos with every path that was tried.
-    // `what` is used in messages: "texture", "ply file", ...
+    // The path of a file that is named at pos. An absolute path is used as it is. A relative one is searched for in the
+    // folder of the naming file, then in that of the main scene file, then in the folder that a symbolic link to the
+    // naming file points to; if all fail, again with / for every backslash. Throws Error at pos that lists every path
+    // tried. `what` is used in messages: "texture", "ply file", ...
     std::string find(const std::string& name, const SourcePos& pos, const std::string& what) const;
 
-    // The paths that have been found so far, each once, in the order in which they were first named.
+    // The paths found so far, each once, in the order in which they were first named.
     std::vector<std::string> found() const;
 
   private:
@@ -31,7 +31,7 @@ class FileSearch {
         std::unordered_set<std::string> known;
     };
     std::string mainDirectory_;
-    std::shared_ptr<Found> found_ = std::make_shared<Found>();  // of all copies
+    std::shared_ptr<Found> found_ = std::make_shared<Found>();  // shared by all copies of this object
 };
 
 }  // namespace drc::pbrt

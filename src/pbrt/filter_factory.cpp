@@ -5,7 +5,7 @@
 namespace drc::pbrt {
 namespace {
 
-// The parameter names of pbrt-v4 or pbrt-v3.
+// The names of the radius parameters in pbrt-v4 or pbrt-v3.
 struct RadiusNames {
     const char *x, *y;
 };
@@ -13,7 +13,7 @@ constexpr RadiusNames kWidths{"xwidth", "ywidth"}, kRadii{"xradius", "yradius"};
 
 Vec2 radiusOf(const ParamSet& params, float fallback, const RadiusNames& names) {
     const Vec2 radius(params.getFloat(names.x, fallback), params.getFloat(names.y, fallback));
-    // The upper limit is far larger than any useful width; it catches widths meant in another unit.
+    // The upper limit is far above any useful width. It catches widths given in another unit.
     if (!(radius.x > 0 && radius.y > 0 && radius.x <= 64 && radius.y <= 64))
         fail(params.pos(), "the widths of " + params.owner() + " must be above 0 and at most 64 pixels");
     return radius;
@@ -28,7 +28,7 @@ FilterPtr makeTriangle(const ParamSet& params, const RadiusNames& names) {
 FilterPtr makeGaussian(const ParamSet& params, const RadiusNames& names) {
     return makeGaussianFilter(radiusOf(params, 2, names), params.getFloat("alpha", 2));
 }
-// pbrt-v4's Gaussian exp(-x^2 / (2 sigma^2)) in terms of exp(-alpha x^2).
+// pbrt-v4's Gaussian exp(-x^2 / (2 sigma^2)), expressed as exp(-alpha x^2).
 FilterPtr makeGaussianV4(const ParamSet& params, const RadiusNames& names) {
     const float sigma = params.getPositiveFloat("sigma", 0.5f);
     return makeGaussianFilter(radiusOf(params, 1.5f, names), 1 / (2 * sigma * sigma));

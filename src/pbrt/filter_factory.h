@@ -1,4 +1,4 @@
-// PixelFilter. A new filter is one entry in the table of filter_factory.cpp.
+// Creates pixel filters. To add one, add an entry to the table in filter_factory.cpp.
 #pragma once
 #include <string>
 
@@ -9,7 +9,7 @@ namespace drc::pbrt {
 
 // Throws Error for an unknown type, a radius that is not positive, or wrong parameters.
 FilterPtr makeFilter(const std::string& type, const ParamSet& params);
-// pbrt-v4's: "xradius" for "xwidth", and the gaussian by its standard deviation.
+// The counterpart for pbrt-v4, which has "xradius" for "xwidth" and defines the gaussian by its standard deviation.
 FilterPtr makeFilterV4(const std::string& type, const ParamSet& params);
 
 }  // namespace drc::pbrt

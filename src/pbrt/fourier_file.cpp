@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "the file is little-en
 
 constexpr std::string_view kMagic("SCATFUN\x01", 8);
 
-// Header of 56 bytes that follows the magic word.
+// The header of 56 bytes after the magic word.
 struct Header {
     int32_t flags, cosines, coefficients, mostOrders, channels, bases;
     int32_t metadata, parameters, parameterValues;
@@ -40,7 +40,8 @@ class FourierFile {
         check(h);
 
         const uint64_t n = uint64_t(h.cosines), pairs = n * n;
-        // The cosines, a cumulative table, which ours replaces, offsets and orders, coefficients.
+        // In the file's order: cosines; a cumulative table, which is skipped because FourierTable computes its own;
+        // offset and number of orders for each pair; coefficients.
         const uint64_t needed = at_ + 4 * (n + pairs + 2 * pairs + uint64_t(h.coefficients));
         if (size() < needed) bad(fmt::format("is cut short: its tables end at byte {}, and it has {}", needed, size()));
         const double bytes = double(size()) + FourierTable::bytesBeside(double(n));
@@ -82,13 +83,13 @@ class FourierFile {
             bad(fmt::format("has the index of refraction {:g}, which must be positive", h.eta));
     }
 
-    // Puts the first and the last in their places exactly.
+    // Checks the zenith cosines, and sets the first and the last to exactly -1 and 1.
     void checkCosines(std::vector<float>& cosines) const {
         constexpr float kTolerance = 1e-3f;
         for (size_t i = 0; i < cosines.size(); ++i) {
             if (!std::isfinite(cosines[i])) bad(fmt::format("has a zenith cosine (number {}) that is not finite", i));
             if (i == 0) continue;
-            // Zero is there twice where both sides of the surface differ.
+            // Zero may appear twice, if the two sides of the surface differ.
             const bool doubled = cosines[i] == 0 && cosines[i - 1] == 0 && !(i > 1 && cosines[i - 2] == 0);
             if (!(cosines[i] > cosines[i - 1]) && !doubled)
                 bad(fmt::format("has zenith cosines that do not ascend: {:g} (number {}) after {:g}", cosines[i], i,
@@ -120,7 +121,7 @@ class FourierFile {
             s.orders.push_back(uint32_t(place[1]));
             sum += length;
         }
-        // Series may share coefficients, but not so often that a small file takes long.
+        // Series may share coefficients. The limit keeps a small file from causing long computations.
         constexpr uint64_t kMostShared = 16;
         if (sum > kMostShared * uint64_t(h.coefficients))
             bad(fmt::format("has series of {} terms in all, which is too many for {} coefficients", sum,

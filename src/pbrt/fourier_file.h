@@ -6,8 +6,8 @@
 
 namespace drc::pbrt {
 
-// Everything in the file that a table is made of is checked. Throws Error, in one line with the file's name, if it is
-// damaged or of a kind that is not supported.
+// Checks all values that a table is built from. Throws Error, in one line with the file's name, if the file is damaged
+// or of an unsupported kind.
 FourierSeries readFourierFile(const std::string& path);
 
 }  // namespace drc::pbrt

@@ -7,8 +7,9 @@
 namespace drc::pbrt {
 namespace {
 
-// Sellmeier's formula: n^2 = 1 + sum over i of b[i] l^2 / (l^2 - c[i]), l in micrometres. Schott's catalogue, by the
-// database of refractiveindex.info, which is in the public domain. pbrt's F5, F10 and F11 are SF5, SF10 and SF11.
+// Sellmeier's formula: n^2 = 1 + sum over i of b[i] l^2 / (l^2 - c[i]), l in micrometres. From Schott's catalogue,
+// through the database of refractiveindex.info, which is in the public domain. pbrt's F5, F10 and F11 are SF5, SF10 and
+// SF11.
 struct Glass {
     std::string_view name;
     double b[3], c[3];

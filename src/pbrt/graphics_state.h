@@ -1,4 +1,4 @@
-// The graphics state, which directives change and AttributeBegin saves.
+// The graphics state: directives change it, and AttributeBegin saves it.
 #pragma once
 #include <array>
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace drc::pbrt {
 
-// The current transformation at both of the TransformTimes.
+// The current transformation at each of the two TransformTimes: at[0] start, at[1] end.
 struct TransformSet {
     std::array<Transform, 2> at;
 
@@ -26,14 +26,14 @@ struct TransformSet {
 
 struct GraphicsState {
     TransformSet ctm;
-    std::array<bool, 2> active{true, true};  // which of both times transform directives affect
+    std::array<bool, 2> active{true, true};  // which of the two times transform directives affect
     bool reverseOrientation = false;
     std::shared_ptr<const MaterialInstance> material;
     NamedMap<MaterialInstance> namedMaterials;
     NamedTextures textures;
     AreaLightBuilder areaLight;  // empty if shapes do not emit
-    MediumInterface media;       // of shapes; the one outside is the camera's, too
-    // For pbrt-v4: the colour space of "rgb" values, and the parameters set by Attribute, by target.
+    MediumInterface media;       // inside and outside of shapes; the outside one also surrounds a camera
+    // For pbrt-v4: the colour space of "rgb" values; and the parameters set by Attribute, by target ("shape", ...).
     const ColorSpace* colorSpace = &ColorSpace::srgb();
     std::map<std::string, std::shared_ptr<const ParamSet>> attributes;
 };

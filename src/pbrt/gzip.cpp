@@ -12,9 +12,9 @@
 namespace drc::pbrt {
 namespace {
 
-constexpr int kGzipFormat = 16 + MAX_WBITS;  // no bare zlib streams
-// Unpack in chunks of a few times the packed size: scenes have thousands of small files, and touching the pages of a
-// large buffer would cost more than unpacking into it.
+constexpr int kGzipFormat = 16 + MAX_WBITS;  // only gzip, no bare zlib streams
+// Unpacks in chunks of a few times the packed size: scenes have thousands of small files, and touching the pages of a
+// large buffer for the first time would cost more than unpacking.
 constexpr size_t kLeastChunk = size_t(1) << 12, kMostChunk = size_t(1) << 20;
 constexpr size_t kUsualRatio = 4;
 
@@ -39,7 +39,7 @@ std::string gunzip(std::string_view bytes, const std::string& path, const Gunzip
     Inflater inflater;
     z_stream& z = inflater.stream;
     std::string result;
-    std::optional<MemoryClaim> memory;  // for what the result has room for
+    std::optional<MemoryClaim> memory;  // for the capacity of `result`
     const size_t chunk = std::clamp(kUsualRatio * bytes.size(), kLeastChunk, kMostChunk);
     const auto unpacked = std::make_unique_for_overwrite<char[]>(chunk);
     size_t read = 0;
@@ -68,7 +68,7 @@ std::string gunzip(std::string_view bytes, const std::string& path, const Gunzip
                      " bytes: this is no mesh or scene");
         if (status == Z_STREAM_END) {
             if (atEnd) return result;
-            inflateReset(&z);  // several streams, one after the other, are one file
+            inflateReset(&z);  // a file may consist of several concatenated streams
         } else if (status == Z_BUF_ERROR || (status == Z_OK && atEnd && z.avail_out > 0)) {
             if (atEnd) failGzip("is cut short");
         } else if (status != Z_OK) {

@@ -7,10 +7,10 @@
 
 namespace drc::pbrt {
 
-// Recognised by the first two bytes, regardless of the file name.
+// Checks the first two bytes, whatever the file name.
 bool isGzip(std::string_view bytes);
 
-// Maximum size after decompression: the larger of the two limits. Files that exceed it are damaged or malicious.
+// Maximum size after decompression: the larger of the two limits. Larger files are damaged or malicious.
 struct GunzipLimit {
     size_t bytes = limits::kGunzipBytes;
     size_t ratio = limits::kGunzipRatio;  // relative to the compressed size

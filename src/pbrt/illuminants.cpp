@@ -8,7 +8,7 @@
 namespace drc::pbrt {
 namespace {
 
-// CIE 15, from 380 nm at 10 nm; between these the standard itself is linear.
+// CIE 15, from 380 nm in steps of 10 nm; the standard itself is linear between these.
 constexpr std::array<float, 41> kD65 = {
     49.9755f, 54.6482f, 82.7549f, 91.486f,  93.4318f, 86.6823f, 104.865f, 117.008f, 117.812f, 114.861f, 115.923f,
     108.811f, 109.354f, 107.802f, 104.79f,  107.689f, 104.405f, 104.046f, 100.0f,   96.3342f, 95.788f,  88.6856f,

@@ -13,7 +13,7 @@ void InstanceBudget::take(const Instance& instance, const SourcePos& pos) {
                          steps_, AnimatedTransform::kMostSteps));
     bytes_ += instance.memory();
     if (bytes_ <= claimed_) return;
-    // Claims a quarter more in advance, since asking the system takes longer than placing an instance.
+    // Claims a quarter more in advance, because asking the system takes longer than placing an instance.
     claimed_ = 1.25 * bytes_;
     memory_.reset();
     try {

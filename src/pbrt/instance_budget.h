@@ -1,4 +1,4 @@
-// Counts instances against the limits in limits.h.
+// Counts a scene's instances against the limits in limits.h.
 #pragma once
 #include <optional>
 
@@ -13,8 +13,8 @@ class InstanceBudget {
   public:
     explicit InstanceBudget(size_t steps = limits::kInstanceSteps) : steps_(steps) {}
 
-    // To be called before an instance is stored. Throws Error at pos if there are too many, or if memory does not
-    // suffice for all of them; the memory stays claimed.
+    // Call this before storing an instance. Throws Error at pos if there are too many instances, or not enough memory
+    // for all of them. The memory stays claimed.
     void take(const Instance& instance, const SourcePos& pos);
 
   private:

@@ -29,7 +29,7 @@ void LaterNames::failStuck(const std::vector<Waiting>& stuck, const std::vector<
     for (size_t i = 0; i < stuck.size(); ++i) byName[{stuck[i].kind, stuck[i].name}] = i;
     for (const UndefinedName& reason : reasons)
         if (!byName.contains({reason.kind, reason.name})) throw reason;
-    // Each waits for another one of them. Following that leads into a circle.
+    // Each of these waits for another one, so following the references leads into a cycle.
     std::vector<size_t> way;
     for (size_t at = 0;; at = byName.at({reasons[at].kind, reasons[at].name})) {
         const auto before = std::find(way.begin(), way.end(), at);

@@ -10,7 +10,7 @@
 namespace drc::pbrt {
 namespace {
 
-constexpr float kMetres = 1e-3f;  // a millimetre
+constexpr float kMetres = 1e-3f;  // per millimetre
 
 struct Number {
     float value;
@@ -65,11 +65,11 @@ std::vector<LensElement> readLensFile(const std::string& path, float stopDiamete
         e.thickness = numbers[i + 1].value * kMetres;
         e.eta = numbers[i + 2].value;
         float diameter = numbers[i + 3].value;
-        // The last distance, to the film, follows from focusing; pbrt's own files have 0 there.
+        // The last distance, to the film, is determined by focusing; in pbrt's own files it is 0.
         const bool isLast = i + 4 == numbers.size();
         if (!isLast && !(e.thickness >= 0))
             fail(numbers[i + 1].pos, "the distance to the next surface must not be negative");
-        // An aperture stop has no index; some files give it 0.
+        // An aperture stop has no index of refraction; some files contain 0 for it.
         if (!(e.eta >= 1 || e.eta == 0)) fail(numbers[i + 2].pos, "the index of refraction must be 1 or more");
         if (!(diameter > 0)) fail(numbers[i + 3].pos, "the diameter must be positive");
         if (e.radius == 0) {

@@ -7,9 +7,10 @@
 
 namespace drc::pbrt {
 
-// The numbers are, in millimetres: radius of curvature (0 for the aperture stop), distance to the next surface, index
-// of refraction behind the surface, diameter. '#' begins a comment. The stop is set to stopDiameter (millimetres), or
-// to its full diameter with a warning if that is smaller. Throws Error at the place in the file if it is malformed.
+// The four numbers, in millimetres except the index: radius of curvature (0 for the aperture stop), distance to the
+// next surface, index of refraction behind the surface, diameter. '#' begins a comment. The stop is set to stopDiameter
+// (millimetres), or, with a warning, to its full diameter if that is smaller. Throws Error at the location in the file
+// if the file is malformed.
 std::vector<LensElement> readLensFile(const std::string& path, float stopDiameter);
 
 }  // namespace drc::pbrt

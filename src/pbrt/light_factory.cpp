@@ -7,10 +7,10 @@
 namespace drc::pbrt {
 namespace {
 
-// The factor by which pbrt multiplies every light's colour.
+// The parameter that multiplies every light's colour in pbrt-v3.
 Rgb scaleOf(const ParamSet& params) { return params.getColor("scale", Rgb(1.f)); }
 
-// Accepts pbrt's number of samples per light, which is not used: every sample of a pixel chooses one light.
+// Accepts pbrt's number of samples per light, which has no effect: every sample of a pixel chooses one light.
 void samplesNotNeeded(const ParamSet& params) {
     if (!params.has("samples") && !params.has("nsamples")) return;
     params.ignore({"samples", "nsamples"});

@@ -1,4 +1,4 @@
-// Creates lights for LightSource and AreaLightSource. A new light is an entry in a table of light_factory.cpp.
+// Creates lights for LightSource and AreaLightSource. To add one, add an entry to a table in light_factory.cpp.
 #pragma once
 #include <functional>
 #include <memory>
@@ -11,28 +11,28 @@
 
 namespace drc::pbrt {
 
-// A light with, if it has an extent, the surface that it shines from, which must be in the scene: it has no material,
-// and the camera does not see it.
+// A light and, if it has an extent, the surface that emits it (bulb). The caller must add this surface to the scene,
+// without a material and invisible to the camera.
 struct SourceLight {
     SourceLight() = default;
     SourceLight(LightPtr source) : light(std::move(source)) {}  // not explicit: most lights have no extent
     SourceLight(std::shared_ptr<const AreaLight> source, ShapePtr from)
         : light(source), area(std::move(source)), bulb(std::move(from)) {}
     LightPtr light;
-    std::shared_ptr<const AreaLight> area;  // the same light
+    std::shared_ptr<const AreaLight> area;  // the same light as `light`; null without an extent
     ShapePtr bulb;
 };
 
-// Null, with a warning, for types that are not supported. Throws Error for types that pbrt-v3 does not have either.
-// fromFile: from the world space of the file to that of the scene.
+// Without a light for types that are not supported, with a warning, and for lights that nothing can see. Throws Error
+// for types that do not exist in pbrt-v3. fromFile: transform from the file's world space to the scene's.
 SourceLight makeLight(const std::string& type, const ParamSet& params, const Transform& lightToWorld,
                       const Transform& fromFile, const FileSearch& files);
 
-// Makes the light of an emissive mesh or shape; an empty function means that shapes do not emit.
+// Makes the light of an emissive mesh or shape. An empty function means that shapes do not emit.
 using AreaLightBuilder = std::function<std::shared_ptr<const AreaLight>(const Primitive&)>;
 AreaLightBuilder makeAreaLight(const std::string& type, const ParamSet& params, const FileSearch& files);
 
-// The light of a mesh or shape.
+// Makes the area light of a mesh or shape.
 std::shared_ptr<const AreaLight> makeDiffuseAreaLight(const Primitive& primitive, const Emission& emission,
                                                       bool twoSided);
 

@@ -13,9 +13,9 @@ namespace {
 
 float scaleOf(const ParamSet& params) { return params.getNonNegativeFloat("scale", 1); }
 
-// The factor for a light's colour: "scale", times the ratio of the parameter `target` ("power" or "illuminance"), if it
-// is given, to `own`, the value that the light would have without it. As in pbrt, `own` is that of white, so a colour
-// of half the luminance gives half of the target.
+// The factor for a light's colour: "scale" or, if the parameter `target` ("power" or "illuminance") is given, "scale" *
+// target / own. own: the light's power or illuminance if its colour is white. As in pbrt the actual colour is not
+// considered, so a colour of half the luminance gives half of the target.
 float brightness(const ParamSet& params, std::string_view target, double own) {
     const float wanted = params.getFloat(target, -1);
     if (!(wanted > 0)) return scaleOf(params);
@@ -31,7 +31,7 @@ double meanLuminance(const LightImage& image) {
     return sum / double(image.texels.size());
 }
 
-// pbrt-v4's equal-area image of all directions, converted to the layout that our lights use; empty if there is none.
+// pbrt-v4's equal-area image of all directions, converted to the layout of our lights; empty if the light has no image.
 LightImage sphereOf(const LightContext& context, const std::string& what) {
     LightImage image = imageOf(context.params, context.files, "filename", what, readLinear);
     if (image.empty()) return image;
@@ -67,9 +67,9 @@ SourceLight makeGoniometric(const LightContext& context) {
     LightImage image = sphereOf(context, "goniometric diagram");
     const double mean = image.empty() ? 1 : meanLuminance(image);
     const float scale = brightness(context.params, "power", 4 * double(kPi) * mean);
-    // The values are intensities, so colours are averaged.
+    // The image contains intensities, so colours are replaced by the mean of their channels.
     for (Rgb& c : image.texels) c = Rgb((c.x + c.y + c.z) / 3);
-    // In both formats the pole of the diagram is the light's +y.
+    // In both formats, the diagram's pole is the light's +y axis.
     return makeGoniometricLight(context.toWorld, context.params.getColor("I", Rgb(1.f)) * scale,
                                 latLongFromEqualArea(image));
 }
@@ -80,13 +80,14 @@ SourceLight makeProjection(const LightContext& context) {
     LightImage image = imageOf(context.params, context.files, "filename", "picture to project", readLinear);
     if (image.empty()) fail(params.pos(), "the projection light needs the parameter \"string filename\"");
     image.mend();
-    // The image is upright: its upper edge is at the light's +y.
+    // The image is upright: its upper edge is towards the light's +y axis.
     const LightImage upright = flippedTopToBottom(std::move(image));
     const double white = double(luminance(makeProjectionLight({}, Rgb(1.f), fov, upright)->power(0)));
     return makeProjectionLight(context.toWorld, Rgb(brightness(params, "power", white)), fov, upright);
 }
 
-// The corners of the portal, if there is one. As in pbrt they are in world space, whatever the transformation.
+// The corners of the portal; none without one. As in pbrt, the file gives them in world space, whatever the current
+// transformation.
 std::optional<std::array<Vec3, 4>> portalOf(const LightContext& context) {
     const Param* portal = context.params.find("portal", {ParamType::Point3});
     if (portal == nullptr) return {};
@@ -119,7 +120,8 @@ constexpr Registered<LightMaker> kLights[] = {
     {"point", makePoint},     {"projection", makeProjection},   {"spot", makeSpot},
 };
 
-// In pbrt each triangle of a mesh is a light of its own and gets the full power. Here they share it evenly.
+// Power of a shape, or of a mesh's average triangle, at a radiance of 1. In pbrt each triangle of a mesh is a light
+// that emits the full "power". Here the mesh emits the same total, spread evenly over its area.
 double emittedByWhite(const Primitive& primitive) {
     if (primitive.shape) return double(primitive.shape->area()) * double(kPi);
     double area = 0;
@@ -133,7 +135,7 @@ std::shared_ptr<const EmissionImage> emissionImageOf(const ParamSet& params, con
     if (image.empty()) return nullptr;
     if (params.find("L", {ParamType::Color}) != nullptr)
         fail(params.pos(), "the area light has both 'L' and 'filename'; give the one or the other");
-    // Its lower left corner is at (u, v) = (0, 0).
+    // The image's lower left corner is at (u, v) = (0, 0).
     return std::make_shared<const EmissionImage>(flippedTopToBottom(std::move(image)));
 }
 
@@ -143,7 +145,7 @@ AreaLightBuilder makeDiffuse(const ParamSet& params, const FileSearch& files) {
     const EmissionProfile profile = emissionProfile(params);
     const auto image = emissionImageOf(params, files);
     const Rgb scale = params.getColor("L", Rgb(1.f)) * scaleOf(params);
-    // As in pbrt, the power is that of the whole image, whatever part of it a shape shows.
+    // As in pbrt, "power" refers to the whole image, whatever part of it a shape shows.
     const double ofImage = image ? double(luminance(image->mean())) : 1;
     if (power > 0 && !(ofImage > 0))
         fail(params.pos(),

@@ -1,5 +1,5 @@
 // The lights of pbrt-v4 (https://pbrt.org/fileformat-v4). Unlike in pbrt-v3, "scale" is a number, and "power" or
-// "illuminance" sets a light's total brightness regardless of its image. A new light is an entry in a table of
+// "illuminance" sets a light's total brightness, whatever its image. To add a light, add an entry to a table in
 // light_factory_v4.cpp.
 #pragma once
 #include "pbrt/light_factory.h"

@@ -8,7 +8,7 @@
 namespace drc::pbrt {
 namespace {
 
-// Its scale, or the mean of its scales.
+// The transform's scale: the geometric mean of its scales along the axes.
 float sizeOf(const Transform& t) {
     return std::cbrt(std::abs(dot(cross(t.vector(Vec3(1, 0, 0)), t.vector(Vec3(0, 1, 0))), t.vector(Vec3(0, 0, 1)))));
 }
@@ -68,7 +68,7 @@ LightPtr distantLight(const LightContext& context, const Rgb& irradiance) {
                               fmt::format("must be from 0 to 180 degrees, not {:g}", angle));
     const LightAudience audience = audienceOf(context.params);
     if (angle > 0) return makeSunLight(direction, irradiance, angle, audience);
-    // The camera sees no light of no extent.
+    // A light without extent is invisible to the camera.
     return audience == LightAudience::Camera ? nullptr : makeDistantLight(direction, irradiance);
 }
 

@@ -14,10 +14,10 @@
 namespace drc::pbrt {
 namespace {
 
-// Files of up to this size are copied. To unmap one interrupts all cores that run the process.
+// Files up to this size in bytes are copied, because unmapping a file interrupts all cores that run the process.
 constexpr size_t kSmall = size_t(1) << 16;
 
-// Reads up to `size` bytes; a file that has been shortened meanwhile gives fewer. -1 if it cannot be read.
+// Reads up to `size` bytes, or fewer if the file has been shortened in the meantime. -1 if reading fails.
 ssize_t readAll(int file, char* to, size_t size) {
     size_t done = 0;
     while (done < size) {

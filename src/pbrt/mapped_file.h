@@ -1,4 +1,4 @@
-// A whole file as read-only memory: mapped, or copied if it is small.
+// A whole file as read-only memory: mapped, or copied if the file is small.
 #pragma once
 #include <memory>
 #include <string>
@@ -10,8 +10,8 @@ namespace drc::pbrt {
 
 class MappedFile {
   public:
-    // Throws Error with the path and the system's reason if the file cannot be read, is a folder, pipe or device, or is
-    // larger than `most` bytes. `what` is used in messages ("scene file", ...).
+    // Throws Error, with the path and the system's reason, if the file cannot be read, is a folder, pipe or device, or
+    // is larger than `most` bytes. `what` is used in messages ("scene file", ...).
     MappedFile(const std::string& path, const std::string& what, uint64_t most = limits::kFileBytes);
     ~MappedFile();
     MappedFile(const MappedFile&) = delete;
@@ -22,7 +22,7 @@ class MappedFile {
   private:
     const char* data_ = nullptr;
     size_t size_ = 0;
-    std::unique_ptr<char[]> copy_;  // of a small file
+    std::unique_ptr<char[]> copy_;  // contents of a small file
 };
 
 }  // namespace drc::pbrt

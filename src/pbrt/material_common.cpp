@@ -21,7 +21,7 @@ std::shared_ptr<const MaterialInstance> makeMaterialOf(const MaterialTable& tabl
     instance->type = type;
     instance->params = std::move(params);
     const ParamSet& own = instance->params;
-    own.ignore({"type"});  // MakeNamedMaterial's
+    own.ignore({"type"});  // belongs to MakeNamedMaterial
     if (isNone(table, type)) {
         own.ignoreAll();
         return instance;

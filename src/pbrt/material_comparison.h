@@ -9,8 +9,8 @@
 
 namespace drc::pbrt {
 
-// Values and samples of a BSDF that two different materials are very unlikely to share, for all lobes, sides and
-// angles.
+// Values and samples of the material's BSDF for several angles, on both sides and for all lobes. Two different
+// materials are very unlikely to share them.
 inline std::vector<float> fingerprint(const Material& material) {
     Bsdf bsdf(Frame(), Vec3(0, 0, 1));
     TextureContext at;

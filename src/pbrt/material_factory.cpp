@@ -19,7 +19,7 @@ namespace drc::pbrt {
 namespace {
 
 Relief reliefOf(const TextureParams& p) { return p.scalarOrNull("bumpmap"); }
-// pbrt has two names for the index; "eta" takes precedence.
+// pbrt has two names for the index of refraction; "eta" takes precedence.
 FloatTexturePtr indexOf(const TextureParams& p) {
     const FloatTexturePtr index = p.scalarOrNull("index");
     const FloatTexturePtr eta = p.scalarOrNull("eta");
@@ -149,9 +149,10 @@ MaterialPtr fourier(const MaterialContext& c) {
     return makeFourier(c.sources.bsdfs.fourier(path, name.valuePos), reliefOf(c.params));
 }
 
-// Parameters shared by the two materials with subsurface scattering.
+// Parameters common to the two materials with subsurface scattering.
 SubsurfaceParams subsurfaceOf(const TextureParams& p) {
-    // These set how far light spreads below the surface; a BSDF scatters at the surface point only.
+    // These set how far light spreads below the surface. Here light leaves where it enters, because a BSDF has no
+    // spread.
     p.own().ignore({"scale", "mfp"});
     SubsurfaceParams made;
     made.kr = p.colorOrNull("Kr");
@@ -173,7 +174,7 @@ MaterialPtr subsurface(const MaterialContext& c) {
     if (const std::optional<NamedMedium> medium = mediumOf(p, false)) {
         if (!made.sigmaA) made.sigmaA = constantTexture(medium->sigmaA);
         if (!made.sigmaS) made.sigmaS = constantTexture(medium->sigmaSPrime);
-        made.g = 0;  // as the figures are reduced ones
+        made.g = 0;  // because the coefficients are reduced ones
     }
     return makeSubsurface(std::move(made));
 }
@@ -182,7 +183,7 @@ MaterialPtr kdSubsurface(const MaterialContext& c) {
     const TextureParams& p = c.params;
     SubsurfaceParams made = subsurfaceOf(p);
     made.reflectance = p.color("Kd", Rgb(0.5f));
-    p.own().ignore({"g"});  // the reflectance is what it is, however the light is scattered
+    p.own().ignore({"g"});  // has no effect on a given reflectance
     return makeSubsurface(std::move(made));
 }
 
@@ -217,8 +218,7 @@ std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, Pa
 MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const MaterialSources& sources) {
     const size_t unused = shape.unusedCount();
     if (unused == 0 || isNone(kTable, instance.type)) return instance.material;
-    // Parameters that the shape itself has not read may be for its material; making the material shows whether they
-    // are.
+    // Parameters that the shape has not read may belong to its material. Making the material shows whether they do.
     const TextureParams params(instance.params, sources.textures, &shape);
     MaterialPtr own = makerOf(kTable, instance.type, instance.params.pos())({params, sources});
     return shape.unusedCount() < unused ? own : instance.material;

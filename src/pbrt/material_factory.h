@@ -1,4 +1,4 @@
-// Creates materials. A new material is an entry in the table of material_factory.cpp.
+// Creates materials. To add one, add an entry to the table in material_factory.cpp.
 #pragma once
 #include <memory>
 #include <string>
@@ -12,17 +12,17 @@
 
 namespace drc::pbrt {
 
-// A material with its parameters, which shapes may override in part.
+// A material and its parameters, some of which shapes may override.
 struct MaterialInstance {
     std::string type;
     ParamSet params;
-    MaterialPtr material;  // null: "none"
-    std::string name;      // that MakeNamedMaterial gives it; empty: none
-    bool awaited = false;  // it uses names that are defined later, and is made when they are
+    MaterialPtr material;  // null for "none"
+    std::string name;      // name from MakeNamedMaterial; empty if unnamed
+    bool awaited = false;  // uses names that are defined later, and is made once they are
 };
 using NamedMaterials = NamedMap<MaterialInstance>;
 
-// Everything that a material's parameters can refer to by name.
+// Everything that material parameters can refer to by name.
 struct MaterialSources {
     const NamedTextures& textures;
     const NamedMaterials& materials;
@@ -31,11 +31,11 @@ struct MaterialSources {
     BsdfFiles& bsdfs;
 };
 
-// "" and "none" give a null material. Throws Error for types that pbrt-v3 does not have, and for wrong parameters.
+// "" and "none" give a null material. Throws Error for types that do not exist in pbrt-v3, and for wrong parameters.
 std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
                                                      const MaterialSources& sources);
 
-// The material of a shape: that of the instance, unless the shape's parameters override some of its parameters.
+// The material of a shape: the instance's, unless the shape's parameters override some of its parameters.
 MaterialPtr materialForShape(const MaterialInstance& instance, const ParamSet& shape, const MaterialSources& sources);
 
 }  // namespace drc::pbrt

@@ -19,7 +19,7 @@
 namespace drc::pbrt {
 namespace {
 
-// The colours of a normal map are numbers, whatever the file format.
+// A normal map's colours are vector components, so they are never decoded from sRGB.
 Relief reliefOf(const MaterialContext& c) {
     FloatTexturePtr heights = c.params.scalarOrNull("displacement");
     const Param* map = c.params.own().findFile("normalmap");
@@ -32,7 +32,7 @@ Relief reliefOf(const MaterialContext& c) {
             makeImageMap(c.sources.images.color(path, {.gamma = TexelGamma::Linear}, map->valuePos), ImageMapParams())};
 }
 
-// As in pbrt, an "rgb" outside of [0, 1] is an error, while textures and spectra are clamped.
+// As in pbrt, an "rgb" outside [0, 1] is an error, whereas textures and spectra are clamped.
 void checkRgb(const ParamSet& own, std::string_view name) {
     const Param* param = own.findIfTyped(name, {ParamType::Color});
     if (param == nullptr || param->typeName != "rgb") return;
@@ -44,7 +44,7 @@ void checkRgb(const ParamSet& own, std::string_view name) {
                              name, own.owner(), number));
 }
 
-// A reflectance from 0 to `most`. It may be given as a number, which is a grey.
+// A reflectance from 0 to `most`. A number instead of a colour is a grey.
 RgbTexturePtr reflectanceOf(const TextureParams& p, std::string_view name = "reflectance", float most = 1) {
     checkRgb(p.own(), name);
     const bool isGrey = p.own().findIfTyped(name, {ParamType::Float}) != nullptr;
@@ -52,17 +52,17 @@ RgbTexturePtr reflectanceOf(const TextureParams& p, std::string_view name = "ref
     return given ? makeClampedTexture(given, most) : nullptr;
 }
 
-// As in pbrt, conductors reflect a little less than all light.
+// As in pbrt, a conductor's reflectance is limited to slightly less than 1.
 constexpr float kMostOfConductor = .9999f;
 
-// An index of refraction may be given as a spectrum. Since there is no dispersion here, its luminance is used.
+// An index of refraction may be given as a spectrum. Its luminance is used, because there is no dispersion here.
 FloatTexturePtr indexOf(const TextureParams& p, std::string_view name = "eta") {
     if (p.own().findIfTyped(name, {ParamType::Color}) != nullptr)
         return constantTexture(luminance(p.own().getColor(name, Rgb(1.f))));
     return p.scalarOrNull(name);
 }
 
-// The index (eta and k) or a reflectance may be given; as in pbrt it is an error to give both.
+// As in pbrt, a conductor has either an index (eta and k) or a reflectance; giving both is an error.
 void checkReflectance(const TextureParams& p, bool indices, bool reflectance, const std::string& prefix) {
     if (indices && reflectance)
         fail(p.own().pos(), p.own().owner() + " has both 'reflectance' and '" + prefix + "eta' or '" + prefix +
@@ -70,8 +70,8 @@ void checkReflectance(const TextureParams& p, bool indices, bool reflectance, co
 }
 
 MaterialPtr diffuse(const MaterialContext& c) {
-    // The roughness is DRC's own. By the name "roughness", which pbrt's diffuse does not have, it could be set by an
-    // attribute that is meant for other materials.
+    // The roughness is DRC's own parameter. It is not named "roughness", a name that pbrt's diffuse does not have,
+    // because an Attribute meant for other materials could then set it.
     return makeMatte({.kd = reflectanceOf(c.params),
                       .sigma = {},
                       .roughness = c.params.scalarOrNull("diffuseroughness"),
@@ -114,9 +114,9 @@ MaterialPtr diffuseTransmission(const MaterialContext& c) {
                                     .relief = reliefOf(c)});
 }
 
-// The parameters shared by both coated materials, with names that begin with prefix.
+// Parameters common to both coated materials, with names that begin with prefix.
 CoatParams coatOf(const TextureParams& p, const std::string& prefix) {
-    // Parameters of pbrt's random walk, in place of which DRC has a closed form.
+    // These control pbrt's random walk, for which DRC has a closed form instead.
     p.own().ignore({"maxdepth", "nsamples"});
     return {.roughness = p.scalarOrNull(prefix + "roughness"),
             .uRoughness = p.scalarOrNull(prefix + "uroughness"),
@@ -157,16 +157,17 @@ MaterialPtr measured(const MaterialContext& c) {
 MaterialPtr hair(const MaterialContext& c) {
     const TextureParams& p = c.params;
     RgbTexturePtr reflectance = reflectanceOf(p);
-    const RgbTexturePtr color = reflectanceOf(p, "color");  // pbrt accepts this name, too
+    const RgbTexturePtr color = reflectanceOf(p, "color");  // pbrt also accepts this name
     const std::string_view name = reflectance || !color ? "reflectance" : "color";
     return makeHair(hairOf(p, reflectance ? std::move(reflectance) : color, name, reliefOf(c)));
 }
 
 MaterialPtr principled(const MaterialContext& c) { return principledOf(c.params, reliefOf(c)); }
-// The medium is given by its name, by its coefficients, or by the reflectance that it leads to.
+// The medium is given by its name, by its coefficients, or by the resulting reflectance.
 MaterialPtr subsurface(const MaterialContext& c) {
     const TextureParams& p = c.params;
-    // They say how far the light spreads below the surface, which a BSDF does not have.
+    // These set how far light spreads below the surface. Here light leaves where it enters, because a BSDF has no
+    // spread.
     p.own().ignore({"scale", "mfp"});
     SubsurfaceParams made;
     made.sigmaA = p.colorOrNull("sigma_a");
@@ -186,7 +187,7 @@ MaterialPtr subsurface(const MaterialContext& c) {
                  "the coefficients, 'g' and 'reflectance' of " + p.own().owner() + " are ignored, as 'name' is given");
         made.sigmaA = constantTexture(medium->sigmaA);
         made.sigmaS = constantTexture(medium->sigmaSPrime);
-        made.g = 0;  // as the figures are reduced ones
+        made.g = 0;  // because the coefficients are reduced ones
         made.reflectance = nullptr;
     } else if (coefficients) {
         if (made.reflectance)
@@ -198,7 +199,7 @@ MaterialPtr subsurface(const MaterialContext& c) {
     return makeSubsurface(std::move(made));
 }
 
-// Unlike in pbrt-v3, the amount is a number, and it is the weight of the second material.
+// Unlike in pbrt-v3, the amount is a number, and weights the second material.
 MaterialPtr mix(const MaterialContext& c) {
     const ParamSet& own = c.params.own();
     const Param* names = own.find("materials", {ParamType::String});

@@ -1,5 +1,5 @@
-// The materials of pbrt-v4, with names and parameters as in its documentation (https://pbrt.org/fileformat-v4). A new
-// material is an entry in the table of material_factory_v4.cpp.
+// The materials of pbrt-v4, with names and parameters as in its documentation (https://pbrt.org/fileformat-v4). To add
+// a material, add an entry to the table in material_factory_v4.cpp.
 #pragma once
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace drc::pbrt {
 
-// "interface", "" and "none" give a null material. Types that are not supported become grey diffuse, with a warning.
-// Throws Error for types that pbrt-v4 does not have either, and for wrong parameters; warns of unknown parameters.
+// "interface", "" and "none" give a null material. Throws Error for types that do not exist in pbrt-v4, and for wrong
+// parameters; warns about unknown parameters.
 std::shared_ptr<const MaterialInstance> makeMaterialV4(const std::string& type, ParamSet params,
                                                        const MaterialSources& sources);
 

@@ -5,7 +5,7 @@
 namespace drc::pbrt {
 namespace {
 
-// Calls numberOf(x, y) for each pixel.
+// An image of one channel with the value numberOf(x, y) at each pixel.
 template <typename F>
 Image ofNumbers(const Image& image, const F& numberOf) {
     Image numbers(image.width(), image.height(), {"Y"});
@@ -25,7 +25,7 @@ bool isTrueOfAll(const Image& image, const F& isTrueAt) {
 }  // namespace
 
 Image meanOrAlpha(const Image& image, TexelEncoding& encoding) {
-    // EXR files may have their channels in the order of the alphabet.
+    // EXR files may store their channels in alphabetical order.
     const int red = image.channelIndex("R"), green = image.channelIndex("G"), blue = image.channelIndex("B");
     const bool named = red >= 0 && green >= 0 && blue >= 0;
     const auto colorAt = [&](int x, int y) {
@@ -39,7 +39,7 @@ Image meanOrAlpha(const Image& image, TexelEncoding& encoding) {
         const Rgb c = colorAt(x, y);
         return c.x == c.y && c.y == c.z;
     };
-    // Grey stays as it is stored, which takes the least memory.
+    // Grey images keep their encoding, which needs the least memory.
     if (isTrueOfAll(image, isGrey)) return ofNumbers(image, [&](int x, int y) { return colorAt(x, y).x; });
     const bool srgb = encoding == TexelEncoding::Srgb;
     encoding = TexelEncoding::Linear;

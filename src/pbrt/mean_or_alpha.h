@@ -5,9 +5,10 @@
 
 namespace drc::pbrt {
 
-// One channel: the alpha of an image that has red, green and blue, and an alpha which is not 1 everywhere; else the
-// mean of red, green and blue; else the first channel. encoding: of the image, and of the result. A mean is linear. As
-// in pbrt, alpha is decoded as the colours are.
+// Returns one channel: alpha, if the image has red, green and blue and an alpha that is not 1 everywhere; else the mean
+// of red, green and blue; for images of fewer than three channels, the first. encoding: the image's on input, the
+// result's on output. A mean is linear, except of a grey image, which is returned as stored. As in pbrt, alpha is
+// decoded like the colours.
 Image meanOrAlpha(const Image& image, TexelEncoding& encoding);
 
 }  // namespace drc::pbrt

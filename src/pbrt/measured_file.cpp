@@ -16,7 +16,8 @@ class MeasuredFile {
     explicit MeasuredFile(const std::string& path) : file_(path), path_(path) {}
 
     MeasuredData read() {
-        // Spectra are reduced as they are read; what stays are the tables of the warps, and RGB.
+        // Spectra are reduced to RGB while they are read. Only the RGB values and the tables of the warps stay in
+        // memory.
         const bool spectral = file_.has("spectra") || !file_.has("rgb");
         const std::string colors = spectral ? "spectra" : "rgb";
         const TensorFile::Field& spectra = file_.field(colors, Type::Float32, 5);
@@ -56,7 +57,7 @@ class MeasuredFile {
         return values;
     }
 
-    // A table over the square, or with four dimensions one for each phi and theta.
+    // A table over the unit square; if it has four dimensions, one such table for each phi and theta.
     std::vector<float> table(const std::string& name, size_t dimensions, const MeasuredData& d,
                              SquareGrid& grid) const {
         std::vector<float> values = file_.floats(name, dimensions);
@@ -80,7 +81,7 @@ class MeasuredFile {
                               TensorFile::shapeText(shape), d.phi.size(), d.theta.size()));
     }
 
-    // The colour of each band of the spectra.
+    // The weight of each band of the spectra in RGB.
     std::vector<Rgb> bandsOf(uint64_t count) const {
         const std::vector<float> wavelengths = axis("wavelengths");
         if (wavelengths.size() != count)
@@ -107,7 +108,7 @@ class MeasuredFile {
                         file_.bad(fmt::format("has a value in '{}' (number {}) that is not finite", name, index));
                     colors[size_t(m * area + i)] += bands[size_t(b)] * value;
                 }
-        // Saturated colours may lie outside of Rec. 709.
+        // Saturated colours may be outside Rec. 709.
         for (Rgb& c : colors) c = clampNonNegative(c);
         return colors;
     }

@@ -6,8 +6,8 @@
 
 namespace drc::pbrt {
 
-// Spectra become RGB as those of pbrt-v4's reflectances do (reflectanceToRgb()). Everything in the file that a table is
-// made of is checked. Throws Error, in one line with the file's name, if it is damaged.
+// Spectra are converted to RGB like the reflectances of pbrt-v4 (reflectanceToRgb()). Checks all values that a table is
+// built from. Throws Error, in one line with the file's name, if the file is damaged.
 MeasuredData readMeasuredFile(const std::string& path);
 
 }  // namespace drc::pbrt

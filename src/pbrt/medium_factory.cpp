@@ -8,7 +8,7 @@
 namespace drc::pbrt {
 namespace {
 
-// A colour of which no component may be negative.
+// A colour without negative components; throws Error at the parameter otherwise.
 Rgb coefficient(const ParamSet& params, std::string_view name, const Rgb& fallback) {
     const Rgb c = params.getColor(name, fallback);
     if (!(c.x >= 0 && c.y >= 0 && c.z >= 0))
@@ -16,10 +16,10 @@ Rgb coefficient(const ParamSet& params, std::string_view name, const Rgb& fallba
     return c;
 }
 
-// The coefficients of pbrt's scenes are per unit of length; those of a preset are per millimetre.
+// Coefficients in the file are per unit of length; those of a preset are per millimetre.
 Medium makeHomogeneous(const ParamSet& params, Dialect dialect) {
     const bool isV4 = dialect == Dialect::V4;
-    // pbrt-v3's are those of whole milk.
+    // pbrt-v3's defaults are the coefficients of whole milk.
     Rgb sigmaA = isV4 ? Rgb(1.f) : Rgb(.0011f, .0024f, .014f), sigmaS = isV4 ? Rgb(1.f) : Rgb(2.55f, 3.21f, 3.77f);
     const std::string preset = params.getString("preset", "");
     if (!preset.empty()) {

@@ -6,8 +6,7 @@
 
 namespace drc::pbrt {
 
-// Empty space, with a warning, for media that are not the same everywhere. Throws Error for types that the dialect does
-// not have either.
+// Inhomogeneous media become empty space, with a warning. Throws Error for types that do not exist in the dialect.
 Medium makeMedium(const ParamSet& params, Dialect dialect);
 
 }  // namespace drc::pbrt

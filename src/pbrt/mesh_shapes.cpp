@@ -27,7 +27,7 @@ bool isUsable(const Vec3& p) {
            std::abs(p.z) < limits::kCoordinate;
 }
 
-// Transforms the mesh, with normals oriented as in pbrt.
+// Transforms the mesh to world space, with normals oriented as in pbrt.
 TriangleMeshPtr placed(TriangleMesh mesh, const Placing& placing) {
     mesh.apply(placing.toWorld);
     if (placing.dialect == Dialect::V3) mesh.bumpTangents = BumpTangents::OppositeUnit;
@@ -36,7 +36,7 @@ TriangleMeshPtr placed(TriangleMesh mesh, const Placing& placing) {
         for (Vec3& normal : mesh.normals) normal = -normal;
     }
     if (!std::ranges::all_of(mesh.positions, isUsable)) {
-        // Vertices that no triangle uses may be anywhere, also at no number.
+        // Vertices that no triangle uses may be anywhere, and may even be NaN.
         for (const uint32_t index : mesh.indices)
             if (!isUsable(mesh.positions[index]))
                 throw Error("the mesh has a vertex at no number, or farther from the origin than 1e18");
@@ -64,7 +64,7 @@ const Param& required(const ParamSet& params, std::string_view name, ParamType t
     return *param;
 }
 
-// Vertex indices, perFace (3 or 4) for each face. If `optional`, a mesh of a single face needs none (pbrt-v4).
+// Vertex indices, perFace (3 or 4) for each face. With `optional`, a mesh of a single face may omit them (pbrt-v4).
 std::vector<uint32_t> readIndices(const ParamSet& params, size_t vertexCount, size_t perFace, bool optional) {
     if (optional && vertexCount == perFace && params.find("indices", {ParamType::Integer}) == nullptr)
         return perFace == 3 ? std::vector<uint32_t>{0, 1, 2} : std::vector<uint32_t>{0, 1, 2, 3};
@@ -127,8 +127,7 @@ Geometry geometryOf(const ShapeContext& context, std::shared_ptr<TriangleMesh> m
     return geometry;
 }
 
-// Leaves out triangles that are no more than an edge, because one of their vertices comes twice. pbrt-v3 goes on with
-// them.
+// Drops triangles that contain a vertex twice, and are therefore only an edge, with a warning. pbrt-v3 accepts them.
 std::vector<uint32_t> withoutEdges(std::vector<uint32_t> indices, const ParamSet& params) {
     size_t kept = 0;
     for (size_t i = 0; i < indices.size(); i += 3) {
@@ -145,8 +144,8 @@ std::vector<uint32_t> withoutEdges(std::vector<uint32_t> indices, const ParamSet
     return indices;
 }
 
-// Gives the corners of bilinear patches, in the order (0,0) (1,0) (0,1) (1,1), the texture coordinates (u, v). Vertices
-// that several patches share are duplicated, because their coordinates differ.
+// Gives the corners of bilinear patches, ordered (0,0) (1,0) (0,1) (1,1), their texture coordinates (u, v). Vertices
+// shared by several patches are duplicated, because their coordinates differ.
 void giveCornersCoordinates(TriangleMesh& mesh, std::vector<uint32_t>& corners) {
     TriangleMesh separate;
     for (size_t i = 0; i < corners.size(); ++i) {
@@ -167,12 +166,12 @@ Geometry triangleMesh(const ShapeContext& context) {
     return geometryOf(context, std::move(mesh));
 }
 
-// A patch is split along the diagonal from (0,0) to (1,1), which is exact if it is flat.
+// A patch is split along the diagonal from (0,0) to (1,1), which is exact for flat patches.
 Geometry bilinearMesh(const ShapeContext& context) {
     const ParamSet& params = context.params;
     auto mesh = readVertices(params);
     std::vector<uint32_t> corners = readIndices(params, mesh->positions.size(), 4, true);
-    params.ignore({"emissionfilename"});  // where to sample the patch, which its light knows itself
+    params.ignore({"emissionfilename"});  // how to sample the patch; its light has its own sampling
     if (mesh->uvs.empty()) giveCornersCoordinates(*mesh, corners);
     mesh->indices.reserve(corners.size() / 4 * 6);
     for (size_t i = 0; i + 3 < corners.size(); i += 4) {
@@ -202,7 +201,7 @@ Geometry loopSubdivision(const ShapeContext& context) {
     if (indices->empty()) return {};
     const int levels = params.getInt("levels", params.getInt("nlevels", 3));
     if (levels < 0) fail(params.pos(), "the 'nlevels' of a loopsubdiv must not be negative");
-    params.ignore({"scheme"});  // pbrt has only one
+    params.ignore({"scheme"});  // only one scheme exists in pbrt
     return {.loadMesh = [=, placing = Placing(
                                 context)] { return placed(subdivideLoop(*positions, *indices, levels), placing); },
             .subdivided = subdividedTriangles(indices->size() / 3, levels)};

@@ -1,5 +1,5 @@
-// The shapes that become triangle meshes: inline meshes, bilinear patches, PLY files, subdivision surfaces, height
-// fields.
+// The shapes that become triangle meshes: meshes in the scene file, bilinear patches, PLY files, subdivision surfaces
+// and height fields.
 #pragma once
 #include "pbrt/shape_factory.h"
 

@@ -12,10 +12,10 @@ struct Index {
 };
 
 // Silver, gold and copper: P. B. Johnson and R. W. Christy, "Optical Constants of the Noble Metals", Phys. Rev. B 6
-// (1972). Chromium, cobalt, iron, nickel and titanium: the same, "Optical Constants of Transition Metals", Phys. Rev. B
-// 9 (1974). Aluminium, every 30 nm: K. M. McPeak et al., "Plasmonic Films Can Easily Be Better: Rules and Recipes", ACS
-// Photonics 2 (2015). Brass (70 % copper), every 20 nm: M. R. Querry, "Optical Constants", Contractor Report
-// CRDC-CR-85034 (1985). All by the database of refractiveindex.info, which is in the public domain.
+// (1972). Chromium, cobalt, iron, nickel and titanium: the same authors, "Optical Constants of Transition Metals",
+// Phys. Rev. B 9 (1974). Aluminium, every 30 nm: K. M. McPeak et al., "Plasmonic Films Can Easily Be Better: Rules and
+// Recipes", ACS Photonics 2 (2015). Brass (70 % copper), every 20 nm: M. R. Querry, "Optical Constants", Contractor
+// Report CRDC-CR-85034 (1985). All through the database of refractiveindex.info, which is in the public domain.
 constexpr Index kSilver[] = {
     {367.9f, 0.07f, 1.657f}, {381.5f, 0.05f, 1.864f}, {397.4f, 0.05f, 2.07f},  {413.3f, 0.05f, 2.275f},
     {430.5f, 0.04f, 2.462f}, {450.9f, 0.04f, 2.657f}, {471.4f, 0.05f, 2.869f}, {495.9f, 0.05f, 3.093f},

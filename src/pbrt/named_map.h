@@ -1,4 +1,4 @@
-// A copy-on-write map from names to shared objects. AttributeBegin copies it, and few blocks add to it.
+// A copy-on-write map from names to shared objects. AttributeBegin copies it, but few blocks add names.
 #pragma once
 #include <map>
 #include <memory>
@@ -16,7 +16,7 @@ class NamedMap {
         const auto found = entries_->find(name);
         return found == entries_->end() ? nullptr : found->second;
     }
-    // Does not affect copies of this map that were made before.
+    // Does not affect copies of this map made earlier.
     void set(const std::string& name, std::shared_ptr<const T> value) {
         if (entries_.use_count() > 1) entries_ = std::make_shared<Entries>(*entries_);
         (*entries_)[name] = std::move(value);

@@ -1,4 +1,4 @@
-// Scattering media that scenes may name, with their measured figures.
+// Scattering media that scenes may name, with measured coefficients.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@ namespace drc::pbrt {
 
 struct NamedMedium {
     Rgb sigmaA;       // absorption, per millimetre
-    Rgb sigmaSPrime;  // reduced scattering, per millimetre: that of a medium which scatters equally in all directions
+    Rgb sigmaSPrime;  // reduced scattering, per millimetre: coefficient of the equivalent isotropic medium
 };
 
 // "Skin1", "Wholemilk", ...: from Jensen et al., "A Practical Model for Subsurface Light Transport", 2001, and

@@ -9,10 +9,10 @@
 namespace drc::pbrt {
 namespace {
 
-// Oxides that pbrt counts among its metals; they do not absorb. n^2 = a + b l^2 + c l^4 + d / (l^2 - e), l in
+// Oxides that pbrt lists among its metals. They do not absorb. n^2 = a + b l^2 + c l^4 + d / (l^2 - e), l in
 // micrometres. R. E. Stephens and I. H. Malitson, "Index of Refraction of Magnesium Oxide", J. Res. Natl. Bur. Stand.
 // 49 (1952); J. R. DeVore, "Refractive Indices of Rutile and Sphalerite", J. Opt. Soc. Am. 41 (1951), the ordinary ray.
-// By the database of refractiveindex.info, which is in the public domain.
+// Through the database of refractiveindex.info, which is in the public domain.
 struct Oxide {
     const char* name;
     double a, b, c, d, e;

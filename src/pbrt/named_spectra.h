@@ -1,4 +1,4 @@
-// The spectra of materials that pbrt-v4 has built in.
+// The spectra of materials that are built into pbrt-v4.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace drc::pbrt {
 
-// Indices of refraction, and k of metals: "glass-BK7", "metal-Cu-eta", "metal-TiO2-k", ... None for any other name.
+// Indices of refraction, and absorption k of metals: "glass-BK7", "metal-Cu-eta", "metal-TiO2-k", ... None for any
+// other name.
 std::optional<std::vector<SpectrumSample>> namedIndex(const std::string& name);
 
 }  // namespace drc::pbrt

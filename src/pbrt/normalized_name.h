@@ -1,5 +1,5 @@
-// Names of materials, textures and the like are the same if they look the same: "é" may be one character, or an "e" and
-// an accent.
+// Names of materials, textures and the like are equal if they look equal: "é" may be one character, or an "e" and an
+// accent.
 #pragma once
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace drc::pbrt {
 
-// The name as it is compared: in pbrt-v4 in Unicode's composed form (NFC); as it is in pbrt-v3, and where it is not
-// UTF-8.
+// The form of a name used for comparison: Unicode's composed form (NFC) in pbrt-v4; the name itself in pbrt-v3, or if
+// it is not valid UTF-8.
 std::string normalizedName(const std::string& name, Dialect dialect);
 
 }  // namespace drc::pbrt

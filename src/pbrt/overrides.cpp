@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view kBetween = " \t,";
 
-// The parameters that the front end looks up for a directive. They are listed nowhere else, so apply the directive to
-// an empty set and note the look-ups.
+// The parameters that the front end looks up for a directive. No list of them exists, so this applies the directive to
+// an empty set and records the look-ups.
 ParamSet::Known knownTo(const Overrides::Directive& directive) {
     ParamSet::Known known;
     ParamSet none(directive.params.owner(), directive.params.pos());

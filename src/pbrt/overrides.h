@@ -1,12 +1,12 @@
-// Parameters of the film, the sampler or the integrator that are given outside the scene file, as by -D on the command
+// Parameters of the film, the sampler or the integrator given outside the scene file, such as by -D on the command
 // line:
 //
 //     film.xresolution=640                 directive.name=value
-//     pixelsamples=64                      of the only one of the three directives that has this parameter
+//     pixelsamples=64                      the directive is not needed if only one of the three has this parameter
 //     film.cropwindow=0,.5,0,1             several values, separated by commas or blanks
 //
-// They act as if they stood in the file in place of its own values: with the type under which the front end looks the
-// name up, the same defaults for other parameters, and the same errors.
+// They act as if the file contained them in place of its own values: with the type that the front end expects for the
+// name, the same defaults for other parameters, and the same errors.
 #pragma once
 #include <memory>
 #include <string>
@@ -25,9 +25,9 @@ class Overrides {
         ParamSet& params;
         decltype(&applyFilm) apply;
     };
-    // Puts each override into the parameters of its directive; of two with one name the last counts. Throws Error for
-    // an override of another form, with an unknown name, or with a value of another type. Must live as long as the
-    // parameters are in use, because they refer to locations in it.
+    // Puts each override into the parameters of its directive; if two have the same name, the last one counts. Throws
+    // Error for an override that is malformed, has an unknown name, or has a value of the wrong type. This object must
+    // outlive the parameters, which refer to locations in it.
     Overrides(const std::vector<std::string>& texts, const std::vector<Directive>& directives);
 
   private:

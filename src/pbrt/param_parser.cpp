@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\n\r";
 
-// The meaning of a colour. Indices of refraction and the like are three numbers for red, green and blue, not a colour.
+// How a colour is used. Indices of refraction, scattering coefficients and the like are three numbers for red, green
+// and blue, not colours.
 enum class ColorUse { Light, Reflectance, Index };
 
 ColorUse useOf(const std::string& param, const ColorRules& rules) {
@@ -72,7 +73,7 @@ class ParamParser {
         for (;;) {
             if (takesNumbers) tokens_.takeNumbers(param_.numbers);
             const Token& token = tokens_.peek();
-            // An array cannot continue in another file, so its closing bracket is missing.
+            // An array must end in the file where it began, so its closing bracket is missing.
             if (token.kind == TokenKind::End || token.pos.source != first.pos.source)
                 fail(first.pos,
                      "unterminated '[': the file ends before the ']' of parameter '" + param_.name + "' of " + owner_);
@@ -179,7 +180,7 @@ class ParamParser {
             param_.colors.push_back(blackbodyToRgb(float(n[i])) * float(n[i + 1]));
     }
 
-    // Converts from the file's colour space.
+    // Converts from the colour space of the ColorSpace directive.
     Rgb fromSpace(const Rgb& c) const {
         if (rules_.dialect == Dialect::V3 || rules_.space == &ColorSpace::srgb()) return c;
         switch (useOf(param_.name, rules_)) {
@@ -193,13 +194,13 @@ class ParamParser {
         return c;
     }
 
-    // pbrt-v4 normalises spectra of lights to a luminance of one.
+    // pbrt-v4 scales spectra of lights to a luminance of one.
     Rgb scaled(const Rgb& c) const {
         const bool isLight = useOf(param_.name, rules_) == ColorUse::Light;
         return rules_.dialect == Dialect::V4 && isLight ? atUnitLuminance(c) : c;
     }
 
-    // Extends a spectrum given in the file past its end samples. An index of refraction of zero would make no sense.
+    // How a spectrum in the file continues beyond its end samples. For indices of refraction, zero would make no sense.
     Beyond beyond() const {
         const bool isIndex = useOf(param_.name, rules_) == ColorUse::Index;
         return rules_.dialect == Dialect::V4 && !isIndex ? Beyond::Zero : Beyond::Constant;

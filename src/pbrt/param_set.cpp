@@ -140,7 +140,7 @@ const Param* ParamSet::findIfTyped(std::string_view name, std::initializer_list<
 const Param* ParamSet::find(std::string_view name, std::initializer_list<ParamType> types) const {
     if (const Param* found = findIfTyped(name, types)) return found;
     for (const Param& param : params_) {
-        // Another lookup may have wanted it under its own type, as with "texture Kd" beside "rgb Kd".
+        // Another look-up may have used the parameter under its own type, for example "texture Kd" beside "rgb Kd".
         if (param.name != name || param.used) continue;
         param.used = true;
         if (param.inherited) continue;  // it may be meant for other directives
@@ -253,7 +253,7 @@ size_t ParamSet::unusedCount() const {
 void ParamSet::warnUnused() const {
     for (const Param& param : params_) {
         if (param.used || param.inherited) continue;
-        param.used = true;  // one warning, however often the set is used
+        param.used = true;  // only one warning, however often the set is used
         warnOnce(param.pos, "unknown parameter '" + param.name + "' of " + owner_ + "; ignored");
     }
 }

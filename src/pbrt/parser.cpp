@@ -31,7 +31,7 @@ void Parser::directive(const Token& word) {
 }
 
 void Parser::endImports() {
-    tokens_.peek();  // leaves files that have ended
+    tokens_.peek();  // closes files whose end has been reached
     while (!imports_.empty() && tokens_.depth() < imports_.back().depth) {
         builder_.endBlock("Import", imports_.back().pos);
         imports_.pop_back();
@@ -53,7 +53,8 @@ std::unique_ptr<Scene> Parser::parse(const LoadOptions& options, bool untilWorld
         scene->files.insert(scene->files.begin(), main_->name());
         return scene;
     } catch (const Error&) {
-        // An image that cannot be read comes earlier in the file, though it may be found later.
+        // An unreadable image comes earlier in the file, although it may be detected later, so its error takes
+        // precedence.
         builder_.finishTextures();
         throw;
     }

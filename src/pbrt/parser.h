@@ -14,18 +14,18 @@ class Parser {
   public:
     // origin: Scene::origin.
     explicit Parser(std::shared_ptr<const Source> main, const Vec3& origin = Vec3(0.f));
-    // Parses in the dialect of the file. One of the two is to be called, once.
+    // Call either parse() or parseCamera(), once. Both parse in the dialect of the file.
     std::unique_ptr<Scene> parse(const LoadOptions& options);
-    // Parses up to WorldBegin only: the camera and settings, for a scene without a world.
+    // Parses only up to WorldBegin: the camera and the settings, for a scene without a world.
     std::unique_ptr<Scene> parseCamera(const LoadOptions& options);
 
   private:
     Parser(std::shared_ptr<const Source> main, const FileSearch& files, const Vec3& origin);
-    // untilWorld: stops before WorldBegin, if there is one.
+    // untilWorld: stop before WorldBegin, if there is one.
     void readDirectives(bool untilWorld);
     std::unique_ptr<Scene> parse(const LoadOptions& options, bool untilWorld);
     void directive(const Token& word);
-    // Ends the blocks of imported files that have ended.
+    // Ends the blocks of imported files whose end has been reached.
     void endImports();
 
     std::shared_ptr<const Source> main_;
@@ -34,10 +34,10 @@ class Parser {
     DialectFinding dialect_;
     SceneBuilder builder_;
     struct Import {
-        size_t depth;  // include depth while it is read
+        size_t depth;  // include depth while the file is read
         SourcePos pos;
     };
-    std::vector<Import> imports_;  // those that have not ended
+    std::vector<Import> imports_;  // imports whose end has not been reached
     bool worldEnded_ = false;
 };
 

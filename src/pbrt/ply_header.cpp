@@ -27,8 +27,8 @@ class HeaderParser {
 
     PlyHeader parse() {
         if (file_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
-        // Lines of old Macintosh programs end with a carriage return alone. What follows the first line tells, because
-        // after the header a line feed may be the first byte of the data.
+        // Old Macintosh programs end lines with only a carriage return. Only the first line is examined, because after
+        // the header a line feed may be the first byte of the data.
         const size_t firstEnd = file_.find_first_of("\r\n", at_);
         if (firstEnd != std::string_view::npos && firstEnd + 1 < file_.size() && file_[firstEnd] == '\r' &&
             file_[firstEnd + 1] != '\n')
@@ -112,13 +112,13 @@ class HeaderParser {
         header_.elements.back().properties.push_back(std::move(property));
     }
 
-    // Rejects element counts that the file cannot contain, before memory is allocated for them.
+    // Rejects element counts that the file cannot contain, before memory is allocated for the elements.
     void checkSize() {
         uint64_t left = file_.size() - at_;
         for (const PlyElement& element : header_.elements) {
             const uint64_t size = element.minimumSize(header_.format);
             if (size == 0 && element.count > 0) fail("has an element '" + element.name + "' without properties");
-            // The last ASCII value need not be followed by a blank.
+            // No blank needs to follow the last ASCII value.
             const uint64_t slack = header_.format == PlyFormat::Ascii ? 1 : 0;
             if (element.count > 0 && element.count > (left + slack) / size)
                 fail("is cut short: it promises " + std::to_string(element.count) + " of '" + element.name +

@@ -1,4 +1,4 @@
-// The header of a PLY file: its elements with their properties, and the encoding.
+// The header of a PLY file: its elements, their properties, and the encoding.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -13,16 +13,16 @@ size_t sizeOf(PlyType type);
 
 struct PlyProperty {
     std::string name;
-    PlyType type = PlyType::Float32;  // of the value, or of the items of a list
+    PlyType type = PlyType::Float32;  // type of the value, or of a list's items
     bool isList = false;
-    PlyType countType = PlyType::UInt8;  // of the length of a list
+    PlyType countType = PlyType::UInt8;  // type of a list's length
 };
 
 struct PlyElement {
     std::string name;
     uint64_t count = 0;
     std::vector<PlyProperty> properties;
-    // Minimum size of an element in bytes: lists may be empty, and an ASCII value takes a digit and a blank.
+    // Minimum size of an element in bytes: lists may be empty, and an ASCII value needs at least a digit and a blank.
     uint64_t minimumSize(PlyFormat format) const;
 };
 
@@ -32,7 +32,7 @@ struct PlyHeader {
     size_t dataOffset = 0;  // offset of the first byte after the header
 };
 
-// Throws Error "path: ..." for a header that is malformed, or that promises more data than the file has.
+// Throws Error "path: ..." if the header is malformed or promises more data than the file contains.
 PlyHeader parsePlyHeader(std::string_view file, const std::string& path);
 
 }  // namespace drc::pbrt

@@ -24,7 +24,8 @@ static_assert(std::endian::native == std::endian::little, "BinaryValues swaps by
     throw Error({path, 0, 0}, "the PLY file " + what);
 }
 
-// Both classes of values offer next(type), which returns the value as a double; a double holds every PLY type exactly.
+// Readers of binary and of ASCII values. Both have next(type), which returns the value as a double; a double represents
+// all PLY types exactly.
 template <bool kSwap>
 class BinaryValues {
   public:
@@ -52,7 +53,7 @@ class BinaryValues {
         }
         return 0;
     }
-    // Maximum number of values that the file still has.
+    // Maximum number of values that the file may still contain.
     uint64_t left(PlyType type) const { return uint64_t(end_ - at_) / sizeOf(type); }
 
   private:
@@ -101,12 +102,12 @@ class AsciiValues {
     const std::string& path_;
 };
 
-// The meaning of a vertex property: an index into x y z nx ny nz u v, or kSkip.
+// The meaning of a vertex property: an index into {x, y, z, nx, ny, nz, u, v}, or kSkip.
 constexpr int kNormal = 3, kUv = 6, kSlots = 8, kSkip = kSlots;
 using SlotNames = std::array<std::string_view, kSlots>;
 
-// The property names that this file uses. It may have several pairs of texture coordinates, of which pbrt takes the
-// first in this order.
+// The property names to read, by slot. A file may have several pairs of texture coordinates; like pbrt, this uses the
+// first pair in the order of kUvNames.
 SlotNames slotNamesFor(const PlyElement& vertex) {
     const auto has = [&](std::string_view name) {
         return std::any_of(vertex.properties.begin(), vertex.properties.end(),
@@ -124,7 +125,7 @@ SlotNames slotNamesFor(const PlyElement& vertex) {
     return names;
 }
 
-// Number of vertices or indices that are read between two calls of MemoryClaim::taken().
+// Number of vertices or indices to read between two calls of MemoryClaim::taken().
 constexpr size_t kTakenTogether = size_t(1) << 16;
 
 template <typename Values>
@@ -221,7 +222,7 @@ class MeshReader {
     void readCorners(const PlyProperty& property) {
         const uint64_t n = listLength(property);
         if (n < 3) {
-            // A degenerate face, which pbrt drops as well.
+            // A degenerate face; pbrt drops it as well.
             for (uint64_t i = 0; i < n; ++i) values_.next(property.type);
             ++emptyFaces_;
             return;
@@ -232,7 +233,7 @@ class MeshReader {
         addTriangle(first, second, previous);
         for (uint64_t i = 3; i < n; ++i) {
             const uint32_t next = corner(property.type);
-            // In pbrt's order of corners, which determines the texture coordinates of meshes that have none.
+            // pbrt's order of corners, which determines the texture coordinates of meshes without any.
             addTriangle(next, first, previous);
             previous = next;
         }
@@ -243,7 +244,7 @@ class MeshReader {
         mesh_.indices.reserve(count);
     }
 
-    // A list of small integers becomes up to twelve times as many bytes of triangles.
+    // Indices are claimed as they grow: triangles may need twelve times as many bytes as a list of small integers.
     void addTriangle(uint32_t a, uint32_t b, uint32_t c) {
         std::vector<uint32_t>& indices = mesh_.indices;
         if (indices.capacity() - indices.size() < 3) reserveIndices(2 * indices.capacity() + 3);

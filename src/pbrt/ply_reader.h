@@ -6,10 +6,10 @@
 
 namespace drc::pbrt {
 
-// Reads positions x y z, and normals nx ny nz and texture coordinates (u v, s t, texture_u texture_v or texture_s
-// texture_t) if the file has them. Other properties and elements are skipped. Faces with more than three corners become
-// triangle fans; faces with fewer are dropped with a warning. Nothing is transformed. Throws Error "path: ..." if the
-// file is missing, malformed or truncated, or if faces have invalid vertex indices.
+// Reads positions x y z and, if present, normals nx ny nz and texture coordinates (u v, s t, texture_u texture_v or
+// texture_s texture_t). Other properties and elements are skipped. Faces with more than three corners become triangle
+// fans; faces with fewer are dropped with a warning. Nothing is transformed. Throws Error "path: ..." if the file is
+// missing, malformed or truncated, or if faces have invalid vertex indices.
 TriangleMesh readPly(const std::string& path);
 
 }  // namespace drc::pbrt

@@ -10,16 +10,15 @@
 
 namespace drc::pbrt {
 
-// Make is a function pointer; null for types that pbrt has and DRC does not support.
+// Make: a function pointer, which is null for types that pbrt has but DRC does not support.
 template <typename Make>
 struct Registered {
     std::string_view name;
     Make make;
 };
 
-// Finds the factory function of a type. Throws Error at pos for types that are not in the table. For types that are not
-// supported it warns once, stating the consequence ("the shape is left out"), and returns null. kind is used in
-// messages: "shape".
+// Finds the factory function of a type. Throws Error at pos for types that are not in the table. For unsupported types,
+// warns once, with the consequence ("the shape is left out"), and returns null. kind: for messages ("shape").
 template <typename Make>
 Make findMaker(std::span<const Registered<Make>> table, const std::string& kind, const std::string& name,
                const SourcePos& pos, const std::string& consequence) {

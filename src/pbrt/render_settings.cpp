@@ -30,7 +30,7 @@ void applySampler(const std::string& type, const ParamSet& params, RenderSetting
         if (type != "random" && type != "halton")
             settings.samplesPerPixel = int(std::bit_ceil(unsigned(settings.samplesPerPixel)));
     }
-    // The sampling pattern is chosen by the renderer.
+    // The renderer chooses the sampling pattern itself.
     params.ignore({"dimensions", "jitter", "samplepixelcenter"});
     params.warnUnused();
     logDebug("sampler '" + type + "': Owen-scrambled Sobol points are used, as for every sampler");

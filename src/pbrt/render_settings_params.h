@@ -1,4 +1,4 @@
-// Parameters of films, samplers and integrators that both dialects read in the same way.
+// Parameters of films, samplers and integrators with the same meaning in both dialects.
 #pragma once
 #include <map>
 #include <string>
@@ -23,11 +23,11 @@ void applyPixelBounds(const ParamSet& params, RenderSettings& settings);
 int samplesOfStratified(const ParamSet& params);
 int maxDepthOf(const ParamSet& params);
 
-// Accepts the strategy for choosing lights, which has no effect. Throws Error if it is not one of those known.
+// Accepts the strategy for choosing lights, which has no effect. Throws Error if the name is not in `known`.
 void acceptChoiceOfLights(const ParamSet& params, std::string_view name, const std::vector<std::string_view>& known,
                           const std::string& integrator);
 
-// The parameters of each type of integrator that only concern its own algorithm and have no effect here.
+// For each type of integrator, the parameters that concern only its own algorithm and have no effect here.
 using IntegratorKnobs = std::map<std::string_view, std::vector<std::string_view>>;
 // Accepts the parameters listed for this type and warns of the remaining ones. For unknown integrators, accepts all.
 void acceptKnobs(const IntegratorKnobs& all, const std::string& type, const ParamSet& params);

@@ -12,7 +12,7 @@ namespace drc::pbrt {
 
 namespace {
 
-// From the light of this temperature: daylight or, where that has no locus, a black body.
+// Balances for light of the temperature "whitebalance" (kelvin): daylight, or a black body below the daylight locus.
 std::optional<RgbMatrix> whiteBalanceOf(const ParamSet& params) {
     constexpr float kLowest = 1000, kCoolestDaylight = 4000, kHighest = 25000;
     const float kelvin = params.getFloat("whitebalance", 0);
@@ -36,8 +36,8 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
     settings.auxiliaryLayers = type == "gbuffer";
     applyFrame(params, settings);
     applyPixelBounds(params, settings);
-    // pbrt also multiplies by the exposure time, see exposureTimeV4(). In its first versions it was a parameter of the
-    // film.
+    // pbrt also multiplies by the exposure time, see exposureTimeV4(). In pbrt-v4's first versions, the film had it as
+    // a parameter.
     settings.filmScale = params.getPositiveFloat("iso", 100) / 100 * params.getPositiveFloat("exposuretime", 1);
     const std::string sensor = params.getString("sensor", "cie1931");
     if (sensor != "cie1931")
@@ -45,7 +45,8 @@ void applyFilmV4(const std::string& type, const ParamSet& params, RenderSettings
              "the sensor '" + sensor + "' is not supported yet; 'cie1931' is used");
     settings.whiteBalance = whiteBalanceOf(params);
     settings.transparentFilm = params.getBool("transparent", false);
-    // Applied to luminance, so a sample that is bright in one channel only is clamped slightly later than in pbrt.
+    // This limit applies to luminance, so samples that are bright in only one channel are clamped slightly later than
+    // in pbrt.
     settings.maxSampleLuminance = params.getPositiveFloat("maxcomponentvalue", kInfinity);
     params.ignore({"savefp16"});
     if (type == "gbuffer") params.ignore({"coordinatesystem"});

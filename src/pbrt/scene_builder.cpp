@@ -70,7 +70,7 @@ void SceneBuilder::useCoordinateSystem(const std::string& name, const SourcePos&
 
 void SceneBuilder::overrideCamera(const CameraOverride& camera) {
     cameraOverride_ = camera;
-    worldToCamera_ = camera.placed({});  // where the file has no camera
+    worldToCamera_ = camera.placed({});  // for files without a camera
 }
 
 void SceneBuilder::camera(const std::string& type, ParamSet params) {
@@ -105,7 +105,7 @@ void SceneBuilder::beginBlock(const std::string& kind, const SourcePos& pos) {
 void SceneBuilder::endBlock(const std::string& kind, const SourcePos& pos) {
     blocks_.end(kind, pos, state_);
     if (kind != "Import") return;
-    // A coordinate system that an imported file names is its own.
+    // Coordinate systems named in an imported file are local to that file.
     coordinateSystems_ = std::move(savedSystems_.back());
     savedSystems_.pop_back();
 }
@@ -173,7 +173,7 @@ void SceneBuilder::attribute(const std::string& target, const ParamSet& params, 
     const std::vector<std::string_view> targets = {"light", "material", "medium", "shape", "texture"};
     if (std::find(targets.begin(), targets.end(), target) == targets.end())
         fail(pos, "unknown target '" + target + "' of Attribute" + suggestion(target, targets));
-    // If a name occurs several times, the last one counts.
+    // If a name occurs several times, the last value counts.
     ParamSet all = params;
     std::shared_ptr<const ParamSet>& shared = state_.attributes[target];
     if (shared) all.inherit(*shared);

@@ -23,31 +23,31 @@
 
 namespace drc::pbrt {
 
-// Every pos is that of the directive, for messages. All functions throw Error for faults that a warning cannot excuse.
+// Every pos is the directive's, for messages. All functions throw Error for faults that a warning is not enough for.
 class SceneBuilder {
   public:
     // origin: Scene::origin. The graphics state stays in the file's coordinates.
     SceneBuilder(const FileSearch& files, Dialect dialect, const Vec3& origin = Vec3(0.f));
 
-    // Maximum number of pieces into which all further curves may be split.
+    // Sets the maximum number of pieces into which all later curves together may be split.
     void limitCurves(size_t pieces) { curvePiecesLeft_ = pieces; }
 
-    // In place of the camera that the file names, from the next one on.
+    // Overrides the placement and the field of view of the cameras that the file defines from now on.
     void overrideCamera(const CameraOverride& camera);
 
-    // Scene::names shall say what the file calls each surface.
+    // Fills Scene::names with the file's names for each surface. Call before the first shape.
     void keepNames() { keepsNames_ = true; }
 
     // Transformations. apply() multiplies the current transformation from the right.
     void apply(const Transform& t, const SourcePos& pos);
     void setTransform(const Transform& t, const SourcePos& pos);
     void setActiveTransforms(bool start, bool end);
-    // The times of the two current transformations.
+    // Sets the times of the two current transformations.
     void transformTimes(float start, float end, const SourcePos& pos);
     void nameCoordinateSystem(const std::string& name);
     void useCoordinateSystem(const std::string& name, const SourcePos& pos);
 
-    // Before WorldBegin. If one is given several times, the last one counts.
+    // These must come before WorldBegin. If one is given several times, the last one counts.
     void camera(const std::string& type, ParamSet params);
     void film(const std::string& type, ParamSet params);
     void filter(const std::string& type, ParamSet params);
@@ -65,10 +65,10 @@ class SceneBuilder {
     void objectEnd(const SourcePos& pos);
     void objectInstance(const std::string& name, const SourcePos& pos);
 
-    // For pbrt-v4. Throws Error for unknown targets and colour spaces.
+    // For pbrt-v4. Both throw Error for unknown targets and colour spaces.
     void attribute(const std::string& target, const ParamSet& params, const SourcePos& pos);
     void colorSpace(const std::string& name, const SourcePos& pos);
-    // The rules by which colours are to be read at present.
+    // The rules for reading colours in the current graphics state.
     ColorRules colorRules(bool isLight) const;
 
     void reverseOrientation();
@@ -80,15 +80,15 @@ class SceneBuilder {
     void areaLight(const std::string& type, ParamSet params);
     void shape(const std::string& type, ParamSet params);
     void makeNamedMedium(const std::string& name, ParamSet params);
-    // The names of media, which may be defined later in both dialects; empty: none.
+    // Media by name; in both dialects, they may be defined later. The empty name is empty space.
     void mediumInterface(const Token& inside, const Token& outside);
 
-    // Throws Error, at the end of the file, if the scene is incomplete.
+    // Throws Error, located at the end of the file, if the scene is incomplete.
     void checkComplete(const SourcePos& end) const;
-    // Waits for the images of textures. Throws Error at the first that cannot be read.
+    // Waits for the images of textures. Throws Error at the first one that cannot be read.
     void finishTextures() { textureFiles_.finish(); }
-    // Looks up the names that were defined after their use, loads the meshes, waits for the images of textures and
-    // returns the finished scene.
+    // Resolves names that were defined after their use, loads meshes, waits for the images of textures, and returns the
+    // finished scene.
     std::unique_ptr<Scene> finish(const LoadOptions& options);
 
   private:
@@ -100,79 +100,82 @@ class SceneBuilder {
     struct PendingPrimitive {
         Primitive primitive;
         Geometry geometry;
-        std::string shape;  // its type
+        std::string shape;  // type of the shape
         std::shared_ptr<const MaterialInstance> material;
         AreaLightBuilder areaLight;
-        std::optional<size_t> lightSlot;  // index into Scene::lights that is reserved for areaLight
-        std::optional<size_t> object;     // index into Scene::objects; none for the scene itself
+        std::optional<size_t> lightSlot;  // index into Scene::lights, reserved for areaLight
+        std::optional<size_t> object;     // index into Scene::objects; none: the scene itself
         bool inObject = false, moves = false, blocksLight = true;
         SourcePos pos;
-        // Whether its material or a mask is defined later, and whether it has masks then.
+        // awaitsNames: the material or a mask is defined later. awaitsMasks: in this case, the shape also has masks.
         bool awaitsNames = false, awaitsMasks = false;
     };
 
-    // A moving instance within an object, in the object's space.
+    // An instance that moves within an object, in the object's space.
     struct MovingPart {
         size_t object;
         AnimatedTransform motion;
     };
 
-    // The current transformation to the space of the object that is being defined, or to the scene's.
+    // The current transformation, to the space of the open object, or to the scene's world space if none is open.
     TransformSet placement() const;
-    // The current transformation, in the file's coordinates, for things that cannot move; `what` and pos are used in
-    // messages.
+    // The current transformation, in the file's coordinates, for things that cannot move. Warns if it is animated, and
+    // uses the start time. `what` and pos: for messages.
     const Transform& staticTransform(const std::string& what, const SourcePos& pos) const;
-    // placement() for `what`, which may move. Throws Error if it cannot be rendered.
+    // placement() for something that may move; `what` names it in messages. Throws Error if the motion cannot be
+    // rendered.
     AnimatedTransform motionOf(const std::string& what, const SourcePos& pos) const;
-    // The object for shapes that move with the current transformation; it has one instance. Consecutive shapes with the
-    // same motion share it.
+    // The object for shapes that move with the current transformation; it has a single instance. Consecutive shapes
+    // with the same motion share the object.
     size_t movingObject(const std::string& shape, const SourcePos& pos);
     void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
-    // Gives the shape what others define: its masks, its material, and whether it is an area light. Throws
-    // UndefinedName if one of them is defined later. params: of the shape; of them pbrt-v4 needs the masks alone.
+    // Sets what other directives define for a shape: its masks, its material, and whether it is an area light. Throws
+    // UndefinedName if one of these is defined later. params: the shape's parameters; pbrt-v4 uses only the masks.
     void dress(PendingPrimitive& p, const ParamSet& params);
     // Multiplies the material's opacity into the primitive's alpha.
     void takeFromMaterial(Primitive& primitive) const;
-    // The builder of a shape's area light: from the graphics state, else from its material; empty if the shape does not
-    // emit.
+    // The builder of a shape's area light: from the graphics state, otherwise from the material's emission; empty if
+    // the shape does not emit.
     AreaLightBuilder areaLightOf(const PendingPrimitive& p);
-    // The row of Scene::names for a shape.
+    // Adds the entry for a shape to Scene::names and returns its index.
     uint32_t nameOf(const PendingPrimitive& p);
-    // Appends curves to the preceding ones if they are of the same type, because hair comes as one shape per curve.
+    // Appends curves to the previous shape if both are curves of the same kind, because hair has one shape per curve.
+    // Returns false if they differ.
     bool joinCurves(const PendingPrimitive& next);
     MaterialSources materialSources() {
         return {state_.textures, state_.namedMaterials, files_, textureFiles_, bsdfFiles_};
     }
-    // Makes a material, which is awaited if it uses names that are defined later.
+    // Makes a material. If it uses names that are defined later, it is marked as awaited and made by finish().
     std::shared_ptr<const MaterialInstance> makeMaterial(const std::string& type, ParamSet params,
                                                          const std::string& name);
-    // The material of a name that is defined later.
+    // A placeholder for the material of a name that is defined later.
     std::shared_ptr<const MaterialInstance> laterMaterial(const std::string& name, const SourcePos& pos);
-    // Throws UndefinedName for a texture that is made of others that are defined later.
+    // Throws UndefinedName if the texture uses others that are defined later.
     void defineTexture(const std::string& name, bool isFloat, const std::string& type, const ParamSet& params,
                        const Transform& toWorld);
-    // Throws UndefinedName.
+    // Throws UndefinedName if the object has not been defined.
     void placeInstance(const std::string& name, const AnimatedTransform& toWorld, const SourcePos& pos);
     std::vector<std::string_view> namesOfObjects() const;
     std::string named(const std::string& name) const { return normalizedName(name, dialect_); }
-    // pbrt-v4 refuses a name that is defined again.
+    // In pbrt-v4, warns about a name that is defined twice, which pbrt-v4 itself refuses.
     void warnIfRedefined(bool isKnown, const std::string& kind, const std::string& name, const SourcePos& pos) const;
     void loadMeshes(const LoadOptions& options);
     void makeAreaLights();
-    // Calls work for all pending primitives, on all cores. Of what it throws, that of the first primitive is rethrown.
+    // Calls work for all pending primitives, on all cores, and then rethrows the exception of the first primitive in
+    // the file for which work threw.
     void forEachPending(const std::function<void(PendingPrimitive&)>& work);
 
-    // The parameters, with those added that Attribute has set for this target.
+    // The parameters, together with those that Attribute has set for this target.
     ParamSet completed(const std::string& target, ParamSet params) const;
 
     const FileSearch& files_;
     Dialect dialect_;
-    Transform fromFile_;  // of world coordinates: moves the scene's origin to zero
+    Transform fromFile_;  // from the file's world space to the scene's: moves Scene::origin to zero
     const DialectFactories& make_;
     GraphicsState state_;
     Blocks blocks_;
     std::map<std::string, TransformSet> coordinateSystems_;
-    std::vector<std::map<std::string, TransformSet>> savedSystems_;  // one for each import that is open
+    std::vector<std::map<std::string, TransformSet>> savedSystems_;  // one per open import
     LaterNames later_;
     std::map<std::string, std::shared_ptr<const MaterialInstance>> laterMaterials_;
     TextureFiles textureFiles_;
@@ -189,7 +192,7 @@ class SceneBuilder {
     std::optional<size_t> openObject_;
     std::map<std::string, size_t> objects_;
     std::map<size_t, std::vector<MovingPart>> movingParts_;  // by index into Scene::objects
-    // The last movingObject(), the object that was being defined at the time, and the transformation.
+    // The last result of movingObject(), the object that was open at the time, and the transformation.
     struct MovingObject {
         size_t object;
         std::optional<size_t> within;
@@ -200,7 +203,7 @@ class SceneBuilder {
     size_t curvePiecesLeft_ = limits::kCurvePieces;
     bool keepsNames_ = false;
     std::vector<PendingPrimitive> pending_;
-    std::map<RgbTexturePtr, Emission> emissions_;  // of materials
+    std::map<RgbTexturePtr, Emission> emissions_;  // by the material's emission texture
     std::unique_ptr<Scene> scene_ = std::make_unique<Scene>();
 };
 

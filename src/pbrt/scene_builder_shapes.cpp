@@ -1,4 +1,4 @@
-// The shapes of a scene: SceneBuilder::shape(), and what is done when the last file has been read.
+// The shapes of a scene: SceneBuilder::shape(), and the functions that finish() calls for them at the end.
 #include <fmt/core.h>
 
 #include <exception>
@@ -46,7 +46,8 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     const ParamSet masks = params.only({"alpha", "shadowalpha"});
     pending.awaitsMasks = pending.awaitsNames && !masks.all().empty();
     if (!pending.areaLight && placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
-    // A shape whose names are still undefined may turn out to emit. If it does not, its slot is removed again.
+    // A shape whose names are still undefined may turn out to emit, so it reserves a light slot. Unused slots are
+    // removed later.
     if (pending.awaitsNames || pending.areaLight) {
         pending.lightSlot = scene_->lights.size();
         scene_->lights.push_back(nullptr);
@@ -147,7 +148,7 @@ void SceneBuilder::loadMeshes(const LoadOptions& options) {
         } catch (const std::bad_alloc&) {
             fail(p.pos, "cannot load the mesh: there is not enough memory");
         }
-        p.geometry.loadMesh = nullptr;  // frees the data that it owns
+        p.geometry.loadMesh = nullptr;  // frees the data that it captured
     });
 }
 
@@ -161,7 +162,7 @@ void SceneBuilder::makeAreaLights() {
 }
 
 void SceneBuilder::forEachPending(const std::function<void(PendingPrimitive&)>& work) {
-    // Errors are stored by position, so that the first one in the file is reported, whichever thread found one first.
+    // Errors are stored by position, so that the first one in the file is reported, whichever thread was faster.
     std::vector<std::exception_ptr> errors(pending_.size());
     parallelFor(0, int(pending_.size()), 1, [&](int begin, int end) {
         for (int k = begin; k < end; ++k) {

@@ -9,11 +9,12 @@
 namespace drc::pbrt {
 namespace {
 
-// Scenes that lie so many times their own radius from zero, along an axis, are moved there.
+// A scene whose centre is farther from zero along an axis than this many of its radii gets a new origin on that axis.
 constexpr float kFarInRadii = 4;
 
-// Where a scene of these bounds has its origin: zero, or near its centre if it is far away. A multiple of a power of
-// two that is not smaller than the scene, so that coordinates do not lose bits, and an animation's frames agree.
+// The origin for a scene with these bounds, by axis: zero, or near the scene's centre if that is far away. It is a
+// multiple of a power of two that is at least the scene's radius, so that coordinates lose no bits, and the frames of
+// an animation get the same origin.
 Vec3 originOf(const Bounds& bounds) {
     Vec3 origin(0.f);
     if (bounds.empty() || !(bounds.radius() > 0)) return origin;
@@ -32,7 +33,7 @@ std::unique_ptr<Scene> load(const std::shared_ptr<const Source>& source, const L
     }
     const Vec3 origin = originOf(scene->bounds());
     if (origin == Vec3(0.f)) return scene;
-    // Read again, not moved, because positions have been rounded to floats.
+    // Reads the file again instead of moving the scene, because its positions have already been rounded to floats.
     scene.reset();
     return Parser(source, origin).parse(options);
 }

@@ -28,8 +28,8 @@ Affine affine(const Transform& t) {
     return m;
 }
 
-// The inverse as Embree computes it in floats, by cofactors over the determinant. It is far from the true inverse, or
-// not finite, if float precision does not suffice.
+// The inverse as Embree computes it in floats: cofactors divided by the determinant. Where float precision does not
+// suffice, it is far from the true inverse, or not finite.
 Affine floatInverse(const Affine& m) {
     const Vec3 rows[3] = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
     const float scale = 1 / dot(m[0], rows[0]);
@@ -41,7 +41,7 @@ Affine floatInverse(const Affine& m) {
     return r;
 }
 
-// Whether rounding errors of the determinant are less than half of its value.
+// Whether rounding errors of the determinant are below half its value.
 bool hasFloatDeterminant(const Affine& m) {
     float determinant = 0, products = 0;
     for (int i = 0; i < 3; ++i)
@@ -69,7 +69,7 @@ void checkPlacement(const AnimatedTransform& objectToWorld, const SourcePos& pos
             pos,
             "instances, and what moves, cannot have a transformation with perspective: the last row of its matrix must "
             "be 0 0 0 1");
-    constexpr int kMoments = 9;  // between which the stretch is interpolated linearly
+    constexpr int kMoments = 9;  // the stretch is interpolated linearly between these
     for (int i = 0; i < (objectToWorld.isAnimated() ? kMoments : 1); ++i) {
         const Transform t = objectToWorld.at(float(i) / (kMoments - 1));
         const Affine placement = affine(t);

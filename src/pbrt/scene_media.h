@@ -1,4 +1,4 @@
-// The media of a scene file by their names, which belong to the whole file in both dialects.
+// The media of a scene file by name. In both dialects, the names belong to the whole file.
 #pragma once
 #include <map>
 #include <memory>
@@ -15,22 +15,22 @@ class SceneMedia {
   public:
     explicit SceneMedia(Dialect dialect) : dialect_(dialect) {}
 
-    // The medium of this name, which may be defined later; null for the empty name.
+    // The medium with this name, which may be defined later; null for the empty name.
     const Medium* named(const std::string& name, const SourcePos& pos);
-    // A second definition counts from there on.
+    // Defines a medium. If the name is already defined, the new medium applies only to later uses of the name.
     void define(const std::string& name, const Medium& medium);
     bool isDefined(const std::string& name) const;
-    // All media that are defined. If one is mentioned that is not: throws Error at its first mention in pbrt-v4; in
-    // pbrt-v3 there is a warning, and forgetUndefined() must have been called for all that got it from named().
+    // Returns all defined media. If an undefined name was used, throws Error at its first use in pbrt-v4, and warns in
+    // pbrt-v3; then forgetUndefined() must have been called on all pointers that named() returned.
     std::vector<std::shared_ptr<const Medium>> finish();
-    // Puts empty space in place of a medium that is not defined. Before finish().
+    // Replaces a pointer to an undefined medium by null (empty space). Call before finish().
     void forgetUndefined(const Medium*& medium) const;
 
   private:
     struct Entry {
         std::shared_ptr<Medium> medium = std::make_shared<Medium>();
-        SourcePos pos;     // of its first mention
-        size_t order = 0;  // of its first mention
+        SourcePos pos;     // of the first use
+        size_t order = 0;  // of the first use, among all names
         bool defined = false;
     };
     Dialect dialect_;

@@ -16,7 +16,7 @@
 namespace drc::pbrt {
 namespace {
 
-// Sets the parameters that all shapes have; Params is the parameter struct of a shape.
+// Sets the parameters that all shapes share. Params: the parameter struct of a shape.
 template <typename Params>
 Params placedParams(const ShapeContext& context) {
     Params p;
@@ -116,7 +116,7 @@ constexpr Registered<ShapeMaker> kShapesV4[] = {
     {"loopsubdiv", loopSubdivision}, {"plymesh", plyMesh}, {"sphere", sphere},     {"trianglemesh", triangleMesh},
 };
 
-// Meshes divide by w themselves. Other shapes become meshes.
+// For transforms with perspective: meshes divide by w themselves; other shapes are converted to meshes.
 Geometry withPerspective(ShapeMaker maker, const ShapeContext& context) {
     ShapeContext inObject = context;
     inObject.objectToWorld = Transform();
@@ -148,7 +148,8 @@ std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext&
 
 FloatTexturePtr maskOf(const ParamSet& shape, std::string_view name, const NamedTextures& textures) {
     FloatTexturePtr mask = TextureParams(shape, textures).scalarOrNull(name);
-    // pbrt-v3's surfaces are transparent only where a mask is zero; pbrt-v4's let a share of the rays pass.
+    // In pbrt-v3, a surface is transparent only where its mask is zero; in pbrt-v4, the mask is the share of rays that
+    // hit it.
     const auto isOpaque = [&](float value) { return textures.dialect == Dialect::V4 ? value >= 1 : value != 0; };
     return mask && mask->isConstant() && isOpaque(mask->eval({})) ? nullptr : mask;
 }

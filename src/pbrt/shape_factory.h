@@ -1,4 +1,4 @@
-// Creates shapes. A new shape is an entry in the table of shape_factory.cpp.
+// Creates shapes. To add one, add an entry to the table in shape_factory.cpp.
 #pragma once
 #include <functional>
 #include <memory>
@@ -27,22 +27,22 @@ struct ShapeContext {
 // Exactly one of shape and loadMesh is set.
 struct Geometry {
     ShapePtr shape{};
-    std::shared_ptr<Curves> curves{};  // the same as `shape` if it is curves, so that several can be joined
-    // Reads and transforms the mesh. Slow; to be called once, on any thread. Owns everything that it needs.
+    std::shared_ptr<Curves> curves{};  // the same object as `shape` if that is curves, to which others can be appended
+    // Reads and transforms the mesh. Slow; call it once, from any thread. Owns all data that it needs.
     std::function<TriangleMeshPtr()> loadMesh{};
-    std::string meshFile{};  // that loadMesh() reads, as the scene's file names it; empty: none
+    std::string meshFile{};  // file that loadMesh() reads, as named in the scene file; empty: none
     double subdivided = 0;   // number of triangles after subdivision
 };
 
-// None, with a warning, for types that are not supported. Throws Error for types that pbrt-v3 does not have either, and
-// for wrong parameters. A missing file is reported here, a damaged one when the mesh is loaded. Unknown parameters are
-// left for the material.
+// None, with a warning, for types that are not supported. Throws Error for types that do not exist in pbrt-v3, and for
+// wrong parameters. A missing file is reported here, a damaged one when the mesh is loaded. Unknown parameters are left
+// to the material.
 std::optional<Geometry> makeShape(const std::string& type, const ShapeContext& context);
 // The counterpart for pbrt-v4.
 std::optional<Geometry> makeShapeV4(const std::string& type, const ShapeContext& context);
 
-// The mask that the parameter "alpha" or "shadowalpha" of a shape gives; null if it is opaque. Throws UndefinedName as
-// TextureParams does.
+// The mask in a shape's parameter "alpha" or "shadowalpha"; null if it is opaque. Throws UndefinedName like
+// TextureParams.
 FloatTexturePtr maskOf(const ParamSet& shape, std::string_view name, const NamedTextures& textures);
 
 }  // namespace drc::pbrt

@@ -12,14 +12,14 @@
 namespace drc::pbrt {
 namespace {
 
-// Meshes are often written as a single line of megabytes.
+// Limits the excerpt, because meshes are often written as a single line of megabytes.
 constexpr size_t kExcerptWidth = 100;
 
 void checkEncoding(const Source& source) {
     const std::string_view text = source.text();
     const auto isZero = [&](size_t i) { return i < text.size() && text[i] == '\0'; };
     const bool marked = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
-    // Every other byte of plain words is zero.
+    // UTF-16 without a byte order mark: in plain English text every other byte is zero.
     const bool unmarked =
         text.size() >= 4 && isZero(0) == isZero(2) && isZero(1) == isZero(3) && isZero(0) != isZero(1);
     if (marked || unmarked)

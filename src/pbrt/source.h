@@ -14,17 +14,17 @@
 
 namespace drc::pbrt {
 
-// Editors on Windows put it before text in UTF-8. It is no part of the text.
+// The UTF-8 byte order mark, which Windows editors put before the text. It is not part of the text.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// A file, or a text in memory, that is being read. Lives as long as any position in it is used.
+// A file, or a text in memory, that is being read. Must outlive all positions in it.
 class Source {
   public:
-    // Maps the file, or decompresses it if it is gzipped. Throws Error if it cannot be read or is larger than `most`
-    // bytes, or if it is text in UTF-16. `what` is used in messages.
+    // Maps the file, or decompresses it if it is gzipped. Throws Error if it cannot be read, is larger than `most`
+    // bytes, or is UTF-16 text. `what` is used in messages.
     static std::unique_ptr<Source> fromFile(const std::string& path, const std::string& what = "scene file",
                                             uint64_t most = limits::kFileBytes);
-    // Reads a pipe, or for "-" standard input, to its end. Relative paths in it start in the working folder. Throws
+    // Reads a pipe, or standard input for "-", to its end. Relative paths in it start in the working folder. Throws
     // Error if it cannot be read.
     static std::unique_ptr<Source> fromPipe(const std::string& path);
     // name is used in place of a file name; relative paths start in directory.
@@ -36,7 +36,7 @@ class Source {
 
   private:
     friend struct SourcePos;
-    // The number, from 0, of the line that contains a byte, and the offset where the line begins.
+    // The number of the line that contains a byte, counted from 0, and the offset where this line begins.
     struct Line {
         size_t number, start;
     };
@@ -44,7 +44,8 @@ class Source {
 
     std::string name_, directory_, text_;
     std::unique_ptr<MappedFile> file_;
-    // Offsets of all lines, computed when first needed. A file that deserves one warning often deserves thousands.
+    // Start offsets of all lines, computed at the first use and kept, because a file that causes one warning often
+    // causes thousands.
     mutable std::vector<size_t> lineStarts_;
     mutable std::once_flag linesFound_;
 };
@@ -56,7 +57,7 @@ struct SourcePos {
 
     // Line and column count from 1; the column counts bytes.
     SourceLocation location() const;
-    // "line 3 of room.pbrt", for messages that tell of another place than their own.
+    // "line 3 of room.pbrt", for messages that refer to a second location.
     std::string lineOfFile() const;
     // The line, shortened to a readable length, with a caret below it.
     std::string excerpt() const;
@@ -64,8 +65,8 @@ struct SourcePos {
 
 // Throws Error at pos, with an excerpt.
 [[noreturn]] void fail(const SourcePos& pos, const std::string& message);
-// Returns what f returns. An Error from f without a position in a file of its own (such as a file that cannot be
-// opened) is thrown again at pos.
+// Returns the result of f. An Error from f without a location (for instance for a file that cannot be opened) is thrown
+// again with the location pos.
 template <typename F>
 auto placedAt(const SourcePos& pos, const F& f) -> decltype(f()) {
     try {
@@ -77,7 +78,7 @@ auto placedAt(const SourcePos& pos, const F& f) -> decltype(f()) {
 }
 // Logs the warning "file:line:column: warning: message".
 void warn(const SourcePos& pos, const std::string& message);
-// Like warn(), but logs each message only at the first place that it applies to.
+// Like warn(), but logs each message only for the first location.
 void warnOnce(const SourcePos& pos, const std::string& message);
 
 }  // namespace drc::pbrt

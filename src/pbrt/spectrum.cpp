@@ -12,7 +12,7 @@
 namespace drc::pbrt {
 namespace {
 
-// Integral of spectrum(nm) times the CIE observer, in steps of one nanometre as in pbrt, which sharp spectra need.
+// Integral of spectrum(nm) times the CIE observer, in steps of one nanometre as in pbrt, which narrow peaks require.
 template <typename Spectrum>
 Rgb integrate(const Spectrum& spectrum) {
     double x = 0, y = 0, z = 0, norm = 0;
@@ -82,7 +82,7 @@ std::vector<Rgb> reflectanceWeights(const std::vector<float>& wavelengths) {
         const CieEntry cie = cieAt(float(nm));
         const float light = d65At(float(nm));
         norm += double(light) * cie.y;
-        // Between which samples the wavelength lies; beyond the ends it is that of the end.
+        // The two samples around the wavelength; beyond the ends, the end sample twice.
         const size_t above =
             size_t(std::lower_bound(wavelengths.begin(), wavelengths.end(), float(nm)) - wavelengths.begin());
         const size_t first = above == 0 ? 0 : above - 1, second = std::min(above, wavelengths.size() - 1);

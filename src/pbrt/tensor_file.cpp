@@ -18,7 +18,7 @@ constexpr std::string_view kTypeNames[] = {"no type", "uint8",  "int8",  "uint16
                                            "int32",   "uint64", "int64", "float16", "float32", "float64"};
 constexpr uint64_t kTypeBytes[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
-// A field's name as it may be shown.
+// A field's name in a form that is safe to print: at most 40 characters, others than ASCII replaced.
 std::string printable(std::string_view name) {
     std::string text;
     for (const char c : name.substr(0, 40)) text += c > ' ' && c < 127 ? c : '?';
@@ -72,7 +72,7 @@ void TensorFile::readFields() {
             bad(fmt::format("has a field '{}' of the unknown type {}", printable(name), type));
         field.type = Type(type);
         field.count = 1;
-        uint64_t left = text.size() / kTypeBytes[type];  // entries that the file has room for
+        uint64_t left = text.size() / kTypeBytes[type];  // number of values for which the file has room
         for (uint16_t d = 0; d < dimensions; ++d) {
             uint64_t size;
             take(&size, 8, which);

@@ -1,4 +1,4 @@
-// Files of named tensors, in which the measured materials of the RGL database come (https://rgl.epfl.ch/materials):
+// Files of named tensors, the format of the measured materials in the RGL database (https://rgl.epfl.ch/materials):
 // "tensor_file", the version 1.0, and for each field its name, type, offset and shape. Little-endian.
 #pragma once
 #include <map>
@@ -29,7 +29,7 @@ class TensorFile {
         Type type;
         std::vector<uint64_t> shape;
         uint64_t count;          // product of the shape
-        std::string_view bytes;  // its data, within the file
+        std::string_view bytes;  // the field's data, a view of the file
     };
 
     // Reads the list of fields. Throws Error, in one line with the file's name, if the file is damaged.
@@ -37,15 +37,15 @@ class TensorFile {
 
     uint64_t bytes() const { return file_.text().size(); }
     bool has(const std::string& name) const { return fields_.contains(name); }
-    // Throws Error if there is no such field, or if it is not of this type and number of dimensions.
+    // Throws Error if the field is missing, or does not have this type and number of dimensions.
     const Field& field(const std::string& name, Type type, size_t dimensions) const;
     // The values of a field of type Float32. Throws Error if one is not finite.
     std::vector<float> floats(const std::string& name, size_t dimensions) const;
     [[noreturn]] void bad(const std::string& what) const;
 
-    // The number at an index of a field's data, which may have any alignment.
+    // The value at an index in the data of a Float32 field, which may have any alignment.
     static float floatAt(const Field& field, uint64_t index);
-    // "4 x 5 x 6"
+    // A shape for messages: "4 x 5 x 6".
     static std::string shapeText(std::span<const uint64_t> shape);
 
   private:

@@ -12,11 +12,11 @@
 
 namespace drc::pbrt {
 
-// The text of the Error for a scene called "s.pbrt".
+// The text of the Error that a scene called "s.pbrt" causes.
 inline std::string errorOfScene(const std::string& text, const std::string& directory = ".") {
     return errorOf([&] { loadPbrtString(text, directory, {}, "s.pbrt"); });
 }
-// Like errorOfScene(), with the text between WorldBegin, on line 1, and WorldEnd. The text begins on line 2.
+// Like errorOfScene(), with the text placed between WorldBegin (line 1) and WorldEnd, so that it begins on line 2.
 inline std::string errorOfWorld(const std::string& text, const std::string& directory = ".") {
     return errorOfScene("WorldBegin\n" + text + "\nWorldEnd\n", directory);
 }
@@ -27,7 +27,7 @@ inline std::unique_ptr<Scene> loadWorld(const std::string& text, const std::stri
 inline std::unique_ptr<Scene> loadWorldV4(const std::string& text, const std::string& directory = ".") {
     return loadPbrtString("Film \"rgb\" WorldBegin\n" + text + "\n", directory, {}, "s.pbrt");
 }
-// All that is said while f runs.
+// Everything that f prints to standard error.
 inline std::string saidBy(const std::function<void()>& f) {
     forgetWarnings();
     testing::internal::CaptureStderr();

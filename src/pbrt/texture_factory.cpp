@@ -36,7 +36,7 @@ TexturePtr<T> part(const TextureRequest& request, std::string_view name, float f
         return request.params.color(name, Rgb(fallback));
 }
 
-// The replacement for a texture that is not supported.
+// Replaces a texture that is not supported.
 template <typename T>
 TexturePtr<T> placeholder() {
     return std::make_shared<ConstantTexture<T>>(T(0.5f));
@@ -67,7 +67,7 @@ TexturePtr<T> scale(const TextureRequest& request) {
     return makeScaleTexture<T>(part<T>(request, "tex1", 1), part<T>(request, "tex2", 1));
 }
 
-// In pbrt-v4, the second factor is a number.
+// Scaling in pbrt-v4, where the second factor is a number.
 template <typename T>
 TexturePtr<T> scaleV4(const TextureRequest& request) {
     const FloatTexturePtr factor = request.params.scalar("scale", 1);
@@ -88,7 +88,8 @@ TexturePtr<T> directionMix(const TextureRequest& request) {
     const ParamSet& own = request.params.own();
     const Vec3 direction = request.textureToWorld.vector(own.getVector("dir", Vec3(0, 1, 0)));
     if (!(lengthSquared(direction) > 0)) fail(own.pos(), "the 'dir' of " + own.owner() + " must not be zero");
-    // The amount is the weight of the first texture here.
+    // The arguments are swapped because the amount weights the first texture here, and the second one in
+    // makeMixTexture().
     return makeMixTexture<T>(part<T>(request, "tex2", 1), part<T>(request, "tex1", 0), makeDirectionTexture(direction));
 }
 
@@ -111,8 +112,8 @@ TexturePtr<T> checkerboard(const TextureRequest& request) {
     return makeCheckerboardTexture<T>(a, b, mapping2DOf(request), edges);
 }
 
-// Both versions of pbrt exchange the two parameters by mistake: "inside" is the colour around the dots. Scenes are
-// tuned to that.
+// Both versions of pbrt swap the two parameters by mistake: "inside" is the colour around the dots. Scenes are tuned to
+// this.
 template <typename T>
 TexturePtr<T> dots(const TextureRequest& request) {
     return makeDotsTexture<T>(part<T>(request, "outside", 0), part<T>(request, "inside", 1), mapping2DOf(request));
@@ -145,7 +146,7 @@ TexturePtr<T> windy(const TextureRequest& request) {
     return makeWindyTexture<T>(mapping3DOf(request));
 }
 
-// For textures that pbrt does not have as float textures.
+// Fails for textures that exist in pbrt only as colours, not as float textures.
 [[noreturn]] void failForNumbers(const TextureRequest& request, const std::string& type) {
     const ParamSet& own = request.params.own();
     fail(own.pos(), own.owner() + " must be of type 'spectrum': '" + type + "' gives colours, not numbers");
@@ -188,7 +189,7 @@ TexelGamma gammaOf(const ParamSet& own) {
     return own.getBool("gamma", true) ? TexelGamma::Srgb : TexelGamma::Linear;
 }
 
-// The power of an encoding such as "gamma 2.2"; none if it is written otherwise.
+// The power in an encoding such as "gamma 2.2"; none for encodings of another form.
 std::optional<float> powerOf(std::string_view encoding) {
     constexpr std::string_view kGamma = "gamma ";
     if (!encoding.starts_with(kGamma)) return {};
@@ -199,7 +200,7 @@ std::optional<float> powerOf(std::string_view encoding) {
     return isNumber && power > 0 && std::isfinite(power) ? std::optional(power) : std::nullopt;
 }
 
-// pbrt-v4's encoding of images that store integers; other images are linear.
+// pbrt-v4's encoding, which applies to images that store integers; other images are linear.
 TexelReading readingV4(const ParamSet& own) {
     TexelReading how{.number = ColorNumber::MeanOrAlpha};
     const std::string encoding = own.getString("encoding", "sRGB");
@@ -218,8 +219,8 @@ TexelReading readingV4(const ParamSet& own) {
     return how;
 }
 
-// Every lookup is filtered over the ray cone's footprint, whatever the scene says: 'point', 'bilinear' (pbrt-v4's
-// default) and 'EWA' converge to the same picture.
+// Whether to filter trilinearly. Every look-up is filtered over the footprint of the ray cone anyway: 'point',
+// 'bilinear' (pbrt-v4's default) and 'EWA' converge to the same picture.
 bool isTrilinear(const ParamSet& own) {
     const std::string filter = own.getString("filter", "bilinear");
     if (filter != "point" && filter != "bilinear" && filter != "trilinear" && filter != "EWA" && filter != "ewa")

@@ -1,4 +1,4 @@
-// Creates textures. A new texture is an entry in the table of texture_factory.cpp, for both value types.
+// Creates textures. To add one, add an entry to the table in texture_factory.cpp, for both value types.
 #pragma once
 #include <string>
 
@@ -20,8 +20,8 @@ struct TextureRequest {
     Vec3 origin{0.f};  // Scene::origin
 };
 
-// In the request's dialect. Types that are not supported become the constant 0.5, with a warning. Throw Error for types
-// that pbrt does not have either, for wrong parameters, and for an image that is missing or damaged.
+// Make a texture in the request's dialect. Unsupported types become the constant 0.5, with a warning. Throw Error for
+// types that do not exist in pbrt, for wrong parameters, and for missing or damaged images.
 FloatTexturePtr makeFloatTexture(const std::string& type, const TextureRequest& request);
 RgbTexturePtr makeRgbTexture(const std::string& type, const TextureRequest& request);
 

@@ -57,8 +57,8 @@ std::shared_ptr<const FloatPyramid> TextureFiles::scalar(const std::string& path
 void TextureFiles::finish() {
     tasks_.wait();
 #ifdef __GLIBC__
-    // The images that the threads have decoded are several times as large as what is kept of them. Freed, they would
-    // stay with the threads.
+    // Decoded images need several times the memory of the pyramids. malloc would keep what the threads have freed in
+    // their arenas, so return it to the system.
     if (!readings_.empty()) malloc_trim(0);
 #endif
     for (const auto& reading : readings_) {

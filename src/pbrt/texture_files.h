@@ -1,5 +1,5 @@
-// The image files of a scene's textures. Each is read once and shared by all textures that use it. They are read on
-// other threads while the scene's file is.
+// The image files of a scene's textures. Each file is read once and shared by all textures that use it. Other threads
+// read the images while the scene file is being parsed.
 #pragma once
 #include <compare>
 #include <exception>
@@ -15,29 +15,30 @@
 
 namespace drc::pbrt {
 
-// Whether texels are sRGB-encoded: as pbrt's parameters "gamma" and "encoding" say, or depending on the file's format.
+// Whether texels are sRGB-encoded: set by pbrt's parameters "gamma" and "encoding", or determined by the file's format.
 enum class TexelGamma { FromFile, Srgb, Linear };
-// The number that a colour stands for: its luminance (pbrt-v3), or the mean of its channels (pbrt-v4), where an image
-// with an alpha channel that is not 1 everywhere is its alpha.
+// How a colour is reduced to a number: to its luminance (pbrt-v3); or to the mean of its channels, or to alpha in
+// images with an alpha channel that is not 1 everywhere (pbrt-v4).
 enum class ColorNumber { Luminance, MeanOrAlpha };
 
 // How a texture reads its file.
 struct TexelReading {
     TexelGamma gamma = TexelGamma::FromFile;
-    float power = 0;  // of "gamma x": integers are decoded by this power; 0: by `gamma`
+    float power = 0;  // power to decode integers with, from "gamma x"; 0: decode by `gamma`
     ColorNumber number = ColorNumber::Luminance;
     auto operator<=>(const TexelReading&) const = default;
 };
 
 class TextureFiles {
   public:
-    // The pyramid is empty until finish(). pos: where the scene names the file, for errors.
+    // Starts reading an image. The pyramid stays empty until finish(). pos: where the scene names the file, for errors.
     std::shared_ptr<const RgbPyramid> color(const std::string& path, const TexelReading& how, const SourcePos& pos);
     std::shared_ptr<const FloatPyramid> scalar(const std::string& path, const TexelReading& how, const SourcePos& pos);
 
-    // Waits until all files asked for are read. Throws Error, at the position of the first that cannot be.
+    // Waits until all requested files have been read. Throws Error, located where the scene names it, for the first
+    // file that failed.
     void finish();
-    // The size of all pyramids; valid after finish().
+    // The memory of all pyramids in bytes; valid after finish().
     size_t bytes() const;
 
   private:
@@ -53,8 +54,8 @@ class TextureFiles {
 
     Cache<Rgb> colors_;
     Cache<float> scalars_;
-    std::vector<std::unique_ptr<Reading>> readings_;  // in the order in which they were asked for
-    BackgroundTasks tasks_;                           // last, so that it ends before what it works on
+    std::vector<std::unique_ptr<Reading>> readings_;  // in the order of the requests
+    BackgroundTasks tasks_;                           // last member, destroyed first: the tasks use the others
 };
 
 }  // namespace drc::pbrt

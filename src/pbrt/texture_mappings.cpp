@@ -5,7 +5,7 @@
 namespace drc::pbrt {
 namespace {
 
-// Only warns, since exporters write the parameters of all mappings.
+// Only warns, because exporters write the parameters of all mappings.
 void warnOfOthers(const ParamSet& texture, const std::string& mapping, std::initializer_list<std::string_view> others) {
     for (const std::string_view name : others)
         if (texture.has(name))
@@ -14,8 +14,8 @@ void warnOfOthers(const ParamSet& texture, const std::string& mapping, std::init
     texture.ignore(others);
 }
 
-// pbrt-v4's planes are in texture space, pbrt-v3's in world space. If M p + t is the point in texture space, vs . (M p
-// + t) = (transposed M vs) . p + vs . t.
+// pbrt-v4's planes are in texture space, pbrt-v3's in world space. With M p + t the point in texture space: vs . (M p +
+// t) = (transposed M vs) . p + vs . t.
 Mapping2D planarIn(const Transform& worldToTexture, const Vec3& vs, const Vec3& vt, const Vec2& delta) {
     const Vec3 x = worldToTexture.vector(Vec3(1, 0, 0)), y = worldToTexture.vector(Vec3(0, 1, 0)),
                z = worldToTexture.vector(Vec3(0, 0, 1)), t = worldToTexture.point(Vec3(0, 0, 0));
@@ -52,9 +52,9 @@ Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld
          "unknown texture mapping '" + type + "'" + suggestion(type, {"uv", "planar", "spherical", "cylindrical"}));
 }
 
-// For solid textures pbrt-v3 transforms world-space points by the current transformation itself, not by its inverse as
-// for 2D mappings. Its scenes are tuned to that: "Scale 10 10 10" makes noise ten times as fine. In pbrt-v4 it becomes
-// ten times as coarse.
+// For solid textures, pbrt-v3 transforms world-space points by the current transformation itself, not by its inverse as
+// for 2D mappings. Its scenes are tuned to this: "Scale 10 10 10" makes noise ten times as fine. In pbrt-v4, it makes
+// noise ten times as coarse.
 Mapping3D makeMapping3D(const Transform& textureToWorld, Dialect dialect, const Vec3& origin) {
     return Mapping3D((dialect == Dialect::V3 ? textureToWorld : textureToWorld.inverse()) *
                      Transform::translate(origin));

@@ -7,9 +7,9 @@
 
 namespace drc::pbrt {
 
-// Reads the parameter "mapping", which is "uv" by default. textureToWorld: the current transformation where the texture
-// is defined, in the file's coordinates; origin: Scene::origin. Throws Error for an unknown mapping; warns of
-// parameters that belong to other mappings.
+// Makes the mapping that the parameter "mapping" names; the default is "uv". textureToWorld: the current transformation
+// at the texture's definition, in the file's coordinates. origin: Scene::origin. Throws Error for an unknown mapping;
+// warns about parameters that belong to other mappings.
 Mapping2D makeMapping2D(const ParamSet& texture, const Transform& textureToWorld, Dialect dialect = Dialect::V3,
                         const Vec3& origin = Vec3(0.f));
 Mapping3D makeMapping3D(const Transform& textureToWorld, Dialect dialect = Dialect::V3, const Vec3& origin = Vec3(0.f));

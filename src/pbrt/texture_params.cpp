@@ -8,7 +8,7 @@
 namespace drc::pbrt {
 namespace {
 
-// The textures of one type, and what to know of them.
+// Traits of the textures with values of type T.
 template <typename T>
 struct Kind;
 template <>
@@ -30,7 +30,7 @@ struct Kind<Rgb> {
     static Rgb constant(const ParamSet& set, std::string_view name) { return set.getColor(name, Rgb(0.f)); }
 };
 
-// The texture that a parameter of the set names. Adds its cost.
+// The texture that a parameter of the set names. Adds its cost to `cost`.
 template <typename T>
 std::shared_ptr<const Texture<T>> named(const ParamSet& set, const Param& param, const NamedTextures& textures,
                                         TextureCost& cost) {

@@ -9,7 +9,8 @@
 
 namespace drc::pbrt {
 
-// The cost of evaluating a texture: how deep textures are nested, and how many texture lookups one lookup leads to.
+// The cost of evaluating a texture: nesting depth of its textures, and number of texture lookups that one lookup
+// causes.
 struct TextureCost {
     int depth = 0, lookups = 0;
 };
@@ -17,20 +18,21 @@ struct TextureCost {
 struct NamedTextures {
     NamedMap<FloatTexture> scalars;
     NamedMap<RgbTexture> colors;
-    NamedMap<TextureCost> scalarCosts, colorCosts;  // with the same names as the textures
+    NamedMap<TextureCost> scalarCosts, colorCosts;  // under the names of the textures
     Dialect dialect = Dialect::V3;
 };
 
-// As in pbrt-v3, a parameter of the shape overrides the material's parameter of the same name.
+// Reads a material's or texture's parameters. As in pbrt-v3, a parameter of the shape overrides the material's
+// parameter of the same name.
 class TextureParams {
   public:
     // All arguments must outlive this object. shape may be null.
     TextureParams(const ParamSet& own, const NamedTextures& textures, const ParamSet* shape = nullptr)
         : own_(own), textures_(textures), shape_(shape) {}
 
-    // The texture, or a constant one. The OrNull functions return null if there is no such parameter; an empty name
-    // names no texture. For a texture that is not defined, or has the wrong type, the default counts in pbrt-v3, with a
-    // warning; in pbrt-v4 UndefinedName is thrown.
+    // The texture that a parameter names, or its constant as a texture. If the parameter is missing or names the empty
+    // texture, the OrNull functions return null. If it names a texture that is undefined or of the wrong type, pbrt-v3
+    // warns and uses the default, whereas in pbrt-v4 UndefinedName is thrown.
     RgbTexturePtr color(std::string_view name, const Rgb& fallback) const;
     RgbTexturePtr colorOrNull(std::string_view name) const;
     FloatTexturePtr scalar(std::string_view name, float fallback) const;
@@ -41,13 +43,14 @@ class TextureParams {
     std::string getString(std::string_view name, const std::string& fallback) const;
 
     const ParamSet& own() const { return own_; }
-    // Cost of evaluating all textures that were requested: the largest depth, and the sum of the lookups.
+    // Cost of evaluating all textures requested so far: the largest depth, and the sum of the lookups.
     const TextureCost& cost() const { return cost_; }
 
   private:
-    // The set (the shape's or the material's own) that provides a parameter of this name and one of these types.
+    // The set that contains a parameter of this name and one of these types: the shape's if possible, otherwise the
+    // material's.
     const ParamSet& setWith(std::string_view name, std::initializer_list<ParamType> types) const;
-    // The texture of that name, or the constant of this type; null if the set has neither.
+    // The named texture, or a constant of type T; null if the set contains neither.
     template <typename T>
     std::shared_ptr<const Texture<T>> textureOrConstant(std::string_view name) const;
 

@@ -1,4 +1,4 @@
-// The tokens of a scene: those of its main file, with every Include replaced by the tokens of the included file.
+// The tokens of a scene: the tokens of its main file, where those of the included file replace each Include.
 #pragma once
 #include <map>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace drc::pbrt {
 
-// Limits for all Includes of a scene together: see limits.h.
+// Limits for all Includes of a scene together (limits.h).
 struct IncludeLimit {
     size_t files = limits::kIncludes;
     uint64_t bytes = limits::kIncludedBytes;
@@ -24,17 +24,17 @@ class TokenStream {
 
     const Token& peek();
     Token next();
-    // Appends the numbers that follow in the file, up to anything else (Tokenizer::takeNumbers). None while a token is
-    // peeked at.
+    // Appends the numbers that follow in the file, up to the first other token (Tokenizer::takeNumbers). Appends
+    // nothing while a token is peeked at.
     void takeNumbers(std::vector<double>& to) {
         if (!ahead_) stack_.back().tokenizer.takeNumbers(to);
     }
-    // Continues with the tokens of this file, and then with those after the Include. Throws Error at pos for a file
-    // that cannot be read, includes itself, is nested too deep, or exceeds the limits. Must not be called while a token
-    // is peeked at.
+    // Continues with the tokens of this file, and afterwards with those that follow the Include. Throws Error at pos if
+    // the file cannot be read, includes itself, is nested too deep, or exceeds the limits. Must not be called while a
+    // token is peeked at.
     void include(const std::string& path, const SourcePos& pos);
 
-    // Each throws Error, naming `purpose`, if the next token is of another kind.
+    // Both throw Error, with `purpose`, if the next token is of another kind.
     Token expectString(const std::string& purpose);
     double expectNumber(const std::string& purpose);
 
@@ -50,9 +50,9 @@ class TokenStream {
 
     IncludeLimit limit_;
     size_t includes_ = 0;
-    uint64_t bytes_ = 0, differentBytes_ = 0;  // of them
+    uint64_t bytes_ = 0, differentBytes_ = 0;  // bytes of all Includes, and of the distinct files among them
     std::shared_ptr<const Source> main_;
-    // All included files by path, each read once. They are kept because positions refer to them.
+    // All included files by path; each is read once. They are kept because positions refer to them.
     std::map<std::string, std::unique_ptr<const Source>> sources_;
     std::vector<Frame> stack_;
     std::optional<Token> ahead_;

@@ -8,8 +8,8 @@ namespace drc::pbrt {
 namespace {
 
 constexpr bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
-// As in pbrt, '#' begins a comment only where a token may begin: "1.#IND", as some compilers print what is no number,
-// is one token, and not the number 1 before a comment.
+// As in pbrt, '#' begins a comment only where a token may begin. "1.#IND", which some compilers print for NaN, is thus
+// one token, not the number 1 and a comment.
 constexpr bool endsWord(char c) { return isSpace(c) || c == '"' || c == '[' || c == ']' || c == '\0'; }
 constexpr bool startsNumber(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
 
@@ -50,7 +50,7 @@ std::string Token::value() const {
                 result += '\'';
                 break;
             case '\n':
-                break;  // a line that goes on
+                break;  // the line continues
             default:
                 fail({pos.source, pos.offset + i},
                      std::string("unknown escape '\\") + text[i] +
@@ -67,12 +67,12 @@ double Token::number() const {
     if (text.size() > 1 && *first == '+' && first[1] != '-') ++first;
     double result = 0;
     const auto [end, error] = std::from_chars(first, last, result);
-    // from_chars knows "-nan" and "-inf", which are words of C and not numbers of a scene.
+    // from_chars accepts "nan" and "inf", which are not numbers of a scene.
     const bool isWord = text.find_first_of("nN") != std::string_view::npos;
     if (kind != TokenKind::Number || end != last || error == std::errc::invalid_argument || isWord)
         fail(pos, "expected a number, found " + describe() + whyNoNumber());
     if (error == std::errc::result_out_of_range) result = std::strtod(std::string(first, last).c_str(), nullptr);
-    // Scenes consist of floats. Numbers that overflow a float would spread over the picture.
+    // Scenes consist of floats. Numbers that overflow a float would spread infinities over the picture.
     if (!std::isfinite(static_cast<float>(result)))
         fail(pos, "expected a number within 3.4e38 of zero, found " + describe());
     return result;
@@ -112,7 +112,7 @@ Token Tokenizer::next() {
 
     const size_t start = at_;
     const char c = text_[at_++];
-    // Binary and sparse files may look like a single word without end.
+    // Binary and sparse files may look like a single endless word.
     if (c == '\0') fail(token.pos, "found a zero byte where text should be");
     if (c == '"') return string();
     if (c == '[') {
@@ -134,7 +134,7 @@ void Tokenizer::takeNumbers(std::vector<double>& to) {
         const char* first = text + at_;
         while (first < last && isSpace(*first)) ++first;
         at_ = size_t(first - text);
-        // A plus, and what overflows, is left to Token::number().
+        // Numbers with a plus sign, and numbers that overflow, are left to Token::number().
         if (first == last || !startsNumber(*first) || *first == '+') return;
         double number = 0;
         const auto [end, error] = std::from_chars(first, last, number);

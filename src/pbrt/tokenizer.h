@@ -13,16 +13,17 @@ enum class TokenKind { Word, Number, String, OpenBracket, CloseBracket, End };
 struct Token {
     TokenKind kind = TokenKind::End;
     std::string_view text;  // as written; strings without their quotes
-    SourcePos pos;          // of the first character; for End, the end of the file
+    SourcePos pos;          // position of the first character; for End, the end of the file
     bool hasEscapes = false;
 
     // The value of a string, with escapes replaced. Throws Error for an unknown escape.
     std::string value() const;
     // Throws Error unless the whole token is a finite number that fits a float.
     double number() const;
-    // The token for messages: "'Foo'", "string \"x\"", "the end of the file".
+    // A description of the token for messages: "'Foo'", "string \"x\"", "the end of the file".
     std::string describe() const;
-    // Suffix for the message "expected a number"; empty for tokens that cannot have been meant as one.
+    // Suffix for the message "expected a number", with the likely reason; empty for tokens that cannot be a mistyped
+    // number.
     std::string whyNoNumber() const;
 };
 
@@ -31,8 +32,9 @@ class Tokenizer {
     explicit Tokenizer(const Source& source);
     // The next token; after the last one, always End. Throws Error for an unterminated string.
     Token next();
-    // Appends the numbers that follow, as next() and Token::number() would give them, up to anything else: another
-    // token, a comment, the end, or a number that must be looked at. Meshes are written as millions of numbers.
+    // Appends the numbers that follow, with the values that next() and Token::number() give. Stops at anything else:
+    // another token, a comment, the end, or a number that Token::number() must check. Fast, because meshes are millions
+    // of numbers.
     void takeNumbers(std::vector<double>& to);
     const Source& source() const { return *source_; }
 

@@ -1,5 +1,5 @@
-// Use of a name that is not defined yet. If it is never defined, pbrt-v4 fails; pbrt-v3, which looks names up where
-// they are used, warns.
+// Use of a name that is not defined yet. If it is never defined, pbrt-v4 fails, whereas pbrt-v3, which looks names up
+// where they are used, warns.
 #pragma once
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace drc::pbrt {
 
-// Kinds of things that have names of their own, for messages.
+// Kinds of things that have names, for messages.
 inline constexpr const char* kMaterialName = "material";
 inline constexpr const char* kFloatTextureName = "float texture";
 inline constexpr const char* kSpectrumTextureName = "spectrum texture";
@@ -21,7 +21,7 @@ class UndefinedName : public Error {
         : Error(at.location(), message, at.excerpt()), kind(std::move(kindOfName)), name(std::move(missing)), pos(at) {}
 
     std::string kind, name;
-    SourcePos pos;  // of the use
+    SourcePos pos;  // where the name is used
 };
 
 }  // namespace drc::pbrt

@@ -1,5 +1,5 @@
-// Tells whether two scene files differ in their camera alone, as the frames of an animation do whose objects stand
-// still.
+// Detects whether two scene files differ only in their cameras, like the frames of an animation in which objects do not
+// move.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -7,9 +7,9 @@
 
 namespace drc::pbrt {
 
-// A hash of all words of the scene file, and of the files that it includes, except for those before WorldBegin that
+// A hash of all words in the scene file and in the files that it includes, except the directives before WorldBegin that
 // place and describe the camera and the film. Other files that it names, such as meshes and textures, are not read.
-// It is the same in another folder, and on another machine. None if the world may depend on the camera: with
+// The hash is the same in another folder and on another machine. None if the world may depend on the camera, because of
 // CoordSysTransform. Throws Error if the file cannot be read.
 std::optional<uint64_t> worldKey(const std::string& path);
 
