@@ -59,7 +59,7 @@ Checkpoint::Identity identityOfFiles(const Scene& scene) {
         for (int i = begin; i < end; ++i) hashes[size_t(i)] = checksum(MappedFile(scene.files[size_t(i)]).bytes());
     });
     Checkpoint::Identity identity;
-    // A scene that has been moved to another folder, or another machine, is the same.
+    // Paths are relative to the scene's folder, so that the scene may be moved to another folder or another machine.
     for (size_t i = 0; i < hashes.size(); ++i) {
         const fs::path path(scene.files[i]);
         const fs::path relative = path.lexically_relative(folder);
