@@ -61,7 +61,7 @@ void crop(PictureFile& picture, const std::vector<int>& c) {
     } catch (const Error& error) {
         throw Error(fmt::format("--crop: {}: {}", picture.path, error.what()));
     }
-    // The part keeps its place in the whole.
+    // The part keeps its place in the whole picture.
     picture.window.x += c[0], picture.window.y += c[2];
 }
 

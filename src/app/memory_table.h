@@ -16,7 +16,7 @@ class MemoryTable {
     MemoryTable() : program_(processMemory().resident) {}
 
     // To be called after each stage of a render: building (the scene is read and built), rendering, and finishing the
-    // picture. The memory of finishing is the growth since beforeFinishing().
+    // picture; and before finishing, whose memory is the growth since then.
     void afterBuilding(const Scene& scene);
     void afterRendering(const Session& session, const Stats& stats);
     void beforeFinishing() { beforeFinishing_ = processMemory(); }

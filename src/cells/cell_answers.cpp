@@ -48,7 +48,7 @@ class Renewal {
                 CellSums& sums = table_.sums(cell);
                 links_[cell].enough = knowsEnough(cell);
                 links_[cell].divides = links_[cell].enough && divides(sums);
-                sums.within = sums.countWithin = 0;  // for the next time
+                sums.within = sums.countWithin = 0;  // for the next renewal
             }
         });
         forEachPiece([&](Piece& piece, size_t begin, size_t end) { answer(piece, begin, end); });

@@ -14,7 +14,7 @@ struct CellAnswerSettings {
 // Statistics over all cells together.
 struct CellTotals {
     size_t used = 0;  // number of cells in use
-    double mean = 0;  // mean over all deposits of CellStatistics::relativeLuminance
+    double mean = 0;  // mean over all deposits of luminance per view factor, of the cells that they are in
     // The mean of the answers' relative standard errors, weighted by deposits. any: whether there are deposits.
     double error = 0;
     bool any = false;

@@ -7,7 +7,7 @@
 
 namespace drc {
 
-// A cube of the grid of one size: integer coordinates.
+// Integer coordinates of a cube in the grid of its size.
 struct GridCube {
     int32_t at[3]{};
 };
@@ -17,7 +17,7 @@ class CellGrid {
     static constexpr int kMostRefined = 24, kMostSizes = 7;
     static constexpr int kFacings = 27;  // numbers of facing(); the middle one, no direction, is not used
 
-    // size: edge of the smallest cubes, world units. sizes: their number, each twice the one before.
+    // size: edge of the smallest cubes, world units. sizes: number of sizes of cubes, each twice the one before.
     CellGrid(float size, int sizes);
 
     // A level is the number of a size, from 0 for the smallest on.

@@ -24,8 +24,8 @@ struct alignas(32) CellAnswer {
 struct CellSums {
     int64_t light[3]{};
     int64_t square = 0;  // of CellStatistics::relativeLuminance
-    // The squared deviations of the deposits in the cells of the next smaller size from those cells' means. Nonzero
-    // only while answers are renewed.
+    // Sum of the squared deviations of the deposits in the cells of the next smaller size from those cells' means.
+    // Nonzero only while answers are renewed.
     int64_t within = 0;
     uint32_t viewFactor[3]{};  // in steps of kViewFactorSteps
     int32_t position[3]{};     // from the cube's corner, in units of kCellPositionUnits

@@ -47,7 +47,7 @@ class MapsIntegrator final : public Integrator, public MapPasses {
         // A pass is weighted by the square of its number of maps: noise falls with this number, and the interpolation
         // error with the spacing. Each pass has 1.58 times the weight of the one before, so the first passes fade out.
         const float importance = std::pow(context_.params.firstSpacing * height / spacing, 4.f);
-        // As with the camera samples, no group may get a fixed fourth of the points of a sequence.
+        // As with the camera samples, no group may get every fourth point of a sequence.
         const int turn = int(random(kPassStream, index) % LayerFilter::kGroups);
         FilmLayer& maps = film.layer(kMaps);
         const bool whole = pass.run(
@@ -93,7 +93,7 @@ class MapsIntegrator final : public Integrator, public MapPasses {
         // stratified; instead, each group gets a random one of every four consecutive samples.
         const uint32_t four = index / 4, eight = index / 8;
         const uint32_t group = (index ^ random(kTurnStream, int(2 * four))) % LayerFilter::kGroups;
-        // Of every four consecutive samples two trace broad light, and of every eight, one in each group.
+        // Two of every four consecutive samples trace broad light, and in every eight, one of each group does.
         const bool follow = ((group ^ four ^ random(kTurnStream, int(2 * eight + 1))) & 1) == 0;
         return {int(group), context_.params.correct && follow};
     }

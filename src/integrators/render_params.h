@@ -13,12 +13,12 @@ namespace drc {
 enum class Quality { Draft, Standard, High };
 
 enum class Denoise {
-    Automatic,   // the surface filter where the integrator has layers for it, else none; who can load Open Image
-                 // Denoise, asks for Oidn in place of none
-    Off,         //
+    Automatic,   // resolved(): the surface filter if the integrator has layers for it, else Off; callers that can load
+                 // Open Image Denoise use Oidn instead of Off
+    Off,         // no denoiser
     Surface,     // each layer is averaged along surfaces, as far as its noise requires (LayerFilter)
     Oidn,        // Open Image Denoise on the whole picture
-    OidnDirect,  // the same on direct light alone
+    OidnDirect,  // Open Image Denoise on direct light only
 };
 
 struct RenderParams {

@@ -141,8 +141,8 @@ void spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimates
             spread.plane(3 + c)[i] = known ? estimates.plane(3 + c)[i] : 0;
         }
     });
-    // Averaged first at steps of the level's own width: wider steps alone would skip pixels, and their lattice would
-    // show.
+    // The first average is at steps of the level's own width: wider steps alone would skip pixels, and their lattice
+    // would show.
     for (const int step : {1 << level, 2 << level}) {
         filter.average(step, spread, wider);
         std::swap(spread, wider);

@@ -84,14 +84,15 @@ double PictureFinisher::estimate(const Session& session, double budget) {
     };
     // After the first estimate, only the speed of the machine is measured again.
     if (last_.seconds > 0) return last_.estimate * timed(last_.part) / last_.seconds;
-    // A first, unmeasured run, because it takes longer than all that follow.
+    // The first run is not measured, because it takes longer than all later ones.
     const double smallest = std::max(1.0, double(std::min(whole.width(), whole.height())) / kLeastSide);
     const PixelRegion small = middle(whole, smallest);
     secondsFor(session, small);
     const double smallPixels = double(small.count()), all = double(whole.count());
     const double smallSeconds = timed(small), estimated = smallSeconds / smallPixels * all;
     last_ = {small, smallSeconds, estimated};
-    // Then as large a part as there is time for, since large ones are filtered more efficiently than small ones.
+    // Then measure a part as large as there is time for, since large parts are filtered more efficiently than small
+    // ones.
     const double share = kMostToMeasure * budget / estimated;
     if (estimated < kNegligible * budget || share * all < 1.5 * smallPixels) return last_.estimate;
     const PixelRegion large = middle(whole, std::sqrt(std::max(1.0, 1 / share)));

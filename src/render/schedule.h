@@ -1,6 +1,6 @@
-// Decides what a render does next, and until when; the only place that knows the time. Without a time budget it runs as
-// many passes as were asked for; with one, it runs passes, and no more than were asked for, until the rest of the time
-// is needed to filter, encode and write the picture.
+// Decides which pass a render runs next, and when it ends; no other code decides by the time. Without a time budget it
+// runs as many passes as were asked for. With a budget it runs at most these, until the rest of the time is needed to
+// filter, encode and write the picture.
 #pragma once
 #include <chrono>
 #include <optional>

@@ -25,7 +25,7 @@ class Session {
     // that part counts. False: the render is done or cancelled. abandon: when raised, the step ends even within a row
     // of pixels, and the film is of no use until the camera is set or moved; to be raised only if that comes next.
     bool step(const CancelToken* cancel = nullptr, const CancelToken* abandon = nullptr);
-    // Whether every layer of the picture has some light already.
+    // Whether the film has had a pass of each kind that the picture needs.
     bool hasPicture() const { return schedule_.hasPicture(film_->passes(), film_->mapPasses()); }
     // The picture so far, unfiltered. Safe while step runs, from any thread. part: of the film's region.
     LayeredPicture snapshot() const { return integrator_->picture(film_->snapshot()); }

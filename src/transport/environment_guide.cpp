@@ -141,7 +141,7 @@ void EnvironmentGuide::rebuild(Table& table, const std::atomic<uint64_t>* counts
         arrivals += count / kArrival;
     }
     if (tries == 0) return;
-    // The rate is never zero: that no sample has arrived yet does not mean that none ever will.
+    // The rate is never zero: samples of a block may arrive later even if none has arrived yet.
     const double rate = (double(arrivals) + 0.5) / (double(tries) + 1);
     double total = 0;
     std::array<std::array<double, kColumns>, kRows> p;

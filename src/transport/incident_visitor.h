@@ -8,7 +8,7 @@ namespace drc {
 // The first surface of a path, as a radiance map records it.
 struct FirstHit {
     float distance = -1;   // world units; -1: the path escaped
-    Vec3 normal{0, 0, 0};  // geometric, turned towards the origin; zero if it escaped
+    Vec3 normal{0, 0, 0};  // geometric, turned towards the origin; zero if the path escaped
     // The albedo of the surface towards the origin (Bsdf::albedo), in [0, 1]. For an emitter without a material, the
     // albedo of the surface behind it; zero if the path escaped.
     Rgb albedo{0.f};

@@ -16,7 +16,7 @@ class LightSampler {
     // The scene must outlive the sampler. seesBackdrop: whether the camera sees lights at infinity, as on every film
     // that is not transparent.
     LightSampler(const Scene& scene, bool seesBackdrop);
-    // For the film of the scene's own file.
+    // Uses the film of the scene's own file.
     explicit LightSampler(const Scene& scene) : LightSampler(scene, !scene.sensor.settings.transparentFilm) {}
 
     struct Choice {
@@ -33,7 +33,7 @@ class LightSampler {
     const std::vector<const Light*>& backdrop() const { return backdrop_; }
 
   private:
-    // Up to this number of lights, all are estimated at every point.
+    // Up to this number of lights, the irradiance of every light is estimated at every point.
     static constexpr size_t kMaxWeighed = 32;
     bool weighsAll() const { return lights_.size() <= kMaxWeighed; }
     static_assert(kMaxWeighed % LightBounds::kCount == 0);

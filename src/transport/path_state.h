@@ -30,7 +30,7 @@ struct PathState {
     explicit PathState(const Ray& r) : ray(r), from(r.o) {}
 
     Ray ray;
-    Vec3 from;  // the vertex that the ray leaves, on the surface, not offset from it
+    Vec3 from;  // position of the vertex that the ray leaves, not offset from the surface
     Rgb throughput{1.f};
     Rgb weight{1.f};                        // factor that the latest vertex contributed to the throughput
     float passing = 1;                      // probability with which media let the path pass unscattered so far

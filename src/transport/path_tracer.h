@@ -52,7 +52,7 @@ class PathTracer {
     // See DirectLighting.
     void setGuide(EnvironmentGuide* guide) { lighting_.setGuide(guide); }
 
-    // All light that arrives at the ray's origin along it.
+    // Radiance that arrives at the ray's origin along the ray.
     Rgb radiance(const Ray& ray, Sampler& sampler, const SampleParts& parts = {}) const;
 
     // R of the split: radiance() without Le of the first surface itself, or of the environment if the ray escapes.

@@ -21,7 +21,7 @@ struct LitVertex {
     Rgb throughput;  // of the path up to the vertex
     int depth;       // PathState::depth before the vertex
     Rgb light;  // Le times BSDF and cosine, or phase function, over the pdf, times the weight against BSDF sampling
-    Vec3 wi;    // the direction that it came from
+    Vec3 wi;    // direction from the vertex towards the light, unit
 };
 
 // Interface of a visitor, with defaults that ignore all light and follow the path to its end. For each vertex, the

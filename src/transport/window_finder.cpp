@@ -20,8 +20,8 @@ constexpr int kFirstRays = 4, kSecondRays = 3;
 // room.
 constexpr double kFewestLeave = 0.001, kMostLeave = 0.35;
 constexpr size_t kFewestRays = 30;  // that must leave through a window
-// Of the rays that leave the scene, this share must pass through all windows together, and this share through each
-// window. Many of the other rays leave from objects outside.
+// All windows together must explain this share of the rays that leave the scene, and each window this share: the rays
+// must pass through them. Many of the other rays leave from objects outside.
 constexpr double kExplainedTogether = 0.2, kExplainedByOne = 0.03;
 constexpr size_t kMostWindows = 8;
 // A larger opening, in squares of the median ray length, is the sky above objects outside.
@@ -215,7 +215,7 @@ std::optional<Opening> openingOf(const Wall& wall, const std::vector<Leaving>& l
         }
     if (passed.size() < kFewestRays) return {};
     for (const Vec2& hit : wall.places) --balance[cellOf(hit)];
-    // Connected parts, by flooding.
+    // Finds connected parts by flood filling.
     std::array<int, kCells * kCells> part{};
     std::vector<Opening> openings(1);
     for (int start = 0; start < kCells * kCells; ++start) {

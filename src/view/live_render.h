@@ -81,10 +81,10 @@ class LiveRender {
     // Pauses or continues the render. A camera that is moved during a pause still gets a sample of each pixel.
     void pause(bool paused);
     // Renders from another camera, for a film of any size. make: called on the render's thread, and must not throw.
-    // moving: another camera will soon follow. Of several calls, the latest counts.
+    // moving: another camera will soon follow. Only the latest of several calls counts.
     void setCamera(std::function<std::unique_ptr<Camera>()> make, const FilmGeometry& film, bool moving);
     // Once every pixel has a sample, all further samples go to this part, until the camera is set; none: to the whole
-    // picture. The part is enlarged to at least one pixel. Of several calls, the latest counts.
+    // picture. The part is enlarged to at least one pixel. Only the latest of several calls counts.
     void setFocus(const std::optional<PicturePart>& part);
     // Runs f(session) while no step runs, and waits until it has returned.
     void between(const std::function<void(const Session&)>& f);

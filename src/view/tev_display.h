@@ -78,7 +78,7 @@ class TevDisplay {
     Clock::time_point lastSince_;
     bool ending_ = false;
 
-    // Used by the thread alone.
+    // Used only by the thread.
     std::optional<StreamSender> sender_;
     std::string creation_;  // packet that created the viewer's present image; empty: it has none
     PixelRegion region_;    // region that the image shows

@@ -126,8 +126,8 @@ std::optional<float> shareOf(std::string_view digits) {
     return value;
 }
 
-// Width, height, channels and the frame's number, as 32-bit integers, then all values as halves, in the machine's order
-// of bytes, which is little-endian wherever this program runs.
+// Encodes width, height, channels and the frame's number, as 32-bit integers, and then all values as halves, in the
+// machine's order of bytes, which is little-endian wherever this program runs.
 std::string encodeHalves(const Image& image, uint64_t number) {
     static_assert(std::endian::native == std::endian::little);
     const uint32_t header[] = {uint32_t(image.width()), uint32_t(image.height()), uint32_t(image.channels()),
@@ -168,7 +168,7 @@ std::vector<std::string> layersOf(const LiveFrame& frame) {
 
 namespace {
 
-// The image of a layer that the frame holds as it is; null: it has to be computed.
+// The image of a layer, if the frame contains it as it is; null: the layer has to be computed.
 const Image* heldLayer(const LiveFrame& frame, const std::string& name) {
     const LayeredPicture& picture = frame.picture;
     if (name == "beauty") return &picture.beauty;

@@ -34,8 +34,8 @@ function directions() {
   const [ahead, right, top] = [picture.ahead, picture.right, picture.top].map(world);
   return { ahead, right, top, hand: dot(cross(top, ahead), right) < 0 ? -1 : 1 };
 }
-// The scene's vertical: a coordinate axis that is at a right angle to the right of the scene's camera, if that camera
-// stands level. Of several, the one nearest to the camera's own up.
+// The scene's vertical: a coordinate axis at a right angle to the right of the scene's camera, if that camera stands
+// level. If several axes qualify, it is the one nearest to the camera's own up.
 function vertical() {
   const [right] = basis(home), axes = [0, 1, 2].map(i => home.up.map((x, k) => (k === i ? Math.sign(x) : 0)));
   const level = axes.filter(axis => Math.abs(dot(axis, right)) < 0.02 && dot(axis, home.up) > 0.1);
@@ -64,7 +64,7 @@ function turn(about, rightward, upward) {
   camera.eye = add(about, by(add(camera.eye, about, -1)));
   camera.look = add(about, by(add(camera.look, about, -1)));
   camera.up = unit(by(camera.up));
-  // A camera that stands level gets an up that people can read; one that does not keeps its roll.
+  // A camera that stands level gets the vertical as its up, which people can read; any other camera keeps its roll.
   if (Math.abs(dot(basis(camera)[0], up)) < 1e-4 && dot(camera.up, up) > 0) camera.up = up;
   moved();
 }

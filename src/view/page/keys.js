@@ -1,6 +1,6 @@
 
 // ---- Keys ------------------------------------------------------------------------------------------------------
-// Keys that fly: ahead, to the right, upwards. Those that turn: to the right, upwards.
+// The directions of keys that fly: ahead, to the right, upwards; and of keys that turn: to the right, upwards.
 const flying = { w: [1, 0, 0], s: [-1, 0, 0], a: [0, -1, 0], d: [0, 1, 0], q: [0, 0, -1], e: [0, 0, 1] };
 const turning = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] };
 const kTurn = 1;  // radians a second

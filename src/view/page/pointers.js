@@ -144,7 +144,8 @@ function tellPixel(event) {
   line.replaceChildren(square, `${at[0]}, ${at[1]}   ${current.layer}   ${text}`, surface);
   tellSurface();
 }
-// What the renderer knows of the surface under the pointer. One question at a time, and not too many a second.
+// The renderer's answer about the surface under the pointer. Only one question is open at a time, and few are asked a
+// second.
 const surface = document.createElement("span");
 let pointed = null, asking = false;
 function words(answer) {
