@@ -15,15 +15,15 @@
 namespace drc {
 namespace {
 
-// When the system started this process: finding and joining its twenty libraries takes some ten milliseconds by the
-// time that main begins, and longer where they first come from a disk, and --time promises the whole of it. Now, where
+// The time at which the system started this process, because --time promises the whole of it: loading its twenty
+// libraries takes some ten milliseconds before main begins, and longer if they come from a disk. The present time if
 // /proc does not tell.
 std::chrono::steady_clock::time_point processStart() {
     const auto now = std::chrono::steady_clock::now();
     std::ifstream file("/proc/self/stat");
     std::string stat;
     std::getline(file, stat);
-    // The second field, the program's name, may hold spaces; the 22nd is the start, in ticks since the boot.
+    // The second field, the program's name, may contain spaces; the 22nd is the start, in ticks since the boot.
     const size_t nameEnd = stat.rfind(')');
     if (nameEnd == std::string::npos) return now;
     std::istringstream fields(stat.substr(nameEnd + 1));

@@ -11,7 +11,7 @@
 
 namespace drc {
 
-// When the process started, to about 10 ms, and its command line, which main sets before anything else.
+// The start of the process, to about 10 ms, and its command line, which main sets before anything else.
 struct ProcessInfo {
     std::chrono::steady_clock::time_point start;
     std::string commandLine;
@@ -21,7 +21,7 @@ ProcessInfo& processInfo();
 // Parses a resolution such as "1280x720". Throws UsageError, naming --resolution, on anything else.
 FilmGeometry parseResolution(const std::string& text);
 
-// The name of a scene for people: files are often called "scene.pbrt", so the folder is part of it.
+// The name of a scene for messages: files are often called "scene.pbrt", so the folder is part of it.
 std::string sceneTitle(const std::string& path);
 
 void addRenderCommand(CLI::App& app);

@@ -121,25 +121,25 @@ std::string missing(const std::vector<const CLI::App*>& path, const CLI::Require
     return fmt::format("{0}: {1}; {0} --help says more", name, error.what());
 }
 
-// The error's own words begin with the name of what has too few or too many values.
+// The error's message begins with the name of the option that has too few or too many values.
 std::string wrongCount(const std::vector<const CLI::App*>& path, const CLI::ArgumentMismatch& error) {
     const std::string text = error.what();
     const CLI::Option* option = path.back()->get_option_no_throw(text.substr(0, text.find(':')));
     if (option == nullptr || option->get_positional()) return nameOf(path) + ": " + text;
     const int count = option->get_items_expected_min();
-    const std::string type = option->get_type_name();  // "INT:INT in [1, 4]" where a check has a name, too
+    const std::string type = option->get_type_name();  // "INT:INT in [1, 4]" if a check has a name too
     return fmt::format("{}: {} needs {}: {}", nameOf(path), option->get_name(),
                        count == 1 ? "a value" : fmt::format("{} values", count), type.substr(type.find(':') + 1));
 }
 
-// A repeated option overrides the one before, but for those that are lists.
+// A repeated option overrides the earlier one, unless the option is a list.
 void letTheLastCount(CLI::Option& option) {
     if (option.get_expected_max() == 1 && option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
         option.multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-// Neither the name of an option, most often the sign of a forgotten value, nor nothing, that of a script's variable
-// that is not set, is a value.
+// Refuses two values that are most likely mistakes: the name of an option (a value was forgotten), and an empty text (a
+// script's variable is not set).
 void refuseForgottenValues(const CLI::App& app, CLI::Option& option) {
     option.transform(CLI::Validator(
         [&app](std::string& text) -> std::string {
@@ -186,7 +186,7 @@ std::unique_ptr<CLI::App> makeCommandLine() {
 
 std::string usageFault(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<const CLI::App*> path = reached(app);
-    // Help that is asked of a command that does not exist would be that of another one.
+    // Help for a command that does not exist would be the help of another one.
     if (error.get_exit_code() == 0 && (path.size() > 1 || app.remaining().empty())) return "";
     if (const std::string option = unknownOption(path); !option.empty()) return option;
     if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return wrongCount(path, *mismatch);

@@ -124,7 +124,7 @@ std::string extensionOf(const std::string& path) {
     return extension;
 }
 
-// Called before the work, not after it.
+// Called before the work, so that a wrong path is reported at once.
 void checkDifferencePath(const std::string& path) {
     if (extensionOf(path) != ".png")
         throw UsageError(fmt::format("--diff {}: the differences are written as .png", path));
@@ -201,7 +201,7 @@ void run(const CompareOptions& options) {
     options.pictures.size() == 2 ? compareWithOne(options) : compareWithTwo(options);
 }
 
-// own: what the user types for it.
+// own: the command as the user types it.
 void addComparison(CLI::App& app, const std::string& name, const std::string& own) {
     const auto options = std::make_shared<CompareOptions>();
     CLI::App* command =

@@ -9,7 +9,7 @@ namespace drc {
 
 // Registers the subcommand. Its callback does the work, prints to standard output and throws Error on bad input.
 void addCompareCommand(CLI::App& app);
-// Registers `diff`, the same, as a subcommand of `drc image`.
+// Registers the same command under the name `diff`, as a subcommand of `drc image`.
 void addImageDiff(CLI::App& image);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// The options by which pictures are displayed, which `drc render` and `drc image` share.
+// The options for displaying pictures, which `drc render` and `drc image` share.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace drc {
 
-// --exposure, --auto-exposure and --view. group: their heading in --help; empty: that of all others.
+// Adds --exposure, --auto-exposure and --view. group: their heading in --help; empty: that of the other options.
 void addDisplayOptions(CLI::App& command, DisplaySettings& display, const std::string& group = "");
 
-// Those of the options that were given to the parsed `command`: "--exposure, --view".
+// The names of these options that the parsed `command` was given, for example "--exposure, --view".
 std::string givenDisplayOptions(const CLI::App& command);
-// Throws UsageError that names those of the options that were given to the parsed `command`, if none of the outputs is
-// a PNG: an EXR stays as it is, so that they would do nothing.
+// Throws UsageError, which names the given ones of these options, if none of the outputs is a PNG: EXR files stay
+// linear and unexposed, so the options would do nothing.
 void refuseDisplayOptionsWithoutPng(const CLI::App& command, const std::vector<std::string>& outputs);
 
 }  // namespace drc

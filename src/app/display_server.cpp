@@ -11,7 +11,7 @@ std::unique_ptr<TevDisplay> showInTev(const RenderOptions& options, const Sessio
     TevSettings shown;
     shown.server = parseStreamAddress(options.displayServer);
     shown.name = fmt::format("{} ({})", sceneTitle(options.scene), sceneTitle(options.outputs.front()));
-    // A pixel tells the layers that there are.
+    // A snapshot of one pixel shows which layers there are.
     const PixelRegion region = session.film().region();
     tev::Picture outline =
         tev::pictureOf(session.snapshot({region.x0, region.y0, region.x0 + 1, region.y0 + 1}), settings.film);

@@ -1,4 +1,4 @@
-// `drc render --display-server`: a render is shown in tev, the image viewer.
+// `drc render --display-server`: shows a render in tev, the image viewer.
 #pragma once
 #include <memory>
 
@@ -8,9 +8,9 @@
 
 namespace drc {
 
-// Begins to show the session's picture so far, unfiltered, as an image that is called by the scene and the first
-// output, so that several renders can be told apart. Session and settings must outlive what is returned. The session
-// may take steps meanwhile; before anything else changes it comes TevDisplay::stopTaking.
+// Begins to show the session's picture so far, unfiltered, as an image named by the scene and the first output, so that
+// several renders can be told apart. Session and settings must outlive the returned object. The session may take steps
+// meanwhile; TevDisplay::stopTaking must be called before it changes in any other way.
 std::unique_ptr<TevDisplay> showInTev(const RenderOptions& options, const Session& session,
                                       const RenderSettings& settings);
 

@@ -24,7 +24,7 @@ void run(EvaluateOptions& options) {
     setThreadCount(options.threads);
     if (options.quiet) setLogLevel(LogLevel::Quiet);
     options.settings.showProgress = !options.quiet;
-    // Opened first: better to know before the work than after it that nothing can be written there.
+    // Opened before the work, so that a page that cannot be written is reported at once.
     std::unique_ptr<AtomicFile> page;
     if (!options.html.empty()) page = std::make_unique<AtomicFile>(options.html);
     const Evaluation evaluation = evaluate(options.settings);

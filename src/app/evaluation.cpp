@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kUsualSize = 32;
 
-// The stem of the file, unless two methods would then have one name.
+// Names each network by the stem of its file, or by its path if two methods would have the same name.
 void nameNetworks(std::vector<EvaluatedNetwork>& networks) {
     namespace fs = std::filesystem;
     std::map<std::string, int> uses{{"none", 1}, {"gaussian", 1}};

@@ -1,5 +1,5 @@
 // Runs map denoisers on training examples, as `drc evaluate` does: which networks fit which maps, and how each scores.
-// Examples with one kind of map form a group; groups that hold the same viewpoints can be compared in pairs.
+// Examples with one kind of map form a group; groups that contain the same viewpoints can be compared in pairs.
 #pragma once
 #include <memory>
 #include <string>
@@ -11,9 +11,9 @@
 namespace drc {
 
 struct EvaluationSettings {
-    std::vector<std::string> paths;    // of examples, in the form that findExamples takes
+    std::vector<std::string> paths;    // of examples, as for findExamples
     std::vector<std::string> weights;  // weight files. None: the shipped network, if it is found and fits
-    bool allInputs = false;            // every realisation of an example, not only the first
+    bool allInputs = false;            // use every realisation of an example, not only the first
     bool showProgress = true;
 };
 
@@ -61,8 +61,8 @@ struct Evaluation {
     size_t examples = 0;
 };
 
-// Files that cannot be read, or contain no example, are skipped with a warning. Throws Error if there is no example at
-// all, if a weight file is invalid or named twice, or if a named network fits no group.
+// Runs the evaluation. Files that cannot be read, or contain no example, are skipped with a warning. Throws Error if
+// there is no example at all, if a weight file is invalid or named twice, or if a named network fits no group.
 Evaluation evaluate(const EvaluationSettings& settings);
 
 // Pairs of indices of examples of `a` and `b` that were captured at one viewpoint: with the same scene name, viewpoint

@@ -13,7 +13,7 @@ std::vector<double> valuesOf(const EvaluatedMethod& method, const Measure& measu
     return values;
 }
 
-// a[i] and b[i] belong to one viewpoint.
+// a[i] and b[i] are of the same viewpoint.
 void comparePair(const std::vector<double>& a, const std::vector<double>& b, size_t measure, PairReport& pair) {
     pair.firstMean[measure] = summarise(a).mean;
     pair.secondMean[measure] = summarise(b).mean;

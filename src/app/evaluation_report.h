@@ -10,7 +10,7 @@
 
 namespace drc {
 
-// One column of the tables: a measure (map_evaluation.h) under one view of the energy.
+// One column of the tables: a measure (map_evaluation.h), of maps as rendered or scaled to equal energy.
 struct Measure {
     const char *group, *key;  // as in the JSON
     const char* title;        // as in the tables
@@ -50,7 +50,7 @@ struct PairReport {
 struct GroupReport {
     std::vector<MethodReport> methods;
     PerMeasure<KruskalWallis> all;  // all methods together
-    std::vector<PairReport> pairs;  // each method with each simpler one, from the last method on
+    std::vector<PairReport> pairs;  // each method against each method before it, beginning with the last
 };
 
 // Two groups that share viewpoints; groups are named by their index in Evaluation::groups.

@@ -11,7 +11,7 @@ namespace drc {
 namespace {
 
 constexpr double kErrorPercentile = 0.95;
-constexpr size_t kMethodsAtFullSize = 4;  // more than these get smaller pictures
+constexpr size_t kMethodsAtFullSize = 4;  // with more methods, the pictures are smaller
 
 std::string image(const Image& linear, const std::string& what, const char* style = "") {
     return fmt::format("<img {}src=\"{}\" alt=\"{}\"/>\n", style, pngDataUri(linear), escapeHtml(what));

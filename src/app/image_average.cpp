@@ -62,7 +62,7 @@ void average(const AverageOptions& options, const CLI::App& command) {
         add(picture);
     }
     for (size_t i = 0; i < sums.size(); ++i) mean.image.data()[i] = float(sums[i] / std::max(1, counts[i]));
-    // The first file's metadata does not hold for the mean, whose values also need more digits than halves have.
+    // The first file's metadata does not apply to the mean, whose values also need more digits than halves have.
     mean.metadata.clear();
     mean.storage.halfChannels.clear();
     writeImageOutput(options.output, std::move(mean));

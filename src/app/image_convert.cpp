@@ -30,7 +30,7 @@ struct Size {
     int width = 0, height = 0;
 };
 
-// "640x360", "640x" or "x360"; the side that is left out follows from the other.
+// "640x360", "640x" or "x360"; a missing side follows from the other by the aspect ratio.
 Size parseSize(const std::string& text, const Image& image) {
     const auto fail = [&]() -> Size {
         throw Error(
@@ -61,7 +61,7 @@ void crop(PictureFile& picture, const std::vector<int>& c) {
     } catch (const Error& error) {
         throw Error(fmt::format("--crop: {}: {}", picture.path, error.what()));
     }
-    // The part keeps its place in the whole.
+    // The part keeps its place in the whole picture.
     picture.window.x += c[0], picture.window.y += c[2];
 }
 
@@ -69,13 +69,13 @@ void resize(PictureFile& picture, const std::string& text) {
     const Size size = parseSize(text, picture.image);
     if (const int64_t bad = clearNonFinite(picture.image); bad > 0)
         logWarning(fmt::format("{}: {} pixel(s) are NaN or infinite; they are taken as black", picture.path, bad));
-    // Neither is a density, nor is the noise of neighbours independent once they are filtered.
+    // These layers cannot be resized: counts and variances are no densities, and filtered neighbours share their noise.
     picture.image = withoutLayers(picture.image, {kVarianceLayer, kSampleCountLayer, kErrorLayer});
     picture.image = resized(picture.image, size.width, size.height);
     picture.window = {};
 }
 
-// A layer's or a channel's colours in place of all, stored as it was.
+// Replaces the picture's channels by the colours of a layer or of a channel, stored in the same type.
 void selectLayer(PictureFile& picture, const std::string& layer) {
     const std::vector<std::string> names = partOf(picture, layer).channelNames();
     const auto mapped = [&](const std::set<std::string>& stored) {
@@ -96,14 +96,14 @@ void convert(const ConvertOptions& options, const CLI::App& command) {
     if (!options.layer.empty()) selectLayer(picture, options.layer);
     if (!options.crop.empty()) {
         crop(picture, options.crop);
-        // Whoever asks for a part wants no more than that where it cannot be told where it lies.
+        // In formats without windows, the part would otherwise be placed in the whole picture.
         if (imageOutputKind(options.output.path) != ImageOutputKind::Exr) picture.window = {};
     }
     if (!options.size.empty()) {
         if (options.crop.empty()) {
             picture.image = placedInWindow(picture.image, picture.window, picture.path);
         } else {
-            // They say where the whole picture lies in the world.
+            // These attributes say where the whole picture lies in the world.
             for (const char* name : {"screenWindowCenter", "screenWindowWidth", "worldToNDC", "envmap"})
                 picture.storage.attributes.erase(name);
         }

@@ -27,12 +27,12 @@ struct DenoiseOptions {
     ImageOutput output;
 };
 
-// Under the names that DRC and Blender's Cycles, pbrt-v4's gbuffer film and others use.
+// The names of these layers in DRC and in Blender's Cycles, in pbrt-v4's gbuffer film, and in other programs.
 const std::vector<std::string> kAlbedoNames{"Denoising Albedo", "albedo", "Albedo"},
     kNormalNames{"Denoising Normal", "normal", "Normal", "Ns", "N"};
 
-// The layer that is asked for or, if none is, the first of the known ones, also below another name as
-// "ViewLayer.Denoising Albedo"; empty if there is none. Throws Error if there is none of the name that is asked for.
+// The layer `wanted` or, if that is empty, the first of the known layers, also with another name before it as in
+// "ViewLayer.Denoising Albedo"; empty if there is none. Throws Error if there is no layer `wanted`.
 Image findLayer(const PictureFile& picture, const std::string& wanted, const std::vector<std::string>& known) {
     if (!wanted.empty()) return coloursOf(picture, wanted);
     for (const std::string& name : known)
@@ -41,7 +41,7 @@ Image findLayer(const PictureFile& picture, const std::string& wanted, const std
     return {};
 }
 
-// Names the guide layers that the denoiser lacks, for the metadata and a warning; empty if it lacks none.
+// The names of the guide layers that are missing, for the metadata and a warning; empty if none is.
 std::string missingGuides(const Image& albedo, const Image& normal) {
     if (!albedo.empty()) return normal.empty() ? "normal" : "";
     return normal.empty() ? "albedo and normal" : "albedo";
@@ -89,7 +89,7 @@ void denoise(const DenoiseOptions& options, const CLI::App& command) {
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}", picture.path, error.what()));
     }
-    // It was of the picture as it came.
+    // The error was that of the picture before denoising.
     picture.metadata.erase("drc:error");
     picture.image = withoutLayers(picture.image, {kErrorLayer});
     picture.metadata["drc:denoiser"] = "oidn " + options.quality +

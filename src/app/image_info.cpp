@@ -51,7 +51,7 @@ bool hasColours(const Image& image) {
            (image.channelIndex("R") >= 0 && image.channelIndex("G") >= 0 && image.channelIndex("B") >= 0);
 }
 
-// One line, whatever the file says.
+// Replaces control characters, so that any text from a file stays on one line.
 std::string printable(std::string text) {
     for (char& c : text)
         if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';

@@ -47,7 +47,7 @@ std::string encoded(const ImageOutput& output, const Image& shown, const ExrMeta
     }
 }
 
-// Calls f, and puts the picture's file before the message of its Error.
+// Calls f, and puts the name of the picture's file before the message of an Error that it throws.
 template <typename F>
 auto ofFile(const PictureFile& picture, const F& f) {
     try {

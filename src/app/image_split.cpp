@@ -14,7 +14,7 @@ namespace {
 
 struct SplitOptions {
     std::vector<std::string> inputs;
-    std::vector<int> crops;  // four numbers for each
+    std::vector<int> crops;  // four numbers for each part
     bool rows = false;
     int zoom = 1;
     int line = 2;
@@ -37,7 +37,7 @@ void split(const SplitOptions& options, const CLI::App& command) {
         if (!images.empty() && (colours.width() != images[0].width() || colours.height() != images[0].height()))
             throw Error(fmt::format("{} is {}, but {} is {}: only pictures of one size can be shown side by side", path,
                                     sizeString(colours), options.inputs[0], sizeString(images[0])));
-        // The first one's exposure is that of all, or they could not be compared.
+        // All pictures get the exposure of the first, so that they can be compared.
         if (images.empty()) stops = exposureOf(options.output.display, colours);
         images.push_back(isShown ? viewed(colours, options.output.display.view, stops) : std::move(colours));
     }
@@ -46,7 +46,7 @@ void split(const SplitOptions& options, const CLI::App& command) {
         parts.push_back({options.crops[i], options.crops[i + 2], options.crops[i + 1], options.crops[i + 3]});
     const Image sheet =
         parts.empty() ? strips(images, options.rows, options.line) : cutOuts(images, parts, options.zoom, options.line);
-    // The pictures are exposed already, and the lines between them must not be.
+    // The pictures are exposed already, and the lines between them must not be exposed.
     ImageOutput output = options.output;
     output.display = {};
     PictureFile file{output.path, sheet};

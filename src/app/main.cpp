@@ -1,6 +1,5 @@
-// drc: the command line. Exit codes, as in docs/exit-codes.md: 0 done, 1 an error that the user can mend, 64 a command
-// line that cannot be meant (EX_USAGE of sysexits.h), 128 + the signal (130 for Ctrl-C) interrupted before all was
-// done.
+// drc: the command line. Exit codes, as in docs/exit-codes.md: 0 done; 1 an error that the user can fix; 64 an invalid
+// command line (EX_USAGE of sysexits.h); 128 + the signal's number (130 for Ctrl-C) interrupted before all was done.
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -14,7 +13,7 @@
 
 int main(int argc, char** argv) {
     for (int i = 0; i < argc; ++i) drc::processInfo().commandLine += (i ? " " : "") + std::string(argv[i]);
-    // Then a file beyond `ulimit -f` is an error of writing it, which can be said and mended.
+    // With the signal ignored, a file beyond `ulimit -f` is a write error, which can be reported and handled.
     std::signal(SIGXFSZ, SIG_IGN);
 
     const std::unique_ptr<CLI::App> app = drc::makeCommandLine();

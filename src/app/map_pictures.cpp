@@ -10,7 +10,7 @@ namespace {
 
 const Rgb kEscaped = srgbDecode(Rgb(0.22f, 0.36f, 0.55f));
 
-// sRGB-encoded, evenly spaced, of even steps in lightness.
+// The colours of errors from 0 to 1, sRGB-encoded, evenly spaced, with equal steps in lightness.
 const Rgb kErrorColours[] = {Rgb(0, 0, 0.02f),         Rgb(0.21f, 0.05f, 0.38f), Rgb(0.50f, 0.12f, 0.42f),
                              Rgb(0.78f, 0.24f, 0.32f), Rgb(0.95f, 0.46f, 0.13f), Rgb(0.98f, 0.74f, 0.20f),
                              Rgb(0.99f, 0.99f, 0.75f)};

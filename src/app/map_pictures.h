@@ -8,13 +8,13 @@
 
 namespace drc {
 
-// Radiance [3][N*N] times exposure; what is brighter than 1 is clipped.
+// radiance: [3][N*N], by channel and texel. It is multiplied by the exposure; values above 1 are clipped.
 Image radiancePicture(std::span<const float> radiance, const MapLayout& layout, float exposure);
 
 // Grey, logarithmic, from the nearest (dark) to the farthest texel (white); blue where a ray escaped.
 Image distancePicture(const CapturedMap& map, const MapLayout& layout);
 
-// x, y and z in the map's frame as red, green and blue, -1 to 1 as 0 to 255; black where a ray escaped.
+// The components x, y, z in the map's frame as red, green, blue: -1 to 1 as 0 to 255; black where a ray escaped.
 Image normalPicture(const CapturedMap& map, const MapLayout& layout);
 
 // For each texel, the mean absolute difference of the three channels, divided by `unit`. With the target's mean as the

@@ -1,4 +1,4 @@
-// Where the memory of a render goes, at the time at which it is most.
+// The uses of a render's memory at its peak.
 #pragma once
 #include <string>
 #include <utility>
@@ -12,19 +12,19 @@ namespace drc {
 
 class MemoryTable {
   public:
-    // At the start of the program.
+    // To be called at the start of the program.
     MemoryTable() : program_(processMemory().resident) {}
 
-    // At the ends of the stages of a render: the scene is read and built, rendered, and the picture finished. finishing
-    // takes what the process held before.
+    // To be called after each stage of a render: building (the scene is read and built), rendering, and finishing the
+    // picture; and before finishing, whose memory is the growth since then.
     void afterBuilding(const Scene& scene);
     void afterRendering(const Session& session, const Stats& stats);
     void beforeFinishing() { beforeFinishing_ = processMemory(); }
     void afterFinishing();
 
-    // The rows of the stage at which the process was largest, in MB, as "memory, MB/..."; the last row before the peak
-    // is what the others leave of it: buffers of reading, building and rendering, and memory that has been freed, but
-    // not to the system.
+    // Adds the rows of the stage with the peak to `stats`, in MB, as "memory, MB/...". The row "other" is what the
+    // others leave of the peak: buffers of reading, building and rendering, and memory that has been freed, but not
+    // returned to the system.
     void report(Stats& stats) const;
 
   private:
@@ -39,7 +39,7 @@ class MemoryTable {
     Rows rows_;  // at the peak so far
 };
 
-// The bytes of the meshes that the scene itself holds, each counted once; the accelerator has a copy of its own.
+// The bytes of the scene's own meshes, each counted once; the accelerator has a copy of its own.
 int64_t meshBytes(const Scene& scene);
 
 }  // namespace drc

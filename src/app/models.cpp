@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".safetensors";
 
-// Their names, in order, with commas between.
+// The names of the shipped networks, in order, separated by commas.
 std::string shippedNetworks() {
     std::set<std::string> names;
     std::error_code ignored;
@@ -53,7 +53,7 @@ std::string findWeights(const std::string& weights) {
             tried);
     }
     if (fs::path(wanted).filename() != wanted || fs::path(wanted).extension() == kExtension) return wanted;
-    // The name first: the program itself may lie in the current folder, and is called as the network is.
+    // The name comes first, because the program itself may lie in the current folder and has the name of a network.
     const std::string found = findShipped(wanted, tried);
     if (!found.empty()) return found;
     std::error_code ignored;

@@ -8,8 +8,8 @@ namespace drc {
 inline constexpr const char* kDefaultNetwork = "drc";
 
 // The path of a network's weights. `weights`: a file, or the name of a shipped network; if empty, the environment
-// variable DRC_WEIGHTS takes its place, else the default network. Shipped networks lie in models/ beside the program,
-// above it, or in share/drc. Throws Error that lists the places that were tried and the networks that there are.
+// variable DRC_WEIGHTS replaces it, else the default network. Shipped networks lie in models/ beside the program, above
+// it, or in share/drc. Throws Error, which lists the places that were tried or the networks that exist.
 std::string findWeights(const std::string& weights);
 
 }  // namespace drc

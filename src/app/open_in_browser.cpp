@@ -15,7 +15,7 @@
 namespace drc {
 namespace {
 
-// Until the browser has read the page.
+// Time that the browser has to read the page.
 constexpr std::chrono::seconds kKept{60};
 
 // A new folder that other users cannot enter.

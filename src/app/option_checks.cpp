@@ -21,7 +21,8 @@ bool isNumber(const std::string& text, double& value) {
     return CLI::detail::lexical_cast(text, value) && std::isfinite(value);
 }
 
-// More than twice the cores only wait for each other; but files of settings travel between machines.
+// More threads than this only wait for each other; the bound is generous because files of settings travel between
+// machines.
 long mostThreads() { return std::max(256L, 2 * long(std::thread::hardware_concurrency())); }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace drc {
 CLI::Validator wholeNumberIn(long low, long high);
 // A whole number that is at least `least`.
 CLI::Validator wholeNumberFrom(long least);
-// A number of random seeds: a whole number of 64 bits without a sign.
+// A seed: an unsigned whole number of 64 bits.
 CLI::Validator seedNumber();
 // A finite number. Has no description of its own, so that the option can name its values.
 CLI::Validator finiteNumber();

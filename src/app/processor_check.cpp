@@ -1,6 +1,6 @@
-// Ends the program with one line on a processor that lacks the instructions that all other files are compiled for,
-// before the first of their own static initializers runs: otherwise it would end with SIGILL and no word. This file is
-// compiled for any x86-64 processor (CMakeLists.txt), so that it includes nothing with inline functions.
+// On a processor that lacks the instructions that all other files are compiled for, ends the program with one line,
+// before the first of their static initializers runs: otherwise it would end with SIGILL and no message. This file is
+// compiled for any x86-64 processor (CMakeLists.txt), so it includes nothing with inline functions.
 #include <unistd.h>
 
 namespace {

@@ -92,7 +92,7 @@ class ReferenceRun {
     std::string outputPath(const std::string& scene) const {
         return options_.directory + "/" + sceneName(scene) + (iispt_ ? "" : kShardExtension);
     }
-    // At most: shards that are begun have less.
+    // An upper bound: unfinished shards have fewer left.
     int64_t viewpointsLeft() const {
         int64_t left = 0;
         for (const std::string& scene : options_.scenes)

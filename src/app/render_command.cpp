@@ -41,7 +41,7 @@ void writeTiming(const std::string& path, Stats& stats) {
 // How a render has ended.
 enum class RenderEnd {
     Whole,        // also if it was interrupted after its last sample
-    Interrupted,  // its pictures have fewer samples than they should
+    Interrupted,  // the pictures have fewer samples than they should
     NotInPlace,   // a picture is not where the user wanted it
 };
 
@@ -69,15 +69,15 @@ Identity othersOf(const RenderOptions& o, const RenderParams& p, const std::stri
     return others;
 }
 
-// Sets what --noise-threshold needs.
+// Sets the parameters that --noise-threshold needs.
 void estimateErrors(RenderParams& params, double threshold) {
     params.variance = params.independentHalves = true;
-    // Enough for any error that can be wanted.
+    // More samples than any threshold needs in practice, so that the threshold alone ends the render.
     constexpr int kMostSamples = 1 << 20;
     if (threshold > 0 && !params.spp && params.seconds == 0) params.spp = kMostSamples;
 }
 
-// A scene that is loaded, and what its frames have in common.
+// A loaded scene, and the data that its frames share.
 struct LoadedScene {
     Stats stats;
     MemoryTable memory;
@@ -87,12 +87,12 @@ struct LoadedScene {
     ChosenDenoiser denoiser;
     std::string weightsHash;
     std::optional<Session> session;
-    Identity files;  // of the scene, once a checkpoint needs them: reading large ones takes long
+    Identity files;  // of the scene's files, once a checkpoint needs it: reading large files takes long
 };
 
 bool hasAovs(const RenderOptions& o, const RenderSettings& settings) { return o.aovs || settings.auxiliaryLayers; }
 
-// The parameters with what other options and the scene's file ask for.
+// The render parameters, including what other options and the scene's file require.
 RenderParams paramsOf(const RenderOptions& o, const RenderSettings& settings, const CLI::App& command) {
     RenderParams params = o.params;
     if (o.spacing) params.firstSpacing = *o.spacing / float(settings.film.height);
@@ -121,7 +121,7 @@ void useCells(const RenderOptions& o, const Scene& scene, RenderParams& params) 
     params.startCells = std::make_shared<const CellCollection>(std::move(cells));
 }
 
-// Loads the scene of the present frame, and prepares it. start: when the time of its picture began.
+// Loads the scene of the present frame, and prepares it. start: beginning of the frame's time budget.
 std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clock::time_point start) {
     auto loaded = std::make_unique<LoadedScene>();
     std::unique_ptr<Scene> scene = loadScene(o);
@@ -145,8 +145,8 @@ std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clo
     return loaded;
 }
 
-// Goes on with the camera of the present frame, if its world is that of the loaded scene. Otherwise false, and nothing
-// has changed.
+// Continues with the camera of the present frame, if the frame has the world of the loaded scene. Otherwise returns
+// false and changes nothing.
 bool moveCamera(LoadedScene& loaded, const RenderOptions& o) {
     const std::unique_ptr<Scene> camera = loaded.world.cameraIn(o.scene, *loaded.scene, o.overrides.loadOptions());
     if (!camera) return false;
@@ -156,7 +156,7 @@ bool moveCamera(LoadedScene& loaded, const RenderOptions& o) {
     return true;
 }
 
-// frame: of an animation.
+// The identity of the present picture for checkpoints. frame: position in an animation; none: a single picture.
 Identity identity(LoadedScene& loaded, const RenderOptions& o, const std::optional<FramePosition>& frame) {
     if (loaded.files.empty()) loaded.files = checkpointFiles(*loaded.scene);
     Identity others = othersOf(o, loaded.params, loaded.weightsHash);
@@ -168,12 +168,12 @@ Identity identity(LoadedScene& loaded, const RenderOptions& o, const std::option
     return identityOf(loaded.session->sensor().settings, loaded.params, others);
 }
 
-// Runs the session, with a progress bar, and tells whether its picture is whole.
+// Runs the session, with a progress bar. Returns whether its picture is whole.
 bool run(LoadedScene& loaded, const RenderOptions& o, PictureFinisher& finisher, CheckpointWriter* checkpoint) {
     Session& session = *loaded.session;
     Progress progress(std::filesystem::path(o.scene).filename().string(), 1000,
                       o.quiet ? ProgressMode::Quiet : ProgressMode::Auto);
-    setSomethingToSave(session.hasPicture());  // that of a checkpoint
+    setSomethingToSave(session.hasPicture());  // true if a checkpoint was loaded
     const bool whole = runPasses(session, finisher,
                                  {.cancel = &interruptToken(),
                                   .checkpoint = checkpoint,
@@ -199,7 +199,8 @@ ExrMetadata metadataOf(const LoadedScene& loaded, const RenderOptions& o) {
             {"drc:passes", std::to_string(session.mapPassesDone())}};
 }
 
-// Renders the present frame to its pictures. frame: of an animation. start: when its time began.
+// Renders the present frame and writes its pictures. frame: position in an animation; none: a single picture. start:
+// beginning of the frame's time.
 RenderEnd renderFrame(LoadedScene& loaded, const RenderOptions& o, const std::optional<FramePosition>& frame,
                       Clock::time_point start) {
     Session& session = *loaded.session;
@@ -253,7 +254,7 @@ void report(LoadedScene& loaded, const RenderOptions& o) {
     Stats& stats = loaded.stats;
     if (!o.timing.empty()) writeTiming(o.timing, stats);
     if (!o.stats) return;
-    // All cores but one wait then: what more of them cannot shorten.
+    // The time outside of parallel sections, which more cores cannot shorten.
     const std::chrono::duration<double> life = Clock::now() - processInfo().start;
     const double serial = life.count() - parallelSeconds();
     stats.timer("serial").add(
@@ -262,7 +263,7 @@ void report(LoadedScene& loaded, const RenderOptions& o) {
     fmt::print("{}", stats.report());
 }
 
-// Renders one frame after the other, and returns how that has ended.
+// Renders the frames one after the other, and returns how the last one has ended.
 RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& command) {
     std::optional<FramePosition> resumed;
     if (!o.resume.empty()) {
@@ -295,7 +296,7 @@ RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& 
         o.resume.clear();
         if (!frames.next()) return end;
         position.frame = frames.number();
-        filesOf(o);  // for what it refuses
+        filesOf(o);  // throws if the frame's outputs collide with other files
         start = Clock::now();
         if (moveCamera(*loaded, o)) continue;
         loaded.reset();  // two scenes may not fit into memory
@@ -308,7 +309,7 @@ void render(RenderOptions o, const CLI::App& command) {
     setLogLevel(o.quiet ? LogLevel::Quiet : o.verbose ? LogLevel::Verbose : LogLevel::Normal);
     setThreadCount(o.threads);
     installInterruptHandler();
-    // A reader that leaves its pipe is an error of writing to it, and no reason to lose the other pictures.
+    // Without the signal, a reader that leaves its pipe causes a write error, and the other pictures are not lost.
     std::signal(SIGPIPE, SIG_IGN);
     setSomethingToSave(false);
     o.overrides.check();
@@ -320,7 +321,7 @@ void render(RenderOptions o, const CLI::App& command) {
     if (!o.timing.empty()) checkOutput("--timing", o.timing);
     if (!o.checkpoint.empty()) checkOutput("--checkpoint", o.checkpoint);
     asUsage([&] { durationOf("--every", o.every); });
-    filesOf(o);  // for what it refuses
+    filesOf(o);  // throws if outputs collide with other files
     FrameSequence frames(o, o.frames);
     const RenderEnd end = renderFrames(o, frames, command);
     if (end == RenderEnd::NotInPlace) exitCode() = 1;

@@ -18,7 +18,7 @@ DistinctFiles filesOf(const RenderOptions& o) {
     reads("--weights", o.weights);
     if (namesCellsFile(o)) reads("--cells", o.cells);
     reads("--oidn-library", o.oidnLibrary);
-    // A checkpoint that is gone on from may be saved anew.
+    // The checkpoint that the render resumes from may be replaced by a new one.
     if (!isSameFile(o.resume, o.checkpoint)) reads("--resume", o.resume);
     for (const std::string& path : o.outputs) writes("-o", path);
     writes("--timing", o.timing);

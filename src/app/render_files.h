@@ -8,17 +8,18 @@
 
 namespace drc {
 
-// Those of the present frame. Throws Error if an output would replace another, or what the command line says is read.
+// The files of the present frame. Throws Error if an output would replace another one, or a file that the command line
+// names as an input.
 DistinctFiles filesOf(const RenderOptions& options);
 
 // Whether --cells names a file.
 inline bool namesCellsFile(const RenderOptions& options) { return options.cells != "on" && options.cells != "off"; }
 
-// Refuses outputs that would replace a file that the scene names.
+// Throws Error if an output would replace a file that the scene names.
 void keepFrom(const std::vector<std::string>& filesOfScene, DistinctFiles files);
 
-// Loads options.scene; where no output is given, takes those of its film. Throws Error as the above, and if the scene
-// cannot be read or an output not be written.
+// Loads options.scene; if no output is given, uses those named by its film. Throws Error as the functions above, and if
+// the scene cannot be read or an output cannot be written.
 std::unique_ptr<Scene> loadScene(RenderOptions& options);
 
 }  // namespace drc

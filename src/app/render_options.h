@@ -19,7 +19,7 @@ struct RenderOptions : FrameFiles {
     std::string precision = "auto";
     std::string projection = "auto";
     SceneOverrides overrides;
-    std::optional<float> spacing;  // of the first map pass, in pixels
+    std::optional<float> spacing;  // between the maps of the first map pass, in pixels
     int oracleSamples = 64;
     int threads = 0;
     std::string oidnLibrary;

@@ -13,8 +13,8 @@
 namespace drc {
 namespace {
 
-// Stricter than scene files, which pbrt lets have the edges in either order and beyond the film: on a command line that
-// is most often a window in pixels, or one with the numbers in another order.
+// Stricter than for scene files, in which pbrt allows edges in either order and beyond the film: on a command line,
+// these are most often a window in pixels, or numbers in the wrong order.
 CropWindow cropOf(const std::vector<double>& values) {
     const auto wrong = [&](const std::string& why) {
         return UsageError(
@@ -59,7 +59,7 @@ std::unique_ptr<Scene> SceneOverrides::load(const std::string& path, pbrt::LoadO
     try {
         return pbrt::loadPbrtFile(path, options);
     } catch (const Error& error) {
-        // The front end names the option as the file that a wrong parameter stands in.
+        // For a wrong parameter of -D, the front end gives the option in place of a file name.
         if (error.where().file == "-D") throw UsageError(error.what());
         throw;
     }

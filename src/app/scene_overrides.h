@@ -1,4 +1,4 @@
-// The options that replace what a scene's file says of its picture: film, crop window, camera, and single parameters.
+// The options that override the scene file's film size, crop window, camera, and single parameters.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -16,13 +16,13 @@ struct SceneOverrides {
     std::vector<double> lookAt;           // eye, look, up; empty: the file's
     std::optional<double> fov;
 
-    // Throws UsageError that names the option if a resolution, crop window or camera cannot be meant.
+    // Throws UsageError that names the option if a resolution, crop window or camera is invalid.
     void check() const;
-    // For the front end. Throws as check().
+    // The overrides as options of the front end, except the crop window. Throws as check().
     pbrt::LoadOptions loadOptions() const;
-    // Puts the crop window into the settings of a scene that was loaded.
+    // Sets the crop window in the settings of a loaded scene.
     void cropFilm(RenderSettings& settings) const;
-    // Loads a scene with all of this. Throws UsageError for what is wrong with the options, else Error.
+    // Loads a scene with these overrides. Throws UsageError for a fault of the options, Error for any other.
     std::unique_ptr<Scene> load(const std::string& path, pbrt::LoadOptions options) const;
     std::unique_ptr<Scene> load(const std::string& path) const { return load(path, loadOptions()); }
 };

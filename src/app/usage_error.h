@@ -1,5 +1,5 @@
-// The exception for a command line that cannot be meant: an option that does not exist, a value out of bounds, options
-// that contradict each other. Faults of files and of the machine are Errors.
+// The exception for an invalid command line: an option that does not exist, a value out of bounds, options that
+// contradict each other. Faults of files and of the machine are Errors.
 #pragma once
 #include <string>
 

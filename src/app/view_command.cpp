@@ -28,21 +28,21 @@ extern char** environ;
 namespace drc {
 namespace {
 
-// A view goes on until somebody ends it.
+// Default number of samples per pixel, so large that a view goes on until the user ends it.
 constexpr int kSamples = 1 << 16;
-// The ends of the page's slider.
+// The page's slider of the exposure goes from -kMostStops to kMostStops.
 constexpr int kMostStops = 10;
 
 struct ViewOptions {
     std::string scene, address = "127.0.0.1", token, oidnLibrary;
     SceneOverrides overrides;
-    DisplaySettings display;  // that the page begins with
+    DisplaySettings display;  // initial settings of the page
     RenderParams params;
     int port = 0, threads = 0;
     bool open = false, verbose = false;
 };
 
-// Whoever is given a picture is not given the view.
+// Saved pictures contain the command line, and must not give access to the view.
 std::string commandLineWithout(const std::string& token) {
     std::string line = processInfo().commandLine;
     if (const size_t at = line.find(token); !token.empty() && at != std::string::npos)
@@ -63,7 +63,7 @@ std::string encodeFrame(RenderSettings settings, const LiveFrame& frame, const R
                                          {"drc:spp", std::to_string(frame.samples)}})[0];
 }
 
-// "[::1]:80" for addresses of version 6.
+// "[::1]:80" for IPv6 addresses.
 std::string hostAndPort(const std::string& address, int port) {
     const bool isV6 = address.find(':') != std::string::npos;
     return fmt::format("{}{}{}:{}", isV6 ? "[" : "", address, isV6 ? "]" : "", port);
@@ -96,7 +96,7 @@ void view(ViewOptions o) {
     const LiveFilters filters(denoiser, outdated);
     const RenderSettings settings = scene->sensor.settings;
     Session session(*scene, params, &stats);
-    // Frames are announced once there is a server to do so.
+    // Frames are announced only once there is a server.
     std::atomic<HttpServer*> listener = nullptr;
     std::atomic<ViewService*> source = nullptr;
     const auto announce = [&] {

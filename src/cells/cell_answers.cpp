@@ -11,9 +11,9 @@
 namespace drc {
 namespace {
 
-// Cells of points with a short reach need so many times the deposits.
+// Factor on the number of deposits that a cell needs if its points have a short reach.
 constexpr uint32_t kNearby = 16;
-// The least luminance that an answer's error is related to, as a share of the mean over all cells.
+// The relative error of an answer is related to its luminance, but at least to this share of the mean over all cells.
 constexpr double kDimmest = 0.25;
 // Cells that a thread works on at a time.
 constexpr int kPiece = 1 << 12;
@@ -48,7 +48,7 @@ class Renewal {
                 CellSums& sums = table_.sums(cell);
                 links_[cell].enough = knowsEnough(cell);
                 links_[cell].divides = links_[cell].enough && divides(sums);
-                sums.within = sums.countWithin = 0;  // for the next time
+                sums.within = sums.countWithin = 0;  // for the next renewal
             }
         });
         forEachPiece([&](Piece& piece, size_t begin, size_t end) { answer(piece, begin, end); });
@@ -62,13 +62,13 @@ class Renewal {
     // Facts about a cell that are determined before its answer is renewed.
     struct Link {
         uint32_t larger : 30 = kNone;  // index of the cell of the next larger size around it
-        uint32_t enough : 1 = 0;       // whether it knows enough to answer
-        uint32_t divides : 1 = 0;      // and whether the cells within it should answer, where they know enough
+        uint32_t enough : 1 = 0;       // whether it has enough deposits to answer
+        uint32_t divides : 1 = 0;      // and whether the cells within it answer instead, where they have enough
     };
     static constexpr uint32_t kNone = (1u << 30) - 1;
     static constexpr double kPerError = 0x1p10;
-    // Integers, so that the order of additions does not matter. The deposits of cells of the smallest size are all
-    // deposits.
+    // Sums over a piece of the table. They are integers, so that the order of additions does not matter. All but `used`
+    // are taken over the cells of the smallest size alone, because these contain each deposit exactly once.
     struct alignas(64) Piece {
         int64_t light = 0, count = 0, errors = 0;
         size_t used = 0;
@@ -84,8 +84,9 @@ class Renewal {
 
     bool isSmallest(const CellSums& sums) const { return grid_.levelOf(int(sums.generation)) == 0; }
 
-    // Links each cell with the larger one around it, to which it adds how far its own deposits scatter. Nearly all of
-    // the time would be spent waiting for memory, so that the cells of a batch are asked for before any is looked at.
+    // Links each cell to the larger cell around it, and adds its deposits' squared deviations to that cell's sum.
+    // Nearly all of the time would be spent waiting for memory, so the cells of a batch are prefetched before any is
+    // read.
     void findLarger(Piece& piece, size_t begin, size_t end) {
         struct Around {
             uint64_t key;
@@ -127,15 +128,17 @@ class Renewal {
         addToLarger();
     }
 
-    // A cell that is seen from nearby is seen by few pixels, in which its noise would stand out.
+    // A cell that is seen from nearby appears in few pixels, where its noise would stand out, so it needs more
+    // deposits.
     bool knowsEnough(size_t cell) const {
         const uint32_t times = table_.answer(cell).points == 0 ? 1 : kNearby;
         return table_.sums(cell).count >= uint32_t(settings_.deposits) * times;
     }
 
-    // Whether the means of the cells within this one would be good enough. These share the deposits; their means are
-    // compared with the mean of all, which is what viewers see of them together. What the means differ by is no noise,
-    // but what smaller cells are there to show.
+    // Whether the means of the cells within this one would be accurate enough. These cells share its deposits. Their
+    // variance is compared with the square of this cell's mean, because viewers see them together. It is taken about
+    // each cell's own mean: differences between the means are not noise, but the detail that smaller cells are there to
+    // show.
     bool divides(const CellSums& sums) const {
         const double count = double(sums.countWithin), mean = statistics_.mean(sums);
         constexpr double kCellsWithin = 4;
@@ -143,9 +146,10 @@ class Renewal {
                double(settings_.variance) * mean * mean * count * count;
     }
 
-    // The cell whose answer a cell gets, or kNone: from the largest cell around it on to smaller ones, as long as each
-    // may be divided. The larger one decides for all cells within it: if each decided by its own variance, or by that
-    // of a part, those that happen to lack their brightest samples would be preferred, and light would be lost.
+    // The cell whose answer a cell gets, or kNone. The search starts at the largest cell around it and goes on to
+    // smaller ones, as long as each may be divided. The larger cell decides for all cells within it: if each decided by
+    // its own variance, or by that of a part, cells that happen to lack their brightest samples would be preferred, and
+    // light would be lost.
     uint32_t sourceOf(size_t cell) const {
         std::array<uint32_t, CellGrid::kMostSizes> nested{uint32_t(cell)};
         size_t sizes = 1;
@@ -192,7 +196,7 @@ class Renewal {
         answerAll();
     }
 
-    // sums: of the cell whose answer it gets. Returns the relative standard error of the answer.
+    // Renews the answer of a cell from the sums of its source cell. Returns the relative standard error of the answer.
     double renewAnswer(CellAnswer& answer, const CellSums& sums) const {
         answer.known = false;
         const auto vector = [](const int32_t(&v)[3]) { return Vec3(float(v[0]), float(v[1]), float(v[2])); };
@@ -200,7 +204,7 @@ class Renewal {
         if (!(length2 > 0)) return 1;
         const Vec3 normal = vector(sums.normal) * (1 / std::sqrt(length2));
         for (int c = 0; c < 3; ++c) answer.normal[c] = int8_t(std::lrint(normal[c] * kCellNormalUnits));
-        // The plane goes by the normal that look-ups see.
+        // The plane is computed with the quantised normal, which is the one that look-ups use.
         const Vec3 seen = Vec3(answer.normal[0], answer.normal[1], answer.normal[2]) * (1 / kCellNormalUnits);
         const int level = grid_.levelOf(int(sums.generation));
         const float perUnit = grid_.sizeOf(level) / (kCellPositionUnits * float(sums.count));

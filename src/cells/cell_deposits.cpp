@@ -9,17 +9,19 @@
 namespace drc {
 namespace {
 
-// The bound of a deposit is the mean around it times this share of the number of deposits so far, and at least times
-// kLeastBound, about the number of deposits in a large cell after a few passes. The mean is that of the cell of the
-// largest size if that has kLeastForBound deposits, and at least kLeastMean times the mean of all.
+// The bound of a deposit is the mean around it times a factor: this share of the number of deposits so far, and at
+// least kLeastBound, about the number of deposits in a large cell after a few passes. The mean is that of the largest
+// cell around the deposit if the cell has kLeastForBound deposits, and then at least kLeastMean times the mean of all;
+// otherwise it is the mean of all.
 constexpr double kMostPerDeposits = 0x1p-10, kLeastBound = 1024, kLeastMean = 1 / 16.0;
 constexpr uint32_t kLeastForBound = 64;
-// The table is divided in so many parts, so that many threads have several each.
+// Number of parts of the table, so large that each of many threads gets several.
 constexpr size_t kParts = 256;
-// Chunks that are placed before any is added. They bound the memory, to about 10 MB, and keep many threads busy.
+// Number of chunks that are placed before any is added. It bounds the memory to about 10 MB, and keeps many threads
+// busy.
 constexpr size_t kChunksAtATime = 128;
 
-// The index of the cell that an addition goes to, which is made if need be; or CellTable::kNone.
+// The index of the cell that an addition goes to, created if need be; CellTable::kNone if its bucket has no room.
 size_t cellFor(const PlacedDeposits::Addition& a, CellTable& table, const CellGrid& grid, uint32_t now) {
     const size_t cell = table.claim(a.key, now);
     if (cell == CellTable::kNone) return cell;
@@ -36,7 +38,7 @@ size_t cellFor(const PlacedDeposits::Addition& a, CellTable& table, const CellGr
     return cell;
 }
 
-// Nearly all of the time would be spent waiting for memory, so that it is asked for a batch ahead.
+// Nearly all of the time would be spent waiting for memory, so it is prefetched a batch ahead.
 void addAll(std::span<const PlacedDeposits::Addition> additions, CellTable& table, const CellGrid& grid,
             const CellStatistics& statistics, uint32_t now) {
     std::array<size_t, CellTable::kBatch> cells;

@@ -1,5 +1,5 @@
-// Deposits on their way into the table of radiance cells, from several lists. Work is divided in chunks of deposits,
-// and the table in parts, whatever the number of threads is: each part gets its deposits in the order of the lists.
+// Deposits on their way from several lists into the table of radiance cells. Deposits are divided into chunks, and the
+// table into parts, independently of the number of threads: each part gets its deposits in the order of the lists.
 #pragma once
 #include <functional>
 #include <span>
@@ -22,7 +22,7 @@ class PlacedDeposits {
     void clear() { found_.clear(); }
     void add(const Addition& addition, size_t part);
     void sort(size_t parts);
-    // After sort(), in the order of add().
+    // The additions to a part, in the order of add(). Only after sort().
     std::span<const Addition> part(size_t part) const {
         return std::span(sorted_).subspan(begins_[part], begins_[part + 1] - begins_[part]);
     }
@@ -39,22 +39,22 @@ class PlacedDeposits {
 
 class CellDeposits {
   public:
-    // The lists must not change meanwhile.
+    // The lists must outlive this object, and their sizes must not change.
     explicit CellDeposits(std::span<std::vector<CacheDeposit>* const> lists);
 
     size_t count() const { return begins_.back(); }
 
-    // The mean of relativeLuminance, in which deposits that stand out far count little.
+    // The mean of relativeLuminance over all deposits, each of which counts at most about 1024 times the mean.
     double robustMean() const;
-    // Bounds the light of deposits that would be a large part of all light in the largest cell around them: such a
-    // deposit has met something that is too rare for the cells to tell how much light it stands for. As a camera sample
-    // it is a single bright pixel, which denoisers remove; a cell would show it to all who look at it. The bound is the
-    // mean of that cell, or of all deposits where it knows little, times a factor that rises with depositsBefore, those
-    // of earlier commits, so that the bias vanishes.
+    // Bounds the light of deposits that would be a large part of all light in the largest cell around them. Such a
+    // deposit found something too rare for the cells to estimate its mean. In a camera sample it is a single bright
+    // pixel, which denoisers remove; a cell would show it in every look-up. The bound is the mean of that cell, or of
+    // all deposits (meanOfAll) where the cell has too few, times a factor that rises with depositsBefore, the number of
+    // deposits in earlier commits, so that the bias vanishes.
     void bound(const CellTable& table, const CellGrid& grid, const CellStatistics& statistics, double meanOfAll,
                uint64_t depositsBefore);
-    // Adds each deposit to its cell of each size. now: the number of the commit. placed: memory that is kept from one
-    // commit to the next.
+    // Adds each deposit to its cell of each size. now: the number of the commit. placed: scratch memory, reused by the
+    // next commit.
     void addTo(CellTable& table, const CellGrid& grid, const CellStatistics& statistics, uint32_t now,
                std::vector<PlacedDeposits>& placed) const;
 
@@ -66,7 +66,7 @@ class CellDeposits {
     void forEach(size_t chunk, const F& f) const;
 
     std::span<std::vector<CacheDeposit>* const> lists_;
-    std::vector<size_t> begins_;  // of each list, counted over all lists, and the end
+    std::vector<size_t> begins_;  // index of each list's first deposit among all deposits; last, their number
 };
 
 }  // namespace drc

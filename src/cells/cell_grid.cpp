@@ -8,14 +8,15 @@
 namespace drc {
 namespace {
 
-// A point may use cells whose size is at most this share of its reach. For diffuse reflection that is a distance of
-// about one and a half cells.
+// A point may use cells whose size is at most this share of its reach. After a diffuse reflection, the path must then
+// have travelled at least about one and a half cells.
 constexpr float kSizePerReach = 1 / 3.f;
 // A component of a unit normal counts for the facing if it is larger than this, the sine of 22.5 degrees: the 26
 // directions then have about equal parts of the sphere.
 constexpr float kFacing = 0.3827f;
-// The grids are shifted by this share of the largest cells, because scenes have many surfaces at round coordinates. By
-// the same distance at all sizes, so that cells are nested; a third remains a third or two thirds of all smaller sizes.
+// The grids are shifted by this share of the largest cells, because scenes have many surfaces at round coordinates. The
+// shift is the same distance at all sizes, so that cells are nested; at each smaller size it is again one or two thirds
+// of a cell, beyond whole cells.
 constexpr float kGridShift = 1 / 3.f;
 
 }  // namespace

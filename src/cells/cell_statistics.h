@@ -7,10 +7,10 @@ namespace drc {
 
 class CellStatistics {
   public:
-    // Halves all sums when there are so many deposits, before 32 bits overflow.
+    // When a cell has this many deposits, all its sums are halved, before 32 bits overflow.
     static constexpr uint32_t kMostDeposits = (1 << 17) - 1;
 
-    // lightScale: by which radiance is multiplied for display; it sets the unit of the sums.
+    // lightScale: factor on radiance for display; sets the unit of the sums.
     explicit CellStatistics(float lightScale);
 
     // Adds a deposit to a cell of this level, whose cube it lies in.
@@ -18,17 +18,18 @@ class CellStatistics {
 
     // The mean of the deposits' light, divided by the mean of their view factors.
     Rgb perFactor(const CellSums& sums) const;
-    // Its luminance.
+    // The luminance of perFactor().
     double mean(const CellSums& sums) const { return double(luminance(perFactor(sums))); }
-    // The variance of the deposits' luminance divided by that of their view factors, about the cell's mean.
+    // The variance of the deposits' relativeLuminance() about `mean`.
     double variance(const CellSums& sums, double mean) const;
-    // The squares of the same deviations, summed up over the deposits, in the unit of CellSums::square.
+    // The squared deviations of relativeLuminance() from the cell's mean, summed over the deposits, in units of
+    // CellSums::square.
     int64_t squaredDeviations(const CellSums& sums) const;
-    // The variance of the deposits about the means of the smaller cells within this one, times the square of their
-    // number.
+    // The squared deviations of the deposits from the means of the smaller cells within this one, summed: the variance
+    // of a deposit times their number.
     double summedVarianceWithin(const CellSums& sums) const;
 
-    // Luminance in a coarser unit, whose sums over all deposits do not overflow.
+    // Units per luminance, in a coarser unit whose sums over all deposits do not overflow.
     double perCoarseUnit() const { return perUnit_ * 0x1p-16; }
     static int64_t unitsOf(double value, double perUnit);
 
@@ -40,7 +41,7 @@ class CellStatistics {
     double perUnit_;
 };
 
-// Positions and normals are summed up in units of these.
+// Units of the sums of positions, per edge of a cell, and of normals, per unit length.
 inline constexpr float kCellPositionUnits = 512, kCellNormalUnits = 127;
 
 }  // namespace drc

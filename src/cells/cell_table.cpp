@@ -15,7 +15,7 @@ size_t CellTable::claim(uint64_t key, uint32_t now) const {
     return age(oldest) <= 1 ? kNone : oldest;
 }
 
-// All cells of a new bucket come from one old bucket, so that old buckets can be moved at the same time, and cells keep
+// All cells of a new bucket come from a single old bucket, so that old buckets can be moved in parallel, and cells keep
 // their order.
 void CellTable::grow(size_t cells) {
     constexpr int kBuckets = 1 << 10;

@@ -1,6 +1,6 @@
-// The hash table of radiance cells: what each has summed up, and what it answers. A key may lie in any cell of one
-// bucket, two cache lines. The memory is bounded: where a bucket is full, the cell that has not been used for longest
-// gives way to a new one.
+// The hash table of radiance cells: the sums over each cell's deposits, and its answer. A key may lie in any cell of
+// one bucket, which is two cache lines. The memory is bounded: in a full bucket, a new cell replaces the least recently
+// used one.
 #pragma once
 #include <cstdint>
 
@@ -11,27 +11,27 @@ namespace drc {
 
 // The data that a look-up reads: half a cache line.
 struct alignas(32) CellAnswer {
-    uint64_t key = 0;  // as CellGrid::keyOf gives it; 0: there is no cell
+    uint64_t key = 0;  // from CellGrid::keyOf; 0: there is no cell
     float perFactor[3]{};
     int8_t normal[3]{};  // of the surface, in units of 1/127
     bool known = false;
     float plane = 0;       // distance of the surface from the world's origin along the normal, world units
-    uint16_t lastUse = 0;  // number of the commit, modulo 2^16
-    uint8_t points = 0;    // whose cell it is, see CellGrid::pointsOf
+    uint16_t lastUse = 0;  // number of the latest commit in which the cell was used, modulo 2^16
+    uint8_t points = 0;    // class of the points that the cell is for, see CellGrid::pointsOf
 };
 
 // Sums over a cell's deposits: integers, so that their order does not matter.
 struct CellSums {
     int64_t light[3]{};
-    int64_t square = 0;  // of the light's luminance divided by the view factor's
-    // As square, but about the means of the cells of the next smaller size, summed up over them. 0 but while answers
-    // are renewed.
+    int64_t square = 0;  // of CellStatistics::relativeLuminance
+    // Sum of the squared deviations of the deposits in the cells of the next smaller size from those cells' means.
+    // Nonzero only while answers are renewed.
     int64_t within = 0;
     uint32_t viewFactor[3]{};  // in steps of kViewFactorSteps
-    int32_t position[3]{};     // relative to the cell's corner
+    int32_t position[3]{};     // from the cube's corner, in units of kCellPositionUnits
     int32_t normal[3]{};
     GridCube cube;
-    uint32_t countWithin = 0;  // deposits in the cells of the next smaller size; 0 as `within`
+    uint32_t countWithin = 0;  // deposits in the cells of the next smaller size; nonzero like `within`
     uint32_t count : 22 = 0;
     uint32_t generation : 5 = 0;  // of the cell's size, see CellGrid::generationOf
     uint32_t facing : 5 = 0;
@@ -43,8 +43,8 @@ class CellTable {
     // Cells in a bucket.
     static constexpr size_t kWays = 4;
     static constexpr size_t kNone = ~size_t(0);
-    // Nearly all of the time of a walk over cells would be spent waiting for memory: that of so many is asked for at a
-    // time.
+    // Number of cells whose memory is prefetched together. Without prefetching, nearly all of the time of a walk over
+    // cells would be spent waiting for memory.
     static constexpr size_t kBatch = 32;
 
     // cells: a power of two, at least kWays.
@@ -59,7 +59,7 @@ class CellTable {
     CellSums& sums(size_t cell) { return sums_[cell]; }
     const CellSums& sums(size_t cell) const { return sums_[cell]; }
 
-    // The cell's index, or kNone.
+    // The index of the key's cell, or kNone.
     size_t find(uint64_t key) const {
         const size_t first = bucketOf(key) * kWays;
         for (size_t cell = first; cell < first + kWays; ++cell)
@@ -76,10 +76,10 @@ class CellTable {
         __builtin_prefetch(sums, 1);
         __builtin_prefetch(sums + 64, 1);
     }
-    // The cell of the key, else one for it, which still has another key: an empty one, or the one that has not been
-    // used for longest. kNone: all have been used in the commit `now` or in the one before.
+    // The index of the key's cell. If there is none, the index of a cell to use for it, which still has its old key: an
+    // empty cell, or the least recently used one. kNone: all were used in the commit `now` or in the one before.
     size_t claim(uint64_t key, uint32_t now) const;
-    // Grows to so many cells, more than there are.
+    // Grows the table to this number of cells, a greater power of two.
     void grow(size_t cells);
 
   private:

@@ -8,17 +8,17 @@
 namespace drc {
 namespace {
 
-// A cell has another surface than a point if the plane of its deposits is farther away than this share of its size, or
-// if the cosine between the normals is below this.
+// A cell belongs to another surface than a point if the plane of its deposits is farther from the point than this share
+// of the cell's size, or if the cosine between the normals is below this.
 constexpr float kPlaneDistance = 0.4f, kLeastCosine = 0.7f;
 // The table doubles when more than this share of it is used.
 constexpr double kMostUsed = 0.4;
 constexpr size_t kFirstCapacity = 1 << 14;
-// The probability that a path goes on where the cache has answered, so as to improve the answer: in proportion to the
-// mean over all cells of the answers' standard error, divided by the answer or by a share of the mean of all cells,
-// whichever is more. It is the same everywhere: if it went by each cell's own error, noisy and bright parts of a larger
-// cell would have more weight in its mean than look-ups give them, and a cell that happens to lack its brightest
-// samples would long keep that answer.
+// The probability that a path continues past an answer to improve it is proportional to the mean of all answers'
+// relative standard errors (relative to the answer, or to a share of the mean of all cells, whichever is more). It is
+// the same everywhere: if it depended on each cell's own error, noisy and bright parts of a larger cell would have more
+// weight in its mean than look-ups give them, and a cell that happens to lack its brightest samples would long keep
+// that answer.
 constexpr double kTrainingPerError = 1, kLeastTraining = 1 / 8.0, kMostTraining = 0.5;
 
 RadianceCellSettings valid(RadianceCellSettings settings) {
@@ -67,7 +67,8 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     ++now_;
     CellDeposits deposits(lists);
     const size_t count = deposits.count();
-    // In a first pass nearly every deposit makes a cell or more; what does not fit into its bucket would be lost.
+    // In a first pass nearly every deposit creates a cell or more; cells that do not fit into their bucket would be
+    // lost.
     size_t cells = table_.size();
     while (cells<settings_.capacity&& double(totals_.used) + double(count)> kMostUsed * double(cells)) cells *= 2;
     if (cells > table_.size()) table_.grow(cells);

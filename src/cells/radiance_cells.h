@@ -1,10 +1,11 @@
-// Radiance cells: a hash table over the surfaces of a scene, of the radiance that their separable lobes scatter,
-// divided by their view factor, so that textures stay sharp. Paths of final gather end in it. World-space hash tables
-// of this kind are described by Binder et al., "Massively Parallel Path Space Filtering" (2018).
+// Radiance cells: a hash table over the surfaces of a scene, with the radiance that their separable lobes scatter. It
+// is divided by the lobes' view factor, so that textures stay sharp. Paths of final gather end in this table.
+// World-space hash tables of this kind are described by Binder et al., "Massively Parallel Path Space Filtering"
+// (2018).
 //
-// Deposits are unbiased samples, but for a bound on those that stand out far: the cells' own answers are never
-// deposited, so that no error builds up. Look-ups see what earlier calls of commit() have added. The same deposits give
-// the same bits on any number of threads. The memory is bounded. Cells live in world space and survive camera moves.
+// Deposits are unbiased samples, except that outliers are bounded. The cells' own answers are never deposited, so that
+// no error builds up. Look-ups see the deposits of earlier calls of commit(). The same deposits give the same bits on
+// any number of threads. The memory is bounded. Cells live in world space and survive camera moves.
 #pragma once
 #include <span>
 #include <vector>
@@ -19,11 +20,11 @@ namespace drc {
 struct RadianceCellSettings {
     float size = 1;     // edge of the finest cells, world units
     int sizes = 4;      // number of nested sizes, each twice the one before
-    int deposits = 16;  // that a cell needs before it answers
-    // The relative variance of a mean up to which cells are used that are not of the largest size.
+    int deposits = 16;  // deposits that a cell needs before it answers
+    // Cells smaller than the largest size are used if the relative variance of their mean is at most this.
     float variance = 0.1f;
     size_t capacity = 1 << 20;  // greatest number of cells, a power of two
-    float lightScale = 1;       // by which radiance is multiplied for display; it sets the unit of the sums
+    float lightScale = 1;       // factor on radiance for display; sets the unit of the sums
 };
 
 class RadianceCells final : public RadianceCache {
@@ -40,14 +41,14 @@ class RadianceCells final : public RadianceCache {
     void prefetch(const CachePoint& at) const override;
     bool lookUp(const CachePoint& at, CacheAnswer& answer) const override;
 
-    // Adds all deposits and empties the lists; returns how many there were. Their order matters only for which cells
-    // are kept when memory is short. Not while others look up.
+    // Adds all deposits, empties the lists, and returns the number of deposits. Their order matters only when memory is
+    // short, for which cells are kept. Must not run during look-ups.
     size_t commit(std::span<std::vector<CacheDeposit>* const> lists);
-    // Halves the sizes of all cells. What is known about the sizes that remain is kept. Not while others look up.
+    // Halves the sizes of all cells. Cells of the sizes that remain keep their deposits. Must not run during look-ups.
     void refine();
-    // Writes all cells as the latest call of commit() left them. load reads them into an object of the settings that
-    // this one was made with, which then goes on as this one would; it throws Error if they contradict each other, and
-    // only the destructor may follow that. Not while others look up.
+    // Writes all cells as the latest call of commit() left them. load reads them into an object that was made with the
+    // same settings, which then continues as this one would. It throws Error if the values contradict each other; after
+    // that, the object may only be destroyed. Neither may run during look-ups.
     void save(StateWriter& to) const;
     void load(StateReader& from);
     // All cells, for a file. origin: Scene::origin. Not while others look up.
@@ -55,7 +56,7 @@ class RadianceCells final : public RadianceCache {
     // The number of commits so far.
     int commits() const { return int(now_ - 1); }
 
-    // With the size of the finest cells as it is now.
+    // The settings, with the present size of the finest cells.
     const RadianceCellSettings& settings() const { return settings_; }
     size_t used() const { return totals_.used; }
     // The mean of the answers' relative standard errors, weighted by deposits; 1 if there are none.
@@ -71,9 +72,9 @@ class RadianceCells final : public RadianceCache {
     CellTable table_;
     CellTotals totals_;
     std::vector<PlacedDeposits> placed_;
-    uint32_t now_ = 1;       // counts commits
-    uint64_t deposits_ = 0;  // so far
-    float training_ = 1;     // CacheAnswer::training of what is known
+    uint32_t now_ = 1;       // number of commits, plus 1
+    uint64_t deposits_ = 0;  // number of deposits so far
+    float training_ = 1;     // CacheAnswer::training of points with an answer
 };
 
 }  // namespace drc

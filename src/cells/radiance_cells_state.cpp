@@ -6,8 +6,8 @@
 
 namespace drc {
 
-// Only what renewAnswers() does not find by itself. Cells come in their order in the table, so that those of a bucket
-// have the same order again.
+// Writes only what renewAnswers() cannot compute. Cells are written in table order, so that load() restores their order
+// within each bucket.
 void RadianceCells::save(StateWriter& to) const {
     size_t cells = 0;
     for (size_t i = 0; i < table_.size(); ++i) cells += table_.answer(i).key != 0;

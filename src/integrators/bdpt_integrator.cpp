@@ -21,7 +21,7 @@ class BdptIntegrator final : public SampledIntegrator {
         LayeredPicture picture = SampledIntegrator::picture(std::move(film));
         const FilmLayer &camera = picture.film->layer(kBeauty), &splats = picture.film->layer(kSplats);
         const PixelRegion& region = picture.film->region();
-        // BidirectionalTracer scales splats for one light path for each pixel of the whole region.
+        // BidirectionalTracer scales splats for a sample pass with one light path per pixel of the whole region.
         double paths = 0;
         for (int y = region.y0; y < region.y1; ++y)
             for (int x = region.x0; x < region.x1; ++x) paths += camera.expected(x, y);
@@ -38,7 +38,7 @@ class BdptIntegrator final : public SampledIntegrator {
         return picture;
     }
 
-    // Splats belong to the beauty, and to no row that could be locked.
+    // The beauty includes splats, which are added to any row without its lock, so the row-wise preview is of no use.
     Preview preview(const Film& film) const override { return Integrator::preview(film); }
 
   private:
@@ -60,8 +60,8 @@ class BdptIntegrator final : public SampledIntegrator {
 
 std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene&, const RenderSettings& settings) {
     std::vector<FilmLayerSpec> layers = sampledLayers(params, settings, false);
-    // Smaller quanta than in other layers: a splat is the contribution of one path, divided by the number of pixels
-    // of the film.
+    // The quantum is smaller than in other layers, because a splat is the contribution of one path divided by the
+    // number of pixels of the film.
     layers.push_back({.name = kSplats, .weighted = false, .quantum = layers[0].quantum / 256});
     return layers;
 }

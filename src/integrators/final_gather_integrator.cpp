@@ -1,4 +1,4 @@
-// Final gather: path tracing in which paths end in radiance cells, one bounce or more after the surface that is seen.
+// Final gather: path tracing with paths that end in radiance cells, one bounce or more after the visible surface.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,16 +12,17 @@
 namespace drc {
 namespace {
 
-// The sizes of cells are halved when the picture has had so many camera samples, and again with every kRefineFactor
-// times as many. Cells then still get four times as many deposits each, so that with the number of samples both the
-// size and the noise of cells fall towards zero.
+// The sizes of cells are halved when the picture has had kRefineAt camera samples, and again whenever their number has
+// grown by kRefineFactor. Cells then still get four times as many deposits each, so that with the number of samples
+// both the size and the noise of cells fall towards zero.
 constexpr double kRefineAt = 1 << 26, kRefineFactor = 16;
-// A commit of deposits takes a pass over the whole table of cells, which is most of the work of a coarse picture. For
-// a camera that moves it is put off, until each pixel has a sample, if the cells answer this share of what they are
-// asked, as in a room that they know already.
+// A commit of deposits walks over the whole table of cells, which is most of the work of a coarse picture. While the
+// camera moves, commits are postponed until each pixel has a sample, if the cells answer at least this share of the
+// look-ups, as in a room that they already cover.
 constexpr double kMostlyKnown = 2. / 3;
-// In small pictures a commit takes the deposits of several samples of each pixel: of so many camera samples in all, but
-// at most of a quarter of those that the pixels have had, because the first ones teach most, and of so many of a pixel.
+// In small pictures a commit covers several samples of each pixel: about kSamplesPerCommit camera samples in all, but
+// at most a quarter of the samples that each pixel has had, because the first ones improve the cells most, and at most
+// kMostSamplesPerCommit samples of a pixel.
 constexpr double kSamplesPerCommit = 1 << 19, kMostSamplesPerCommit = 4;
 
 class FinalGatherIntegrator final : public SampledIntegrator {
@@ -48,7 +49,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     }
 
     // Cells live in world space and survive camera moves. Deposits of whole samples are committed first; those of a
-    // coarse picture, which a camera that moves leaves behind many times a second, are dropped.
+    // coarse picture, which a moving camera abandons many times a second, are dropped.
     bool cameraMoved() override {
         if (!cells_) return false;
         if (wholeSamplesWait_) commit();
@@ -89,7 +90,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         rows_ = {};
     }
 
-    // The deposits of a pass that is not complete have not been committed yet.
+    // Also saves the deposits that have not been committed yet, as within a pass.
     void saveState(StateWriter& to) const override {
         if (!cells_) return;
         cells_->save(to);
@@ -108,7 +109,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     }
     std::function<void()> loadState(StateReader& from) override {
         if (!cells_) return [] {};
-        // Shared, because functions can be copied.
+        // Shared, because std::function must be copyable.
         const auto state = std::make_shared<State>(RadianceCells(cellSettings_), *planner_);
         state->cells.load(from);
         state->planner.load(from);
@@ -155,7 +156,8 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         return value;
     }
 
-    // The power of two of samples a pixel between commits, after so many.
+    // Number of samples of each pixel between two commits, a power of two. samples: the number each pixel has had so
+    // far.
     int samplesPerCommit(int samples) const {
         const double wanted =
             std::min({kSamplesPerCommit / double(region_.count()), samples / 4.0, kMostSamplesPerCommit});
@@ -175,7 +177,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         for (const Row& row : rows_) all.add(row.counts);
         return all;
     }
-    // Whether the cells have answered most of what they have been asked since the last commit.
+    // Whether the cells have answered most look-ups since the last commit.
     bool mostIsKnown() const {
         const FinalGather::Counts all = counts();
         return double(all.answered) >= kMostlyKnown * double(all.asked);
@@ -207,8 +209,8 @@ class FinalGatherIntegrator final : public SampledIntegrator {
 
     static constexpr uint64_t kCellStream = 0x3000000000, kHalfStream = 0x3001;
 
-    // Deposits and counts of the samples of a row of pixels in a pass. One thread at a time works on a row, and rows
-    // are committed in their order, whichever thread had them.
+    // Deposits and counts of one row of pixels since the last commit. One thread at a time works on a row, and rows are
+    // committed in their order, whichever threads worked on them.
     struct alignas(64) Row {
         std::vector<CacheDeposit> deposits;
         FinalGather::Counts counts;
@@ -229,8 +231,8 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     std::optional<SamplePlanner> planner_;
     std::vector<Row> rows_;
     double refineAt_ = kRefineAt;
-    bool hasMoved_ = false;          // the camera
-    bool wholeSamplesWait_ = false;  // deposits of samples of every pixel wait for the next commit
+    bool hasMoved_ = false;          // whether the camera has moved
+    bool wholeSamplesWait_ = false;  // whether deposits of a sample of every pixel wait for the next commit
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace drc {
 
-// Each is defined in the integrator's own file.
+// Each function is defined in the integrator's own file.
 std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& scene, const RenderSettings& settings);
 std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene& scene, const RenderSettings& settings);
 std::unique_ptr<Integrator> makeFinalGatherIntegrator(const RenderContext& context);

@@ -20,7 +20,8 @@ class MapsIntegrator final : public Integrator, public MapPasses {
     void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override {
         const RenderParams& params = context_.params;
         const Turn turn = turnOf(index);
-        // Each block of 2x2 pixels has all groups, even before each pixel has.
+        // The group also depends on the pixel, so that each block of 2x2 pixels covers all four groups from its first
+        // sample on.
         const int group = turn.group ^ (x & 1) ^ (2 * (y & 1));
         const CameraRay& camera = sample.camera;
         const bool seen = camera.weight > 0;
@@ -44,7 +45,7 @@ class MapsIntegrator final : public Integrator, public MapPasses {
         IndirectPass pass(context_.tracer, context_.sensor, settings_, context_.stats);
         const float height = float(context_.sensor.settings.film.height);
         // A pass is weighted by the square of its number of maps: noise falls with this number, and the interpolation
-        // error with the spacing. Each pass counts 1.58 times as much as the one before, so the first passes fade out.
+        // error with the spacing. Each pass has 1.58 times the weight of the one before, so the first passes fade out.
         const float importance = std::pow(context_.params.firstSpacing * height / spacing, 4.f);
         // As with the camera samples, no group may get every fourth point of a sequence.
         const int turn = int(random(kPassStream, index) % LayerFilter::kGroups);
@@ -82,17 +83,17 @@ class MapsIntegrator final : public Integrator, public MapPasses {
         return uint32_t(hashCombine(context_.params.seed, hashCombine(stream, uint64_t(index))) >> 32);
     }
 
-    // The group that the samples of an index belong to, and whether they also trace broad indirect light.
+    // The group of the samples with an index, and whether they also trace broad indirect light.
     struct Turn {
         int group;
         bool traceBroad;
     };
     Turn turnOf(uint32_t index) const {
-        // All samples continue one sequence. A group must not get every fourth point of it, because these are poorly
-        // stratified: of each four consecutive samples it gets one at random.
+        // All samples continue one sequence. No group may get every fourth point of it, because these points are poorly
+        // stratified; instead, each group gets a random one of every four consecutive samples.
         const uint32_t four = index / 4, eight = index / 8;
         const uint32_t group = (index ^ random(kTurnStream, int(2 * four))) % LayerFilter::kGroups;
-        // Two of each four consecutive samples trace it, and of each eight one in each group.
+        // Two of every four consecutive samples trace broad light, and in every eight, one of each group does.
         const bool follow = ((group ^ four ^ random(kTurnStream, int(2 * eight + 1))) & 1) == 0;
         return {int(group), context_.params.correct && follow};
     }

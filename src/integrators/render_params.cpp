@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kUnbounded = std::numeric_limits<int>::max();
 
-// Camera samples a pixel with map passes, number of map passes, directions gathered from them, and camera samples a
-// pixel without map passes.
+// spp: camera samples per pixel without map passes. The other numbers are for map passes: camera samples per pixel,
+// number of passes, and directions gathered from the maps.
 struct Effort {
     int mapSpp, mapPasses, gatherSamples, spp;
 };
@@ -30,7 +30,7 @@ Effort effortOf(Quality quality) {
     return {};
 }
 
-// The integrator that the scene's file asks for, or the nearest one that there is.
+// The integrator that the scene's file asks for, or the nearest available one.
 std::string integratorOfFile(const std::string& name) {
     if (name == "iispt") return "drc";
     if (name == "directlighting") return "direct";
@@ -47,7 +47,7 @@ RenderParams resolved(RenderParams p, const RenderSettings& settings) {
     if (byFile) p.integrator = integratorOfFile(settings.integrator);
     const bool maps = traitsOf(p.integrator).maps;
     const Effort effort = effortOf(p.quality);
-    // A time budget is the only bound on what else has none.
+    // With a time budget, only limits that were set explicitly apply besides it.
     if (p.seconds > 0) {
         if (!p.spp) p.spp = kUnbounded;
         if (!p.mapPasses && !p.mapTasks) p.mapPasses = kUnbounded;

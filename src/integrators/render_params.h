@@ -1,5 +1,5 @@
-// All that determines a picture besides its scene, set by the command line or by another program. resolved() fills in
-// what is left open, from the quality and from the scene's file.
+// All parameters of a picture besides its scene, set by the command line or by another program. resolved() derives
+// missing ones from the quality and from the scene's file.
 #pragma once
 #include <memory>
 #include <optional>
@@ -15,40 +15,39 @@ namespace drc {
 enum class Quality { Draft, Standard, High };
 
 enum class Denoise {
-    Automatic,   // the surface filter where the integrator has layers for it, else none; who can load Open Image
-                 // Denoise, asks for Oidn in place of none
-    Off,         //
+    Automatic,   // resolved(): the surface filter if the integrator has layers for it, else Off; callers that can load
+                 // Open Image Denoise use Oidn instead of Off
+    Off,         // no denoiser
     Surface,     // each layer is averaged along surfaces, as far as its noise requires (LayerFilter)
     Oidn,        // Open Image Denoise on the whole picture
-    OidnDirect,  // the same on direct light alone
+    OidnDirect,  // Open Image Denoise on direct light only
 };
 
 struct RenderParams {
-    std::string integrator = "drc";  // one of integratorNames(), or "scene": what the file asks for
+    std::string integrator = "drc";  // one of integratorNames(), or "scene": the one that the file asks for
     Quality quality = Quality::Standard;
-    std::optional<int> spp;        // camera samples a pixel; beside a time budget, at most
-    int firstSample = 0;           // index of the first one: films of different samples can be added up
-    std::optional<int> mapPasses;  // number of map passes; beside a time budget, at most
-    std::optional<int> mapTasks;   // the same in the paper's unit (passesForTasks)
+    std::optional<int> spp;        // camera samples per pixel; with a time budget, an upper bound
+    int firstSample = 0;           // index of the first camera sample: films of different samples can be added up
+    std::optional<int> mapPasses;  // number of map passes; with a time budget, an upper bound
+    std::optional<int> mapTasks;   // number of map passes in the paper's unit (passesForTasks)
     std::optional<int> maxDepth;
     double seconds = 0;  // wall-clock budget; 0: none. Without spp and mapPasses it is the only bound
     uint64_t seed = 0;
-    float clamp = 0;  // upper bound on the luminance of a sample; 0: the film's own, by default none
+    float clamp = 0;  // upper bound on the luminance of a sample; 0: only the film's own, by default none
     IndirectSettings indirect;
     std::optional<int> gatherSamples;
-    float firstSpacing = 0;  // of the maps of the first map pass, as a share of the film's height; 0: the default
+    float firstSpacing = 0;  // map spacing in the first map pass, as a share of the film's height; 0: the default
     // Whether path-traced samples of the broad lobes' indirect light correct the maps' errors.
     bool correct = true;
     Denoise denoise = Denoise::Automatic;
-    // The mode of Open Image Denoise; what is left open is chosen for the picture and the time that there is.
+    // The mode of Open Image Denoise. If unset, the picture and the available time determine it.
     std::optional<OidnQuality> oidnQuality;
     std::optional<bool> oidnPrefilter;
     bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
-    bool parts = false;     // keep direct light apart, where the integrator can: LayeredPicture::hasParts
-    bool variance = false;  // keep half buffers: PictureLayer::variance
-    // The half buffers know nothing of each other, as the estimate of the denoised picture's error needs
-    // (DenoisedError): each has a sequence of samples and a G-buffer of its own. Else one sequence is well distributed
-    // over both.
+    bool parts = false;     // store direct light separately if the integrator can: LayeredPicture::hasParts
+    bool variance = false;  // store half buffers: PictureLayer::variance
+    // Makes the half buffers independent, as the estimate of the denoised picture's error requires (DenoisedError):
+    // each has its own sample sequence and G-buffer. Otherwise, one sequence is well distributed over both.
     bool independentHalves = false;
     bool cells = true;  // whether paths of integrator drc end in radiance cells; false: it is the path tracer
     // Cells to begin with, in place of none; null: none. cellSize is then theirs.
@@ -61,8 +60,8 @@ struct RenderParams {
     bool guide = true;   // whether sampling of the environment learns where its light enters (EnvironmentGuide)
 };
 
-// settings: those of the scene's file. Fills in whatever was left open: integrator, spp, mapPasses, maxDepth and all
-// other parameters have values. Throws Error if parameters contradict each other.
+// settings: those of the scene's file. Fills in all parameters that were left open, such as integrator, spp, mapPasses
+// and maxDepth. Throws Error if parameters contradict each other.
 RenderParams resolved(RenderParams params, const RenderSettings& settings);
 
 }  // namespace drc

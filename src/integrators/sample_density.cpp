@@ -10,19 +10,19 @@
 namespace drc {
 namespace {
 
-// The guided filter: its radius in cells, and the differences of albedo and of normal that it takes for another
-// surface (standard deviations).
+// The guided filter: its radius in cells, and the standard deviations of its Gaussian weights on differences of albedo
+// and normal.
 constexpr int kRadius = 2;
 constexpr float kAlbedoDeviation = 0.03f, kNormalDeviation = 0.1f;
-// How the density follows from noise and contrast. If error falls with the number of samples as 1 / n, the least error
-// in the sum is where n is proportional to its square root; less than that is better, because estimates err. Powers,
-// radius and deviations are those that had the least error of several that were tried
-// (docs/decisions/radiance-cells.md).
+// The density is (noise * contrast^kPowerOfContrast)^kPower. If error falls with the number of samples n as 1 / n, the
+// sum of the errors is least where n is proportional to the square root of the error; a smaller power is better,
+// because the estimates are inaccurate. The powers, the radius and the deviations gave the least error of several that
+// were tried (docs/decisions/radiance-cells.md).
 constexpr double kPower = 0.35, kPowerOfContrast = 0.5, kLeastContrast = 1e-6;
-// The squared difference of a cell's halves counts at most as so large, relative to the squared radiance around it: a
-// few more samples do not average a firefly away.
+// Upper bound on the squared difference of a cell's halves, relative to the squared radiance around it: a few more
+// samples do not average a firefly away.
 constexpr float kMostDifference = 4;
-// Rows of cells that a thread adds up at a time.
+// Rows of cells that a thread sums at a time.
 constexpr int kRowsAtATime = 4;
 
 float square(float v) { return v * v; }
@@ -71,7 +71,7 @@ void SampleDensity::addRows() {
 void SampleDensity::update(int samples) {
     addRows();
     if (samples < nextUpdate_) return;
-    // After every sample at first, later when there are a quarter more.
+    // Updates after every sample at first, later whenever the number of samples has grown by a quarter.
     nextUpdate_ = samples + 1 + samples / 4;
     const std::vector<Estimate> cells = estimates();
     std::vector<double> errors(densities_.size());
@@ -96,13 +96,13 @@ void SampleDensity::update(int samples) {
 }
 
 std::vector<SampleDensity::Estimate> SampleDensity::estimates() const {
-    // The means of a cell that the filter reads, and its results.
+    // The means of a cell, which the filter reads, and the filter's results.
     struct Cell {
         Rgb albedo{0.f};
         Vec3 normal{0.f};
-        float samples = 0;  // of a pixel
+        float samples = 0;  // per pixel, mean over the cell
         float mean = 0, difference = 0, filtered = 0;
-        float noise = 0;  // the variance of filtered, if every pixel had one sample
+        float noise = 0;  // the variance of `filtered` if every pixel had one sample
         bool valid = false;
     };
     const int width = cellColumns(), height = cellRows();
@@ -121,7 +121,7 @@ std::vector<SampleDensity::Estimate> SampleDensity::estimates() const {
             cell.difference = 0.5f * (halves[0] - halves[1]);
         }
     });
-    // Calls f(cell) for the valid cells within a radius around a cell.
+    // Calls f(other) for each valid cell within `radius` cells of the given one.
     const auto around = [&](int row, int column, int radius, const auto& f) {
         for (int y = std::max(0, row - radius); y <= std::min(height - 1, row + radius); ++y)
             for (int x = std::max(0, column - radius); x <= std::min(width - 1, column + radius); ++x)
@@ -170,7 +170,8 @@ std::vector<SampleDensity::Estimate> SampleDensity::estimates() const {
     return estimates;
 }
 
-// errors: in arbitrary units.
+// Sets the densities in proportion to `errors` (one per block, in arbitrary units), within the bounds and with a mean
+// of 1.
 void SampleDensity::decide(const std::vector<double>& errors) {
     std::vector<double> pixels;
     double sum = 0;
@@ -181,7 +182,7 @@ void SampleDensity::decide(const std::vector<double>& errors) {
         sum += errors[i] * pixels[i];
     }
     if (!(sum > 0)) return;
-    // The scale by which the mean over all pixels is 1, between the bounds.
+    // Sets the densities for a scale and returns their mean over all pixels; bisection finds the scale with mean 1.
     const auto meanAt = [&](double scale) {
         double bounded = 0;
         for (size_t i = 0; i < errors.size(); ++i) {
@@ -202,7 +203,7 @@ void SampleDensity::decide(const std::vector<double>& errors) {
 
 void SampleDensity::save(StateWriter& to) const {
     const auto used = [](const Sums& sums) { return sums.count() > 0; };
-    // Between passes the rows have none.
+    // Between passes, rows_ contains no samples.
     for (const std::vector<Sums>* list : {&cells_, &rows_}) {
         to.value(uint64_t(std::ranges::count_if(*list, used)));
         for (size_t i = 0; i < list->size(); ++i) {

@@ -6,7 +6,7 @@ namespace drc {
 
 SamplePlanner::SamplePlanner(const PixelRegion& region, float displayScale, uint32_t firstSample)
     : density_(region, displayScale), parts_(density_.blocks()) {
-    // Shards of a picture take their numbers from different parts of the sequences.
+    // Shards of a picture use different parts of the sample sequences.
     for (Part& part : parts_) part.samples = {firstSample * uint32_t(kMostSamples), 1};
 }
 

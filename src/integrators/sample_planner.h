@@ -1,5 +1,5 @@
-// Turns the density of camera samples (SampleDensity) into what final gather takes in each pass: how many samples of
-// each pixel, and how often their paths train the radiance cache.
+// Turns the density of camera samples (SampleDensity) into the plan of final gather for each pass: how many samples
+// each pixel gets, and how often their paths train the radiance cache.
 #pragma once
 #include <vector>
 
@@ -11,25 +11,24 @@ namespace drc {
 
 class SamplePlanner {
   public:
-    // Camera samples of a pixel for each that it would have if all had the same number.
+    // Greatest number of a pixel's camera samples per sample with uniform sampling.
     static constexpr int kMostSamples = int(SampleDensity::kMost);
 
-    // displayScale: by which radiance is multiplied for display. firstSample: index of the picture's first camera
-    // sample.
+    // displayScale: factor on radiance for display. firstSample: index of the picture's first camera sample.
     SamplePlanner(const PixelRegion& region, float displayScale, uint32_t firstSample);
 
-    // The camera samples of a pixel in the present pass.
+    // The camera samples of a pixel in the current pass.
     PixelSamples samples(int x, int y) const { return parts_[density_.blockOf(x, y)].samples; }
-    // Training probability is divided by sample density, so that each pixel deposits equally in the cells, just as it
-    // counts equally in the picture. Returns the factor, 1 / density.
+    // Factor on the training probability: 1 / density, so that each pixel deposits equally in the cells, just as it
+    // counts equally in the picture.
     float training(int x, int y) const { return parts_[density_.blockOf(x, y)].training; }
 
     // As SampleDensity::add().
     void add(int x, int y, int half, float value, const GBufferSample& surface) {
         density_.add(x, y, half, value, surface);
     }
-    // Plans the next pass, when each pixel has so many samples in the mean. wholeSample: the latest pass was the last
-    // one of a sample.
+    // Plans the next pass. samples: the mean number of samples per pixel so far. wholeSample: the latest pass completed
+    // a sample of every pixel.
     void update(int samples, bool wholeSample);
 
     void save(StateWriter& to) const;
@@ -40,7 +39,7 @@ class SamplePlanner {
     // A block of SampleDensity.
     struct Part {
         PixelSamples samples;
-        double wanted = 1;  // camera samples of a pixel, up to and including the present pass
+        double wanted = 1;  // camera samples of a pixel up to and including the current pass, not rounded
         float training = 1;
     };
 

@@ -1,13 +1,13 @@
-// The base class of integrators whose picture is one layer of camera samples: its film, with half buffers and a
-// G-buffer if they are wanted, and its picture.
+// The base class of integrators whose picture is one layer of camera samples: makes the film, with half buffers and a
+// G-buffer if requested, and the picture.
 #pragma once
 #include "integrators/integrator.h"
 
 namespace drc {
 
-// The names of its layers.
+// The names of the film's layers.
 inline constexpr const char *kBeautyLayer = "beauty", *kDirectLayer = "direct", *kAlphaLayer = "alpha";
-// The film's layers; direct: whether direct light can be told apart.
+// The film's layers. direct: whether the integrator can separate direct light.
 std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const RenderSettings& settings, bool direct);
 
 class SampledIntegrator : public Integrator {
@@ -24,22 +24,22 @@ class SampledIntegrator : public Integrator {
         int x, y;
         uint32_t index;
     };
-    // The radiance that arrives along a camera ray of nonzero weight. parts: what else is wanted;
-    // direct only if its film has such a layer.
+    // The radiance along a camera ray, which has nonzero weight. parts: further outputs; each is null if the film has
+    // no layer for it.
     virtual Rgb radiance(const Ray& ray, Sampler& sampler, const Place& place, Film& film,
                          const SampleParts& parts) = 0;
 
     const RenderContext context_;
 
   private:
-    // The half buffer that a sample is added to.
+    // The group (half buffer) that a sample is added to.
     int groupOf(uint32_t index) const;
 
-    // The indices of its film's layers; none: the film does not have it.
+    // The indices of the film's layers; none: the film has no such layer.
     const std::optional<size_t> direct_, gBuffer_, alpha_;
 };
 
-// The half buffer that a sample belongs to, at random for each pair of samples: the even samples of a sequence alone
+// The half buffer of a sample. The two samples of each pair are divided at random: the even samples of a sequence alone
 // are poorly stratified.
 int halfOf(uint64_t seed, uint32_t index);
 

@@ -11,18 +11,18 @@
 namespace drc {
 namespace {
 
-// The standard deviation of the Gaussian that the local error is averaged by, in pixels: the noise of the estimate at a
-// single pixel is as large as that of the samples.
+// Standard deviation, in pixels, of the Gaussian that averages the local error: the estimate at a single pixel is as
+// noisy as the samples.
 constexpr float kAround = 8;
 
-// The picture of the samples of one half. Where a pixel has none of them, all of its samples take their place.
+// The picture of one half of the samples. A pixel without samples in that half gets the mean of all its samples.
 LayeredPicture halfOf(const LayeredPicture& picture, int group) {
     LayeredPicture half;
     half.film = picture.film;
     half.takenAsComplete = picture.takenAsComplete;
     half.scale = picture.scale;
-    // The G-buffer of all samples tells a denoiser what the other half knows, such as how much of an edge a pixel
-    // shows.
+    // The half has its own G-buffer: that of all samples would give a denoiser information of the other half, such as
+    // how much of an edge a pixel shows.
     if (picture.gBuffer) half.gBuffer = gBufferOf(*picture.film, group);
     half.samples = picture.samples;
     const PixelRegion& region = picture.film->region();
@@ -40,7 +40,7 @@ LayeredPicture halfOf(const LayeredPicture& picture, int group) {
     return half;
 }
 
-// Where a pixel has samples in both halves.
+// For each pixel, whether it has samples in both halves.
 std::vector<bool> pixelsWithHalves(const LayeredPicture& picture) {
     const PixelRegion& region = picture.film->region();
     std::vector<bool> both(size_t(region.count()), true);
@@ -63,8 +63,8 @@ DenoisedError estimateDenoisedError(const LayeredPicture& unfiltered,
     filter(first);
     filter(second);
     const Image &a = first.beauty, &b = second.beauty;
-    // Not of the noisy halves: their products are largest where both are bright by chance, which would make the norm
-    // large there.
+    // The norm is made of the denoised halves: the products of the noisy ones are largest where both are bright by
+    // chance, which would make the norm large there.
     const Image norm = relativeNorm(a, b);
     const Plane left = relativeProducts(a, noisySecond, a, noisySecond, norm);
     const Plane right = relativeProducts(b, noisyFirst, b, noisyFirst, norm);
@@ -72,7 +72,7 @@ DenoisedError estimateDenoisedError(const LayeredPicture& unfiltered,
     const Plane apart = relativeProducts(a, b, a, b, norm);
     const std::vector<bool> both = pixelsWithHalves(unfiltered);
 
-    // Weighted means over the pixels that count.
+    // Sums over the pixels that count, for weighted means.
     Plane error(norm.width(), norm.height()), differing = error, weight = error;
     double sum = 0, sumApart = 0, count = 0;
     for (size_t i = 0; i < both.size(); ++i) {
@@ -85,8 +85,8 @@ DenoisedError estimateDenoisedError(const LayeredPicture& unfiltered,
         sumApart += apart.values[i];
         ++count;
     }
-    // Half of what a and b do not share is gone in a picture of all samples, and a quarter of (a - b)^2 is left. This
-    // much the error is at least.
+    // The squared error of a picture of all samples, given that of the halves: the half of the error that a and b do
+    // not share averages out, which is (a - b)^2 / 4, and as much remains at least.
     const auto ofAll = [](double halves, double apartSquared) {
         return std::sqrt(std::max(halves - apartSquared / 4, apartSquared / 4));
     };

@@ -16,7 +16,7 @@ Image latticeOf(const Image& image, int step) {
     return lattice;
 }
 
-// A row of a picture of twice the size, interpolated between the pixels that both pictures have.
+// Sets a row of a picture of twice the size, interpolated between the pixels that both pictures have.
 void enlargeRow(const Image& half, int y, Image& whole) {
     const int above = y / 2, below = std::min(above + y % 2, half.height() - 1);
     for (int x = 0; x < whole.width(); ++x) {
@@ -37,8 +37,8 @@ void denoiseByLattices(Image& color, const Image& albedo, const Image& normal, c
         const int step = SamplePass::stepOf(lattice);
         const bool whole = step == 1;
         Image picture = whole ? std::move(color) : latticeOf(color, step);
-        // Which rows of the coarser lattice are the best that there is. The picture has them meanwhile, too, as the
-        // neighbours of the others.
+        // The rows without samples on this lattice yet. They are interpolated from the coarser lattice: first as
+        // neighbours for the denoiser, and again in the result.
         std::vector<int> missing;
         if (!coarser.empty())
             for (int y = 0; y < picture.height(); ++y)

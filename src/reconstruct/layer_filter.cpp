@@ -13,20 +13,20 @@ namespace {
 // The scales of a layer are its pixels and four averages with standard deviations of 1, 2.2, 4.6 and 9.2 pixels.
 constexpr int kLevels = 5;
 constexpr LayerFilter::Scales kAlongSurfaces{0, kLevels - 1};
-// Edge pixels farther away mostly belong to another edge. A correction leaves out single pixels, whose difference is
-// nearly all noise.
+// Scales of the filters among edge pixels: farther away, edge pixels mostly belong to another edge. Corrections
+// (kAlongEdges) omit the scale of single pixels, whose difference from the base is nearly all noise.
 constexpr LayerFilter::Scales kAmongEdgePixels{0, 1}, kAlongEdges{1, 2};
 // Layers are divided by albedos of at least kSmallestAlbedo, which bounds the noise. A surface whose albedo is below
-// kBlack scatters nothing with these lobes, and takes no light from its neighbours.
+// kBlack scatters nothing with these lobes, and gets no light from its neighbours.
 constexpr float kSmallestAlbedo = 0.02f, kBlack = 1e-4f;
 // The multiple of the estimated variance that counts as noise. One minimises the mean squared error if the noise is
 // Gaussian and its variance is known; in corrections, a larger multiple suppresses blotches.
 constexpr float kCaution = 1, kCautionOfCorrection = 1.5f;
-// A further factor for single pixels. Most of what seems to be detail in the four groups of one pixel is the chance
-// that two of them met a bright path, and it shows as a dot.
+// A further factor at the scale of single pixels. Most of the apparent detail there comes from two of a pixel's four
+// groups that found a bright path by chance, and would show as a dot.
 constexpr float kCautionOfDots = 2;
-// A bright path that only one group met has a square that equals its variance, however bright it is. With a factor
-// below one, some of it would be kept, and would become a blotch of the correction.
+// If only one group finds a bright path, the square of the mean equals its variance, however bright the path is. With a
+// factor below one, some of its light would be kept, and would become a blotch of the correction.
 constexpr float kLeastCautionOfCorrection = 1.1f;
 
 // For white noise on a plane: the variance of the difference between a pixel and the average of the finest scale around
@@ -37,21 +37,21 @@ constexpr float kNoiseAboveAverage = 0.794f;
 constexpr float kNoiseOfAverage = 0.0748f;
 
 // Pixels whose light differs by much more than the noise, as on both sides of a shadow's edge, are not averaged with
-// each other. This is the share of a pixel's noise variance by which filtered pixels may still differ.
+// each other. The factor turns a pixel's noise variance into the variance by which filtered pixels may still differ.
 constexpr float kNoiseBetween = 0.25f;
 
-// The sum of the weights of a pixel's neighbours on its surface, of which its own is 0.14. Below kAlone it is an edge
-// pixel, a mixture of two surfaces: its own few paths cannot tell the noise, because those that miss a bright spot
-// agree with each other. Above kAmongEnough there are enough neighbours.
+// Bounds on the sum of the weights of a pixel's neighbours on its surface, in which its own weight is 0.14. Below
+// kAlone it is an edge pixel, a mixture of two surfaces. Its few paths cannot estimate the noise, because paths that
+// miss a bright spot agree with each other. Above kAmongEnough there are enough neighbours.
 constexpr float kAlone = 0.15f, kAmongEnough = 0.4f;
-// The largest value of a pixel: its square, and sums of many squares, are still finite.
+// Upper bound on a pixel's value: its square, and sums of many squares, are still finite.
 constexpr float kLargest = 1e15f;
 
 // The number of groups in the layers to be filtered.
 constexpr int kGroups = LayerFilter::kGroups;
-// Where some pixels have no sample in some group, the groups' means are known only from the first average on. A fourth
-// plane of each group then averages which pixels have a sample; where this share is smaller than kLeastShare, the group
-// counts as unknown.
+// If some pixels have no sample in some group, the groups' means are known only from the first average on. A fourth
+// plane of each group then contains the averaged share of pixels that have a sample. If it is below kLeastShare, the
+// group counts as unknown.
 constexpr float kLeastShare = 1e-3f;
 
 // Calls f(pixel) for all pixels, in parallel.
@@ -76,12 +76,12 @@ Rgb notBlack(Rgb albedo) {
     return albedo;
 }
 
-// In the first plane of variances: at this scale no sample is near enough to tell anything of the pixel.
+// Mark in the first plane of variances: at this scale, no sample is near enough to estimate the pixel.
 constexpr float kUnknown = -1;
 
 // The mean of the independent groups in the first three planes, and the variance of this mean in the other three.
-// groups: three planes for each group, one group after the other; then, unless all groups are known everywhere, one
-// plane for each group with its share.
+// groups: three planes (RGB) for each group, one group after the other; then one plane for each group with its share,
+// unless all groups are known everywhere.
 Planes estimates(const SurfaceFilter& filter, const Planes& groups, size_t pixels) {
     Planes result(pixels, 6);
     const bool whole = groups.count() == 3 * kGroups;
@@ -110,7 +110,7 @@ Planes estimates(const SurfaceFilter& filter, const Planes& groups, size_t pixel
     return result;
 }
 
-// From fine to coarse: the estimates from wider and wider averages.
+// The estimates from wider and wider averages, from fine to coarse.
 std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t pixels, int coarsest) {
     std::vector<Planes> levels;
     levels.push_back(estimates(filter, groups, pixels));
@@ -126,7 +126,7 @@ std::vector<Planes> averages(const SurfaceFilter& filter, Planes groups, size_t 
 // Buffers that are reused, because allocating so much memory takes time.
 struct Spread {
     explicit Spread(size_t pixels) : planes(pixels, 6), wider(pixels, 6) {}
-    Planes planes;  // three of squared detail, three of its noise
+    Planes planes;  // RGB of the squared detail, then RGB of the noise in it
     Planes wider;   // for the next average
 };
 
@@ -141,17 +141,17 @@ void spreadAbout(const SurfaceFilter& filter, int level, const Planes& estimates
             spread.plane(3 + c)[i] = known ? estimates.plane(3 + c)[i] : 0;
         }
     });
-    // Averaged first at steps of the level's own width: wider steps alone would skip pixels, and their lattice would
-    // show.
+    // The first average is at steps of the level's own width: wider steps alone would skip pixels, and their lattice
+    // would show.
     for (const int step : {1 << level, 2 << level}) {
         filter.average(step, spread, wider);
         std::swap(spread, wider);
     }
 }
 
-// The actual noise as a share of the estimate from the groups: at most one, and less where all of a pixel's samples
+// The actual noise as a share of the estimate from the groups: at most one, and less where all samples of a pixel
 // together are better stratified than those of one group. It is the median over the pixels, because most pixels differ
-// from their neighbours on the same surface by noise alone. spread: that of single pixels.
+// from their neighbours on the same surface by noise alone. spread: of the scale of single pixels.
 float shareOfNoise(const Planes& spread, size_t pixels) {
     std::vector<float> shares;
     for (int c = 0; c < 3; ++c)
@@ -235,7 +235,7 @@ LayerFilter::Filtered LayerFilter::withoutNoise(const SurfaceFilter& filter, Sca
     spreadAbout(filter, 0, levels[size_t(known)], levels[1], pixels, spread);
     const float share = whole ? shareOfNoise(spread.planes, pixels) : 1;
     Filtered result{Planes(pixels, 3), Planes(pixels, 1)};
-    // The variance of a pixel's mean is estimated around the pixel, because its own few samples do not give it.
+    // The variance of a pixel's mean is estimated around the pixel, because its own samples are too few.
     const float ofPixel = whole ? share : 1 / kNoiseOfAverage;
     forEachPixel(pixels, [&](size_t i) {
         for (int c = 0; c < 3; ++c) result.noise.plane(0)[i] += ofPixel * spread.planes.plane(3 + c)[i];
@@ -271,11 +271,11 @@ Image LayerFilter::smooth(const FilmLayer& samples) const {
     if (std::all_of(result.data().begin(), result.data().end(), [](float v) { return v == 0; })) return result;
     const bool whole = isWhole(samples);
     // Light from maps varies slowly along a surface, and pixels that share maps share their noise, so that a guide
-    // would take this noise for detail. Other layers have edges of light.
+    // would mistake this noise for detail. The other layers have edges, such as shadows, and need a guide.
     const Planes ofSurfaces = lobes_ == LobeKind::Broad
                                   ? withoutNoise(filter_, kAlongSurfaces, samples, whole, nullptr).values
                                   : withoutNoiseBetweenEdges(filter_, kAlongSurfaces, samples, whole);
-    // The first few samples do not give the variance between edge pixels.
+    // The first few samples cannot estimate the variance between edge pixels.
     const Planes ofEdgePixels = whole ? withoutNoiseBetweenEdges(amongEdgePixels_, kAmongEdgePixels, samples, whole)
                                       : Planes(region.count(), 3);
     forEachPixel(region.count(), [&](size_t i) {
@@ -285,7 +285,7 @@ Image LayerFilter::smooth(const FilmLayer& samples) const {
         if (!filter_.covers(i) || maxComponent(scatters) <= kBlack) return;
         Rgb value = result.rgb(column, row);
         const Rgb scale = notBlack(scatters);
-        // A pixel without samples takes all from its surface, if the pixels around it have any.
+        // A pixel without samples gets the average along its surface, if the pixels around it have samples.
         const bool sampled = samples.groupsWithSamples(x, y) > 0;
         const bool known = ofSurfaces.plane(0)[i] > 0 || ofSurfaces.plane(1)[i] > 0 || ofSurfaces.plane(2)[i] > 0;
         const float surface = sampled ? trust_[i] : known ? 1.f : 0.f;
@@ -310,7 +310,7 @@ void LayerFilter::correct(Image& layer, const FilmLayer& samples) const {
     const PixelRegion& region = surfaces_.region();
     const bool whole = isWhole(samples);
     const Planes ofSurfaces = withoutNoise(filter_, kAlongSurfaces, samples, whole, &layer).values;
-    // Maps err at edges, and mostly in the same way all along one edge. The first few samples do not show by how much.
+    // Maps err at edges, mostly in the same way all along one edge. The first few samples cannot estimate this error.
     const Planes ofEdges =
         whole ? withoutNoise(amongEdgePixels_, kAlongEdges, samples, whole, &layer).values : Planes(region.count(), 3);
     forEachPixel(region.count(), [&](size_t i) {

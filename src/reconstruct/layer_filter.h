@@ -3,8 +3,8 @@
 // A layer is averaged along surfaces at several scales. From coarse to fine, each scale adds its detail to the coarser
 // ones, reduced to the share that remains when the noise is subtracted; the noise is estimated from independent groups
 // of samples (a local Wiener filter: Lee, "Digital Image Enhancement and Noise Filtering by Use of Local Statistics",
-// 1980). The more samples there are, the larger is this share, down to single pixels, so that the filter fades out as
-// the noise does.
+// 1980). With more samples this share grows at all scales, down to single pixels, so that the filter fades out as the
+// noise does.
 #pragma once
 #include "reconstruct/lobe_g_buffer.h"
 #include "scene/filter.h"
@@ -24,9 +24,9 @@ class LayerFilter {
     Image smooth(const FilmLayer& samples) const;
 
     // Corrects, in place, a layer that has little noise but systematic errors (radiance maps are too far apart for the
-    // light that they represent; the network is off in hue) by samples of the same light that have noise but no such
-    // errors: adds the filtered difference of the two. Edge pixels are corrected by the difference that is common to
-    // the pixels of the edge.
+    // light that they represent; the network is off in hue). Samples of the same light have noise but no such errors;
+    // the filtered difference of the two is added. Edge pixels get the difference that is common to the pixels of the
+    // edge.
     void correct(Image& layer, const FilmLayer& samples) const;
 
     // The range of scales that a layer is filtered at: 0 is single pixels, and each further scale is an average twice
@@ -36,8 +36,8 @@ class LayerFilter {
     };
 
   private:
-    // Whether each pixel that shows a surface has a sample in each group. In the first sample passes that is not so;
-    // the groups' means are then taken from the averages around a pixel, and no finer detail is shown.
+    // Whether each pixel that shows a surface has a sample in each group, which the first sample passes do not achieve.
+    // If not, the groups' means are taken from averages around a pixel, and no finer detail is shown.
     bool isWhole(const FilmLayer& samples) const;
     struct Filtered {
         Planes values;
@@ -51,11 +51,11 @@ class LayerFilter {
     // first, differ by more than noise.
     Planes withoutNoiseBetweenEdges(SurfaceFilter filter, Scales scales, const FilmLayer& samples, bool whole) const;
 
-    // Averages edge pixels with each other, whatever surfaces they show, and partly those that are nearly edge pixels.
-    // Edge pixels mix two surfaces, so that none of their neighbours lies on the same surface.
+    // Averages edge pixels with each other, whatever surfaces they show, and to some degree pixels that are nearly edge
+    // pixels. An edge pixel mixes two surfaces, so that no neighbour lies on the same surface.
     SurfaceFilter amongEdgePixels() const;
 
-    // Position relative to the region.
+    // column, row: relative to the region.
     Rgb albedo(int column, int row) const {
         const PixelRegion& region = surfaces_.region();
         return surfaces_.albedo(lobes_, region.x0 + column, region.y0 + row);
@@ -64,7 +64,7 @@ class LayerFilter {
     const LobeGBuffer& surfaces_;
     LobeKind lobes_;
     SurfaceFilter filter_;
-    std::vector<float> trust_;  // in filter_ at each pixel: 0 at edge pixels, 1 amid a surface
+    std::vector<float> trust_;  // how far filter_ is trusted at each pixel: 0 at edge pixels, 1 amid a surface
     SurfaceFilter amongEdgePixels_;
     std::vector<float> trustAmongEdgePixels_;
 };

@@ -10,7 +10,7 @@ enum SurfaceChannel { kShare, kPosition, kNormal = kPosition + 3, kPixelSize = k
 }  // namespace
 
 void LobeGBuffer::addSpecs(std::vector<FilmLayerSpec>& layers, float extent) {
-    // This resolves micrometres in a scene a kilometre wide.
+    // The quantum resolves micrometres in a scene a kilometre wide.
     const double quantum = std::exp2(std::round(std::log2(std::max(1e-30, double(extent)))) - 30);
     for (size_t i = 0; i < 3; ++i) {
         layers.push_back({.name = kAlbedo[i], .storage = FilmLayerSpec::Storage::Single});

@@ -6,10 +6,10 @@
 namespace drc {
 namespace {
 
-// The next estimate is made where the threshold is expected to be reached, but after so many times the samples at least
-// and at most: estimates take time, and expectations may fail.
+// The next estimate is due at the number of samples that should reach the threshold, bounded to these multiples of the
+// number at the latest estimate: estimates take time, and the prediction may be wrong.
 constexpr double kLeastGrowth = 1.15, kMostGrowth = 3;
-// Slope in error ~ samples^-slope: the usual one of denoised pictures, and bounds on one computed from two estimates.
+// The slope in error ~ samples^-slope: the usual one of denoised pictures, and bounds on a slope from two estimates.
 constexpr double kUsualSlope = 0.35, kLeastSlope = 0.15, kMostSlope = 0.6;
 
 }  // namespace
@@ -24,7 +24,8 @@ bool NoiseThreshold::isDue(int samples) const {
 
 void NoiseThreshold::estimated(int samples, double error) {
     if (error_ && *error_ > 0 && error > 0 && samples > samples_) {
-        // Two estimates that are near each other tell little of the slope between them.
+        // The slope between two estimates is inaccurate if their numbers of samples are close, so it then gets a small
+        // weight.
         const double growth = std::log(double(samples) / samples_), weight = std::min(1.0, growth / std::log(2.0));
         const double slope = std::clamp(std::log(*error_ / error) / growth, kLeastSlope, kMostSlope);
         slope_ += weight * (slope - slope_);

@@ -6,22 +6,22 @@ namespace drc {
 
 class NoiseThreshold {
   public:
-    // Samples a pixel before the first estimate: with less, the halves have too few to tell anything.
+    // Samples per pixel at the first estimate: with fewer, the halves have too few for any estimate.
     static constexpr int kFirst = 8;
 
-    // threshold: of DenoisedError::whole; 0: it is never small enough.
+    // threshold: for DenoisedError::whole; 0: no threshold.
     explicit NoiseThreshold(double threshold);
 
-    // Whether the error should be estimated, which takes time, now that each pixel has so many samples.
+    // Whether the error should be estimated now. samples: taken of each pixel so far. An estimate takes time.
     bool isDue(int samples) const;
-    // error: after so many samples. Counts must increase from call to call.
+    // Records an estimate. error: with this many samples per pixel. samples must increase from call to call.
     void estimated(int samples, double error);
     // The latest estimate.
     std::optional<double> error() const { return error_; }
     bool reached() const { return error_ && *error_ <= threshold_; }
-    // The exponent by which the error falls, as far as can be told: error ~ samples^-slope.
+    // The estimated exponent of the error's decrease: error ~ samples^-slope.
     double slope() const { return slope_; }
-    // The number of samples a pixel at which the threshold will be reached, as far as can be told.
+    // The estimated number of samples per pixel that reaches the threshold; none before the first estimate.
     std::optional<double> samplesNeeded() const;
 
   private:

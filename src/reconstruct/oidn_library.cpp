@@ -20,7 +20,7 @@ std::string variable(const char* name) {
     return value ? value : "";
 }
 
-// The library in a folder, or in its lib, as in the archives that Intel publishes; empty if there is none.
+// The path of the library in a folder or in its subfolder lib, as in the archives that Intel publishes; empty if none.
 fs::path inFolder(const fs::path& folder) {
     std::error_code ignored;
     for (const fs::path& place : {folder, folder / "lib"})
@@ -36,14 +36,14 @@ std::string namedLibrary(const std::string& by, const std::string& value) {
         if (found.empty()) throw Error(fmt::format("{}: there is no {} in this folder", by, kNames[0]));
         return fs::absolute(found).string();
     }
-    // The loader takes a path only where there is a slash in it.
+    // The loader takes a name for a path only if it contains a slash.
     if (fs::exists(value, ignored)) return fs::absolute(value).string();
     if (value.find('/') != std::string::npos) throw Error(fmt::format("{}: there is no such file or folder", by));
     return value;
 }
 
-// The subfolders of a folder whose names begin so, the last in the alphabet first: of Python 3.9 and 3.11 neither is
-// better.
+// The subfolders of a folder whose names start with `begin`, in reverse alphabetical order. Which of Python 3.9 and
+// 3.11 comes first does not matter.
 std::vector<fs::path> subfolders(const fs::path& folder, const std::string& begin) {
     std::vector<fs::path> found;
     std::error_code ignored;
@@ -54,7 +54,7 @@ std::vector<fs::path> subfolders(const fs::path& folder, const std::string& begi
     return found;
 }
 
-// The prefixes of all Pythons: what lies in PREFIX/bin/python3 has its packages in PREFIX/lib/python3.x/site-packages.
+// The prefixes of all Pythons: the packages of PREFIX/bin/python3 are in PREFIX/lib/python3.x/site-packages.
 std::vector<fs::path> pythonPrefixes(const OidnSearch& search) {
     std::vector<fs::path> prefixes{search.virtualEnv};
     std::istringstream folders(search.path);
@@ -63,10 +63,10 @@ std::vector<fs::path> pythonPrefixes(const OidnSearch& search) {
         std::error_code failed;
         if (!folder.is_absolute() || !fs::exists(folder / "python3", failed)) continue;
         prefixes.push_back((folder / "..").lexically_normal());
-        // In a virtual environment it is a link to the Python that the environment was made from.
+        // In a virtual environment, python3 is a link to the Python that the environment was made from.
         const fs::path real = fs::canonical(folder / "python3", failed);
         if (!failed) prefixes.push_back(real.parent_path().parent_path());
-        // pyenv has scripts in place of links, which choose one of its versions when they are run.
+        // In pyenv, python3 is not a link but a script that chooses one of pyenv's versions when it is run.
         if (folder.filename() == "shims")
             for (const fs::path& version : subfolders(folder.parent_path() / "versions", ""))
                 prefixes.push_back(version);

@@ -10,8 +10,8 @@
 namespace drc {
 namespace {
 
-// Up to this standard error albedo and normal are taken as clean. Where it was 0.03 to 0.1, doing so made the error 7
-// to 71 % larger than filtering them first; where it was 0.017, it made no difference
+// Albedo and normal with a standard error of at most this are treated as clean. Compared with prefiltering them, this
+// made the error 7 to 71 % larger where their standard error was 0.03 to 0.1, and made no difference where it was 0.017
 // (docs/decisions/reconstruction-filters.md).
 constexpr float kCleanNoise = 0.02f;
 

@@ -7,9 +7,9 @@ namespace drc {
 
 class OidnPictureFilter final : public PictureFilter {
   public:
-    // settings.auxiliaries are those of every picture; with unlessClean, only of pictures whose albedo and normal are
-    // noisy, while others have them taken as clean. cancel: as in OpenImageDenoise::denoise. Library and token must
-    // outlive the filter.
+    // settings.auxiliaries apply to every picture; with unlessClean, only to pictures whose albedo and normal are
+    // noisy, while those of other pictures are treated as clean. cancel: as in OpenImageDenoise::denoise. Library and
+    // token must outlive the filter.
     OidnPictureFilter(const OpenImageDenoise& library, const OidnSettings& settings, bool unlessClean, bool directAlone,
                       const CancelToken* cancel = nullptr)
         : library_(library),
@@ -18,7 +18,7 @@ class OidnPictureFilter final : public PictureFilter {
           directAlone_(directAlone),
           cancel_(cancel) {}
     void apply(LayeredPicture& picture) const override;
-    // Denoiser and mode, as "oidn high" or "oidn balanced without prefilter".
+    // Denoiser and mode, for example "oidn high" or "oidn balanced without prefilter".
     std::string name() const override;
     // The settings for a picture with this G-buffer.
     OidnSettings settingsFor(const GBuffer& gBuffer) const;

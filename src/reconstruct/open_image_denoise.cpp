@@ -15,14 +15,14 @@
 namespace drc {
 namespace {
 
-// The part of its C interface that is used here.
+// The part of the library's C interface that is used here.
 using OidnDevice = void*;
 using OidnFilter = void*;
 constexpr int kCpu = 1, kFloat3 = 3, kCancelled = 6;
-// The memory that a filter may take: so many bytes for each pixel, and at least kLeastMemory MB. With less, pictures
-// are denoised in parts that overlap. At 1280x720, version 2.5 takes 310 MB (high with clean auxiliaries: 380, fast:
-// 280) of the 300 that it may take; without a bound it takes 510 (640, 290). At 1920x1080, 300 MB made it a fifth
-// slower.
+// Bound on the memory of a filter: kMemoryPerPixel bytes for each pixel, and at least kLeastMemory MB. If it needs
+// more, the library denoises overlapping tiles. At 1280x720 and a bound of 300 MB, version 2.5 used 310 MB (high with
+// clean auxiliaries: 380, fast: 280); without a bound it used 510 (640, 290). At 1920x1080, a bound of 300 MB made it a
+// fifth slower.
 constexpr double kMemoryPerPixel = 325;
 constexpr int kLeastMemory = 300;
 
@@ -30,14 +30,14 @@ struct QualityName {
     OidnQuality quality;
     const char* name;
     int value;         // of the filter's parameter "quality"
-    int firstVersion;  // of the library that knows it
+    int firstVersion;  // first version of the library that supports it
 };
 // From the best to the fastest. High is the default in every version.
 constexpr QualityName kQualities[] = {{OidnQuality::High, "high", 6, 0},
                                       {OidnQuality::Balanced, "balanced", 5, 20000},
                                       {OidnQuality::Fast, "fast", 4, 20300}};
 
-// The wanted quality, or the next better one that this version knows, of which a warning tells if `warn`.
+// The wanted quality, or the next better one that this version supports; in that case warns if `warn`.
 const QualityName& knownQuality(OidnQuality wanted, int version, bool warn = true) {
     const QualityName* known = &kQualities[0];
     for (const QualityName& quality : kQualities) {
@@ -106,12 +106,12 @@ struct OpenImageDenoise::Library {
     void check() const {
         const char* message = nullptr;
         const int code = getDeviceError(device, &message);
-        // Whoever has cancelled it knows.
+        // Cancelling is no error: the caller has done it.
         if ((code != 0 && code != kCancelled) || !device)
             throw Error(fmt::format("Open Image Denoise: {}", message ? message : "no device for this processor"));
     }
 
-    // Filters an image in place, guided by those of the others that are not empty.
+    // Filters an image in place, guided by the non-empty ones of `guides`.
     void run(const char* name, Image& image, std::initializer_list<NamedImage> guides, const QualityName& quality,
              bool hdr, bool cleanAuxiliaries, const CancelToken* cancel) const {
         if (cancel && cancel->cancelled()) return;
@@ -166,7 +166,7 @@ OpenImageDenoise::OpenImageDenoise(const OidnLibraries& libraries) {
             return;
         } catch (const Error& error) {
             if (!libraries.namedBy.empty()) throw Error(libraries.namedBy + ": " + error.what());
-            // A bare name that the loader does not know is no fault, so only paths are reported.
+            // It is no fault if the loader does not know a bare name, so only paths are reported.
             if (unusable.empty() && name.find('/') != std::string::npos) unusable = name + ": " + error.what();
         }
     }
@@ -188,7 +188,7 @@ void OpenImageDenoise::denoise(Image& color, const Image& albedo, const Image& n
                       settings.auxiliaries == OidnAuxiliaries::Clean && !albedo.empty(), cancel);
         return;
     }
-    // High takes twice the time here too, and makes no better pictures.
+    // For prefiltering, high takes twice the time too, and makes no better pictures.
     const QualityName& prefilter = knownQuality(std::max(settings.quality, OidnQuality::Balanced), version(), false);
     Image cleanAlbedo = albedo, cleanNormal = normal;
     library_->run("albedo", cleanAlbedo, {}, prefilter, false, false, cancel);

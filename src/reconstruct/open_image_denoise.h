@@ -11,8 +11,9 @@ namespace drc {
 
 enum class OidnQuality { High, Balanced, Fast };
 
-// How albedo and normal guide the denoiser: as they are; as they are, and taken as free of noise, which keeps more
-// detail, but all noise that they do have; or denoised first and then taken as free of noise, which takes longest.
+// How albedo and normal guide the denoiser. Raw: as they are. Clean: as they are, declared free of noise, which keeps
+// more detail, but also any noise in them. Prefiltered: denoised first and then declared free of noise, which takes
+// longest.
 enum class OidnAuxiliaries { Raw, Clean, Prefiltered };
 
 // The mode of the denoiser, a trade of quality for time. With raw auxiliaries, version 2.5 uses the same filter for
@@ -26,25 +27,25 @@ struct OidnSettings {
 
 class OpenImageDenoise {
   public:
-    // Loads the first of the libraries that can be used here. Throws Error if none can: what is wrong with the one that
-    // somebody names, or that none was found and how to get it.
+    // Loads the first of the libraries that can be used here. Throws Error if none can: it says what is wrong with a
+    // library that was named, or that none was found and how to get one.
     explicit OpenImageDenoise(const OidnLibraries& libraries);
     ~OpenImageDenoise();
     OpenImageDenoise(const OpenImageDenoise&) = delete;
     OpenImageDenoise& operator=(const OpenImageDenoise&) = delete;
 
     // Denoises a picture (RGB, linear radiance) in place. albedo and normal: three channels each, of the first surface
-    // that is neither a mirror nor smooth glass; zero where there is none. An empty image: there are none; the library
-    // takes no normals without albedo. All others have one size. Uses as many
-    // threads as parallel loops do. A library older than the wanted quality (balanced: 2.0, fast: 2.3) uses the next
-    // better one that it knows, and a warning says so. After `cancel` is raised, it ends as soon as the library lets
-    // it, and what is in color then is of no use. Throws Error if the library fails.
+    // that is neither a mirror nor smooth glass; zero where there is no surface. They may be empty images; the library
+    // uses no normals without albedo. All other images have the same size. Uses as many threads as parallel loops do. A
+    // library older than the wanted quality (balanced: 2.0, fast: 2.3) uses the next better one that it supports, with
+    // a warning. After `cancel` is raised, the call ends as soon as the library lets it, and the contents of color are
+    // of no use. Throws Error if the library fails.
     void denoise(Image& color, const Image& albedo, const Image& normal, const OidnSettings& settings = {},
                  const CancelToken* cancel = nullptr) const;
 
     // The library's version: 10000 major + 100 minor + patch.
     int version() const;
-    // The file that it was loaded from.
+    // The file that the library was loaded from.
     const std::string& file() const;
 
   private:

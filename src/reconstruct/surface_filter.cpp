@@ -61,7 +61,7 @@ struct SurfaceFilter::Neighbours {
         }
     }
     struct Neighbour {
-        size_t row;  // the first pixel of its row
+        size_t row;  // index of the first pixel of its row
         int right;
         float spline, perDistance;
     };
@@ -134,7 +134,7 @@ void SurfaceFilter::weigh(size_t row, int x, const Neighbours& neighbours, Weigh
 }
 
 void SurfaceFilter::weighValues(size_t row, int x, Weights& weights) const {
-    // Without noise, equal values still have weight.
+    // Positive even without noise, so that equal values keep their weight.
     const Lanes noise = load(noise_->plane(0) + row, x, width_) + kLeastNoise;
     for (size_t k = 0; k < size_t(weights.count); ++k) {
         const Weights::From& from = weights.from[k];
@@ -175,8 +175,8 @@ void SurfaceFilter::average(int dilation, const Planes& in, Planes& out) const {
             store(mean, out.plane(c) + row, x, width_);
         };
         int c = 0;
-        // Three planes at once, so that each weight is read once for all of them; in separate variables, which the
-        // compiler keeps in registers.
+        // Three planes at once, so that each weight is read once for all of them. The sums are separate variables,
+        // which the compiler keeps in registers.
         for (; c + 3 <= in.count(); c += 3) {
             const float *const plane0 = in.plane(c), *const plane1 = in.plane(c + 1), *const plane2 = in.plane(c + 2);
             Lanes sum0 = 0, sum1 = 0, sum2 = 0;

@@ -19,7 +19,7 @@ class Planes {
     const float* plane(int c) const { return values_.data() + size_t(c) * stride_; }
 
   private:
-    // All planes are read at one pixel together. At most common image sizes, planes would be a multiple of 4096 bytes
+    // At each pixel, all planes are read together. At most common image sizes, planes would be a multiple of 4096 bytes
     // apart, and their lines would compete for the same eight ways of the first-level cache; the offset prevents that.
     static size_t strideOf(size_t pixels) {
         constexpr size_t kPage = 4096 / sizeof(float), kApart = 5 * 64 / sizeof(float);
@@ -40,9 +40,8 @@ class SurfaceFilter {
     // zero, or values that are not finite, it shows no surface to average along.
     void show(size_t i, const Vec3& p, const Vec3& n, float size);
     bool covers(size_t i) const { return perSize_[i] > 0; }
-    // From here on neighbours are also weighted by the similarity of their values: with d the squared difference,
-    // summed over the planes, by exp(-d / (noise of one + noise of the other)). noise: one plane of variances, 0 or
-    // more.
+    // From now on, neighbours are also weighted by the similarity of their values, by exp(-d / (noise of one + noise of
+    // the other)), where d is the squared difference, summed over the planes. noise: one plane of variances, 0 or more.
     void guideBy(Planes values, Planes noise);
 
     // out: the means of each plane over the 5x5 neighbours at steps of `dilation` pixels; zero where no surface is

@@ -15,17 +15,17 @@ class CheckpointWriter {
     CheckpointWriter(const Checkpoint& checkpoint, std::string path, Clock::duration every)
         : checkpoint_(checkpoint), path_(std::move(path)), every_(every) {}
 
-    // When the next one is to be saved.
+    // When the next checkpoint is due.
     Clock::time_point due() const { return last_ + every_; }
-    // Saves the state while the render goes on. What cannot be saved gives a warning, and is no reason to stop: the
-    // last checkpoint stays.
+    // Saves the state during the render. If that fails, a warning says so, the render goes on, and the last checkpoint
+    // stays.
     void save(const Session& session) { save(session, "the render goes on"); }
     // Saves the state at the end of a render.
     void saveLast(const Session& session) { save(session, "the state of the end is not saved"); }
-    // How long saving took last time.
+    // How long the latest save took.
     double seconds() const { return seconds_; }
     const std::string& path() const { return path_; }
-    // Whether the last attempt has succeeded.
+    // Whether the latest save succeeded.
     bool saved() const { return saved_; }
 
   private:

@@ -1,4 +1,4 @@
-// Checkpoints of animations: what tells a frame's state from that of another frame.
+// Checkpoints of animations: the part of their identity that distinguishes frames.
 #pragma once
 #include <optional>
 #include <string>
@@ -7,18 +7,18 @@
 
 namespace drc {
 
-// A frame of an animation, counted from 1: that of the command line.
+// A frame of an animation, counted from 1, which is the frame of the command line.
 struct FramePosition {
     int frame = 1;
-    int loaded = 1;  // the frame whose scene was loaded; those since then have moved its camera
+    int loaded = 1;  // the frame whose scene was loaded; later frames have only moved its camera
 };
 
-// Identifies the state of this frame, in addition to its scene. file: the frame's scene file. Throws Error if it cannot
-// be read.
+// The identity of this frame's state, without that of its scene. file: the frame's scene file. Throws Error if the file
+// cannot be read.
 Identity frameIdentity(const FramePosition& position, const std::string& file);
 
-// The frame that a checkpoint is of; none if it is not of an animation. Throws Error if the file cannot be read or is
-// no checkpoint.
+// The frame whose state a checkpoint contains; none if it is not of an animation. Throws Error if the file cannot be
+// read or is no checkpoint.
 std::optional<FramePosition> framePositionIn(const std::string& path);
 
 }  // namespace drc

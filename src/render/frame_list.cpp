@@ -18,7 +18,7 @@
 namespace drc {
 namespace {
 
-// Puts the place before what f complains of.
+// Calls f, and puts the place before the message of an Error that it throws.
 template <typename F>
 void placedIn(const std::string& place, const F& f) {
     try {
@@ -40,7 +40,7 @@ FrameList::FrameList(const std::string& path)
     if (!file_) throw Error(fmt::format("--frames: cannot read {}", path));
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) throw Error(fmt::format("--frames: {} is a folder", path));
-    // A pipe may have its next line only when the frame before it is there.
+    // The next line of a pipe may be written only after the frame before it has been finished.
     isWhole_ = std::filesystem::is_regular_file(path, ignored);
     if (!isWhole_) return;
     while (std::optional<FrameFiles> frame = read()) frames_.push_back(std::move(*frame));

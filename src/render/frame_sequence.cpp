@@ -40,7 +40,7 @@ void FrameSequence::skipTo(int number, const std::string& checkpoint) {
             if (std::error_code ignored; !std::filesystem::exists(path, ignored))
                 logWarning(fmt::format("{}: frame {} was rendered before the checkpoint was saved, but is not there",
                                        path, number_));
-        if (!present_.outputs.empty()) finished();  // those that the film names are not known
+        if (!present_.outputs.empty()) finished();  // the names in the scene's film are not known here
         if (!next())
             throw Error(fmt::format("--resume {}: it is in frame {}, and {} ends after frame {}", checkpoint, number,
                                     listName_, number_));

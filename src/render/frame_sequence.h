@@ -1,4 +1,4 @@
-// The frames of a render: the first, which the command line names, and those of a list after it.
+// The frames of a render: the first, from the command line, and then those of a list.
 #pragma once
 #include <optional>
 
@@ -9,21 +9,20 @@ namespace drc {
 
 class FrameSequence {
   public:
-    // present: the files of the first frame, then those of each one after it; must outlive this object. list: as
-    // FrameList takes it; empty: there is one frame. Throws Error if the list cannot be opened.
+    // present: the files of the first frame, which next() replaces by those of the following frames; must outlive this
+    // object. list: a path, as for FrameList; empty: there is one frame. Throws Error if the list cannot be opened.
     FrameSequence(FrameFiles& present, const std::string& list);
 
     bool isAnimation() const { return list_.has_value(); }
     // The number of the present frame, counted from 1.
     int number() const { return number_; }
-    // Tells on standard output that the pictures of the present frame are there, if this is an animation.
+    // If this is an animation, writes to standard output that the pictures of the present frame are finished.
     void finished() const;
-    // Goes on to the next frame; false after the last. Throws Error as FrameList::next() does, and if a list that is a
-    // file gives the frame a picture that an earlier one has. On standard input, whoever asks for frames may use a name
-    // again.
+    // Goes on to the next frame; false after the last. Throws Error as FrameList::next() does, and if the list gives
+    // the frame a picture that an earlier frame has. On standard input, a name may be used again.
     bool next();
-    // Goes on to the frame of a checkpoint, whose predecessors were rendered before. checkpoint: its file, for
-    // messages. Throws Error if there are not as many frames.
+    // Goes on to the frame of a checkpoint; the frames before it were rendered earlier. checkpoint: its file, for
+    // messages. Throws Error if the list has too few frames.
     void skipTo(int number, const std::string& checkpoint);
 
   private:

@@ -11,9 +11,9 @@
 namespace drc {
 namespace {
 
-// Shares of a time budget that finishing the picture may take. Filters that were asked for are worth most of it. High
-// pays where it costs little; balanced up to two fifths: fast cost 10 to 30 % of error where 10 s were all
-// (docs/decisions/reconstruction-filters.md).
+// Greatest shares of a time budget for finishing the picture. Filters that were asked for may take most of it. Quality
+// high is worth a small share, and balanced up to two fifths: with a budget of 10 s, fast increased the error by 10 to
+// 30 % (docs/decisions/reconstruction-filters.md).
 constexpr double kWanted = 0.7, kHigh = 0.1, kBalanced = 0.4;
 
 bool isOidn(Denoise denoise) { return denoise == Denoise::Oidn || denoise == Denoise::OidnDirect; }
@@ -23,15 +23,15 @@ struct Mode {
     bool unlessClean;
     double mostOfBudget;
     bool wanted;
-    double microseconds;  // for a pixel, of one core
+    double microseconds;  // time of one core per pixel
 };
 
 std::vector<Mode> oidnModes(const RenderParams& params) {
     constexpr OidnAuxiliaries kRaw = OidnAuxiliaries::Raw, kPrefiltered = OidnAuxiliaries::Prefiltered;
     const std::optional<bool> prefilter = params.oidnPrefilter;
     if (!params.oidnQuality && !prefilter)
-        // Measured at 1280x720 with version 2.5 on Zen 3; of high with auxiliaries that are not filtered first, which
-        // is the cheaper case.
+        // The times were measured at 1280x720 with version 2.5 on Zen 3; the time of high is that without prefiltering,
+        // the cheaper case.
         return {{{OidnQuality::High, kPrefiltered}, true, kHigh, false, 12},
                 {{OidnQuality::Balanced, kRaw}, true, kBalanced, false, 4.4},
                 {{OidnQuality::Fast, kRaw}, true, kWanted, true, 2.5}};

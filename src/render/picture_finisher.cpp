@@ -13,16 +13,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A filter is kept if it takes up to this many times the time that is left: estimates from parts tend to be too long,
-// and a noisy picture in time is worth less than a clean one that is a little late.
+// A filter is kept if its estimated time is at most this many times the time left: estimates from parts tend to be too
+// long, and a noisy picture in time is worth less than a clean one that is a little late.
 constexpr double kLateIsBetter = 1.3;
-// The share of the budget that may be taken to measure the larger part, unless finishing takes less than the second
-// share.
+// Greatest share of the budget for measuring a larger part. If finishing takes less than kNegligible of the budget, no
+// larger part is measured.
 constexpr double kMostToMeasure = 0.03, kNegligible = 0.01;
 // The side of the smallest part in pixels: no filter reaches farther.
 constexpr int kLeastSide = 64;
-// Open Image Denoise's networks work on multiples of so many pixels. Parts of other sizes would be padded, a few
-// hundred pixels by 5 to 8 %, and the whole picture would be taken to need as much more.
+// Open Image Denoise's networks pad pictures to multiples of this many pixels. At a few hundred pixels, padding would
+// add 5 to 8 % to the measured part, and so to the estimate for the whole picture.
 constexpr int kWholeSide = 16;
 // The estimate is multiplied by this, because the speed of a machine varies.
 constexpr double kMargin = 1.03;
@@ -67,7 +67,7 @@ void PictureFinisher::apply(LayeredPicture& picture, ExrMetadata& metadata) cons
 double PictureFinisher::secondsFor(const Session& session, const PixelRegion& part) const {
     const auto start = Clock::now();
     LayeredPicture picture = session.snapshot(part);
-    // Where the first sample of the pixels is not complete, a denoiser has less to do than it will have at the end.
+    // While the first sample of the pixels is not complete, a denoiser would have less to do than at the end.
     picture.takenAsComplete = true;
     ExrMetadata metadata;
     apply(picture, metadata);
@@ -82,16 +82,17 @@ double PictureFinisher::estimate(const Session& session, double budget) {
         logDebug(fmt::format("to finish {} x {} pixels takes {:.3f} s", part.width(), part.height(), seconds));
         return seconds;
     };
-    // Later on, whether the machine is as fast as it was.
+    // After the first estimate, only the speed of the machine is measured again.
     if (last_.seconds > 0) return last_.estimate * timed(last_.part) / last_.seconds;
-    // A first, unmeasured run, because it takes longer than all that follow.
+    // The first run is not measured, because it takes longer than all later ones.
     const double smallest = std::max(1.0, double(std::min(whole.width(), whole.height())) / kLeastSide);
     const PixelRegion small = middle(whole, smallest);
     secondsFor(session, small);
     const double smallPixels = double(small.count()), all = double(whole.count());
     const double smallSeconds = timed(small), estimated = smallSeconds / smallPixels * all;
     last_ = {small, smallSeconds, estimated};
-    // Then as large a part as there is time for, since large ones are filtered more efficiently than small ones.
+    // Then measure a part as large as there is time for, since large parts are filtered more efficiently than small
+    // ones.
     const double share = kMostToMeasure * budget / estimated;
     if (estimated < kNegligible * budget || share * all < 1.5 * smallPixels) return last_.estimate;
     const PixelRegion large = middle(whole, std::sqrt(std::max(1.0, 1 / share)));

@@ -12,21 +12,21 @@ namespace drc {
 
 class PictureFinisher {
   public:
-    // candidates: the wanted filters, then cheaper ones for when there is no time for these; not empty.
-    // estimateError: whether finish() tells the error of the picture, which triples the time that its filters take.
-    // stats may be null. All arguments but the first must outlive this object.
+    // candidates: the wanted filters, then cheaper ones for when time is short; not empty. estimateError: whether
+    // finish() also estimates the picture's error, which triples the time of the filters. stats may be null. All
+    // arguments but the first must outlive this object.
     PictureFinisher(std::vector<PictureFilters> candidates, PictureWriter& writer, Stats* stats = nullptr,
                     bool estimateError = false)
         : candidates_(std::move(candidates)), writer_(writer), stats_(stats), estimateError_(estimateError) {}
 
     // Measures on parts of the unfinished picture how long finishing all of it will take, and reserves that time in the
     // session's schedule. Changes to cheaper filters if these would take too much of the budget, with a warning if they
-    // were asked for. besides: the seconds that something else takes at the end, such as a checkpoint.
+    // were asked for. besides: seconds for other work at the end, such as a checkpoint.
     void measure(Session& session, double besides = 0);
-    // The error that the unfinished picture would have if it were finished now.
+    // The estimated error of the unfinished picture if it were finished now.
     DenoisedError errorOf(const LayeredPicture& picture) const;
-    // Filters, encodes and writes the picture; adds to the metadata what filtered it, and its error. Returns what was
-    // written.
+    // Filters, encodes and writes the picture; adds the denoiser's name and the error to the metadata. Returns the
+    // finished picture.
     LayeredPicture finish(LayeredPicture picture, ExrMetadata metadata = {});
 
   private:
@@ -37,10 +37,10 @@ class PictureFinisher {
     void filter(LayeredPicture& picture) const;
     // Estimates the error if it is wanted, then filters.
     void apply(LayeredPicture& picture, ExrMetadata& metadata) const;
-    // Goes on to the next candidate.
+    // Replaces the filters by the next candidate.
     void useCheaper();
 
-    // The last part that was measured, and the estimate by it, seconds.
+    // The last part that was measured, the seconds it took, and the estimate for the whole picture, in seconds.
     struct Measured {
         PixelRegion part{};
         double seconds = 0, estimate = 0;

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Samples a pixel of a picture that this program wrote; -1: unknown.
+// Samples per pixel of a picture that this program wrote; -1: unknown.
 int samplesOf(const std::string& path) {
     try {
         const ExrMetadata metadata = readExrMetadata(path);
@@ -33,8 +33,8 @@ int samplesOf(const std::string& path) {
     }
 }
 
-// Whether one of the files, which were written together, may be a better picture than one of so many samples a pixel.
-// The metadata of an EXR holds for all of them.
+// Whether one of the files, which were written together, may be a better picture than one of `samples` samples per
+// pixel. The metadata of an EXR file applies to all of them.
 bool mayBeBetter(const std::vector<std::string>& paths, int samples) {
     bool exists = false;
     for (const std::string& path : paths) {

@@ -12,34 +12,34 @@ namespace drc {
 enum class OutputKind { Exr, Png };
 // The kind of file by its extension. Throws Error on any other extension.
 OutputKind outputKind(const std::string& path);
-// Throws Error if the file cannot be written (write_probe.h): called before the work, not after it. option: the one
-// that named the path, or a place in a file that did.
+// Throws Error if the file cannot be written (write_probe.h), before any work is done for it. option: the option that
+// names the path, or the place in a file.
 void checkOutput(const std::string& option, const std::string& path);
 
 class PictureWriter {
   public:
-    // settings: must outlive the writer. scene: the scene's file, beside which pictures are written that have no room
-    // at their place.
+    // settings: must outlive the writer. scene: the scene's file, beside which pictures are written that cannot be
+    // written at their own place.
     PictureWriter(const RenderSettings& settings, std::vector<std::string> outputs, bool aovs = false,
                   const DisplaySettings& display = {}, std::string scene = "")
         : settings_(settings), outputs_(std::move(outputs)), aovs_(aovs), display_(display), scene_(std::move(scene)) {}
 
-    // Encodes the picture for every output and returns the bytes of each file: EXR files with the radiance as it is,
-    // PNG files as the display settings say. All files have the metadata, and what displayMetadata() tells of the
+    // Encodes the picture for every output and returns the bytes of each file: EXR files with linear radiance, PNG
+    // files according to the display settings. All files contain the metadata, including displayMetadata() of the
     // picture.
     std::vector<std::string> encode(const LayeredPicture& picture, const ExrMetadata& metadata) const;
-    // Writes the files that encode() returned, each whole or not at all. One that cannot be written at its place goes
-    // to another, which outputs() has from then on, or is left out (rescued_file.h); an error message says so. The
-    // others are written all the same.
+    // Writes the files that encode() returned, each whole or not at all. A file that cannot be written at its place is
+    // written to another, which outputs() then returns, or is left out (rescued_file.h); an error message says so. The
+    // other files are written all the same.
     void write(const std::vector<std::string>& files);
-    // Whether all that was written is where the user wanted it.
+    // Whether all files were written where the user wanted them.
     bool allInPlace() const { return allInPlace_; }
     const std::vector<std::string>& outputs() const { return outputs_; }
     const RenderSettings& settings() const { return settings_; }
 
-    // For a render that was interrupted after this many samples a pixel: keeps files that may be better pictures, and
-    // writes NAME.interrupted.EXT beside them instead, or NAME.interrupted-2.EXT if that may be better too. A file may
-    // be better unless its metadata has fewer samples.
+    // For a render that was interrupted after this many samples per pixel: keeps existing files that may be better
+    // pictures, and writes NAME.interrupted.EXT beside them instead, or NAME.interrupted-2.EXT if that may be better
+    // too. A file may be better unless its metadata has fewer samples.
     void divertFromBetterPictures(int samples);
 
   private:

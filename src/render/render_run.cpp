@@ -11,14 +11,14 @@ namespace {
 
 bool isRaised(const CancelToken* token) { return token != nullptr && token->cancelled(); }
 
-// Runs a pass, or as much of it as can be done until a checkpoint is due, which is then saved. False: the render is
-// done, or cancelled.
+// Runs a pass, or the part of it that can be done until a checkpoint is due, and then saves the checkpoint. False: the
+// render is done or cancelled.
 bool step(Session& session, const RenderRun& run) {
     CheckpointWriter* checkpoint = run.checkpoint;
     if (checkpoint == nullptr) return session.step(run.cancel);
     bool goesOn = false;
     if (traitsOf(session.params().integrator).maps) {
-        // A map pass counts as a whole alone.
+        // A map pass counts only as a whole.
         goesOn = session.step(run.cancel);
     } else {
         const DeadlineToken due(checkpoint->due(), run.cancel);

@@ -22,20 +22,21 @@ namespace drc {
 struct RenderRun {
     const CancelToken* cancel = nullptr;     // ends the run early; may be null
     CheckpointWriter* checkpoint = nullptr;  // saves the state now and then; may be null
-    // The error of the finished picture at which the run ends; none: it has all the samples and the time of its
-    // parameters. Needs RenderParams::variance and independentHalves.
+    // The run ends when the finished picture's estimated error (DenoisedError::whole) is at most this; none: it ends
+    // only when the samples or the time of its parameters are used up. Needs RenderParams::variance and
+    // independentHalves.
     std::optional<double> noiseThreshold;
-    // Called after each pass, on the thread of the caller. share: of the work that is done, in [0, 1]. status: as
+    // Called after each pass, on the caller's thread. share: part of the work that is done, in [0, 1]. status: as
     // Session::status(), with the error if it is known.
     std::function<void(double share, const std::string& status)> passDone;
 };
 
-// Whether the session has neither all that was asked for nor used up its time.
+// Whether passes are left to run and there is time for them.
 bool hasWork(Session& session);
 
-// Runs passes until all is done, the run is cancelled, or the picture is good enough. Measures meanwhile how much of a
-// time budget finishing the picture will take, and leaves that. Returns whether the picture is whole: a token that is
-// raised after the last sample takes nothing from it.
+// Runs passes until all is done, the run is cancelled, or the picture is good enough. With a time budget, also measures
+// how long finishing the picture will take, and leaves that time. Returns whether the picture is whole; it still is if
+// the token is raised after the last sample.
 bool runPasses(Session& session, PictureFinisher& finisher, const RenderRun& run = {});
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// Whether the next frame of an animation shows the scene that is loaded, so that its camera is all that has to be read.
+// Whether the next frame of an animation shows the scene that is loaded, so that only its camera has to be read.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -12,15 +12,15 @@ namespace drc {
 
 class SameWorld {
   public:
-    // No scene has this world.
+    // Matches no scene.
     SameWorld() = default;
-    // The world of a scene as it was loaded from its file.
+    // The world of a scene that was loaded from a file.
     explicit SameWorld(const Scene& scene);
 
-    // The camera and the settings of a scene file, for the loaded scene. Null if the file has another world than this,
-    // or settings of the film that the loaded scene does not have: all but its size may differ in nothing. Files that
-    // the scene names, such as meshes and textures, are the same if their sizes and times are. Throws Error if the file
-    // cannot be read.
+    // The camera and the settings in a scene file, for the loaded scene. Null if the file describes another world, or
+    // if its film settings differ from those of the loaded scene in more than the size. Files that the scene names,
+    // such as meshes and textures, count as the same if their sizes and times are. Throws Error if the file cannot be
+    // read.
     std::unique_ptr<Scene> cameraIn(const std::string& path, const Scene& loaded,
                                     const pbrt::LoadOptions& options) const;
 

@@ -12,7 +12,8 @@ namespace {
 
 // The share of the time that sample passes get, if there are map passes too.
 constexpr double kSampleShare = 0.7;
-// In pixels. Beyond this spacing, more map passes reduce the error more than more maps in one pass.
+// Finest map spacing with a time budget, in pixels. Beyond it, further map passes reduce the error more than more maps
+// in one pass.
 constexpr float kFinestInTime = 3;
 // If the first map pass would take more than this share of the budget, it lights only a lattice of pixels.
 constexpr double kFirstMapShare = 0.25;

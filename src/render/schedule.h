@@ -1,6 +1,6 @@
-// Decides what a render does next, and until when; the only place that knows the time. Without a time budget it runs as
-// many passes as were asked for; with one, it runs passes, and no more than were asked for, until the rest of the time
-// is needed to filter, encode and write the picture.
+// Decides which pass a render runs next, and when it ends; no other code decides by the time. Without a time budget it
+// runs as many passes as were asked for. With a budget it runs at most these, until the rest of the time is needed to
+// filter, encode and write the picture.
 #pragma once
 #include <chrono>
 #include <optional>
@@ -23,7 +23,7 @@ class Schedule {
         float spacing = 0;  // of the maps, in pixels
         int stride = 1;     // of the lattice of pixels that the maps light
     };
-    // The next pass after so many complete ones; none if the render is done.
+    // The next pass, after these numbers of complete passes; none if the render is done.
     std::optional<Work> next(int samplePasses, int mapPasses) const;
     // Whether there has been a pass of each kind that the picture needs.
     bool hasPicture(int samplePasses, int mapPasses) const {
@@ -35,15 +35,15 @@ class Schedule {
 
     // When passes must end; none without a budget.
     std::optional<Clock::time_point> deadline() const;
-    // Sets aside time at the end of the budget to finish the picture. It is measured during the render, by whoever
-    // finishes pictures.
+    // Sets aside time at the end of the budget to finish the picture. PictureFinisher measures that time during the
+    // render.
     void reserve(double seconds) { reserved_ = seconds; }
     double reserved() const { return reserved_; }
-    // Whether it should be measured now: as soon as there is a picture, and once more later, because the load of a
-    // machine changes.
+    // Whether the time to reserve should be measured now: as soon as there is a picture, and once more later, because
+    // the load of a machine changes.
     bool wantsReserve(int samplePasses, int mapPasses) const;
     void reserveMeasured() { ++measured_; }
-    // The whole budget and what is left of it, in seconds; infinity without one.
+    // The whole budget and the rest of it, in seconds; infinity without a budget.
     double budget() const;
     double secondsLeft() const;
 
@@ -54,7 +54,7 @@ class Schedule {
     // The estimated time for a map pass to light all pixels, without capturing its maps.
     double gatherSeconds() const;
     // With a deadline: the spacing of the next map pass in pixels, from the cost of the last one. 0: there is no time
-    // for another.
+    // for another pass.
     float spacingInTime(int mapPasses) const;
 
     RenderParams params_;

@@ -13,12 +13,12 @@
 namespace drc {
 namespace {
 
-// The first words of the files that sessions are saved in.
+// The first words of a saved session's file.
 constexpr const char* kFileKind = "drc render";
 constexpr uint64_t kSampleStream = 0x2001, kProbeStream = 0x2003, kOddSampleStream = 0x2007;
-// The guide's voxels: this many between the camera and what it sees.
+// Number of the guide's voxels along the median distance from the camera to visible surfaces.
 constexpr float kVoxelsInDistance = 8;
-// The first index, within a pixel, of the samples that a focus takes. Others have lower ones.
+// First index, within a pixel, of samples of a focus; all other samples have lower indices.
 constexpr uint32_t kFirstFocusSample = uint32_t(1) << 31;
 // The square root of the number of camera rays that look for surfaces before rendering.
 constexpr int kProbes = 16;
@@ -40,7 +40,7 @@ std::unique_ptr<const Scene> reducedScene(const Scene& scene, const std::string&
     return withoutMedia(scene);
 }
 
-// Says what would not fit into memory before anything is built that takes time, or memory for each pixel.
+// Throws Error if the film would not fit into memory, before anything is built that takes time, or memory per pixel.
 const Scene& ifThereIsMemory(const Scene& scene, const Sensor& sensor, const RenderParams& params) {
     Film::requireMemory(sensor.settings, filmLayers(params.integrator, params, scene, sensor.settings));
     return scene;
@@ -159,7 +159,7 @@ void Session::warnIfBlack() const {
     const auto isSky = [](const Light* light) { return !light->isDelta(); };
     bool seesAnything =
         distance_ > 0 || std::ranges::any_of(lights_.infiniteLights(), isSky) || !lights_.backdrop().empty();
-    // Surfaces that only emit, or are black, have no distance above.
+    // distance_ ignores surfaces that only emit or are black, so rays look for them here.
     if (!seesAnything)
         probe(kProbes, [&](const Ray& ray, Sampler&) {
             SurfaceInteraction hit;
@@ -252,7 +252,7 @@ void Session::takeSamples(int x, int y, const PixelSamples& samples) {
 }
 
 bool Session::focusPass(const CancelToken* cancel, const CancelToken* abandon) {
-    // A pass that is cancelled does not go on: the next one has other samples.
+    // A cancelled pass is not continued: the next pass takes other samples.
     const uint32_t index = kFirstFocusSample + focusPasses_++;
     parallelFor(
         focus_->y0, focus_->y1, 1,
@@ -267,7 +267,7 @@ bool Session::focusPass(const CancelToken* cancel, const CancelToken* abandon) {
     const auto isRaised = [](const CancelToken* token) { return token != nullptr && token->cancelled(); };
     if (isRaised(cancel) || isRaised(abandon)) return false;
     ++focusSamples_;
-    // As often, for so many samples, as in passes over the whole film.
+    // Learns after as many samples as a pass over the whole film takes.
     waitingSamples_ += focus_->count();
     if (waitingSamples_ >= film_->region().count()) {
         waitingSamples_ = 0;
@@ -296,7 +296,7 @@ void Session::load(const std::string& path, const std::string& identity) {
     const std::function<void()> place = integrator_->loadState(file);
     if (bool(file.value<uint8_t>()) != guide_.has_value()) file.fail("it does not say the same of the environment");
     const std::function<void()> placeGuide = guide_ ? guide_->load(file) : [] {};
-    // Throws before it changes anything.
+    // Throws before it changes anything, so it comes before the functions that install states.
     film_->load(file);
     place();
     placeGuide();

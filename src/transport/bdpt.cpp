@@ -22,8 +22,9 @@ float shadingOfLight(const Bsdf& bsdf, const SurfaceInteraction& at) {
     return cosine > 0 ? absDot(bsdf.frame().n, at.wo) / cosine : 0;
 }
 
-// Whether the surface turns towards each ray. It is then what camera paths find it to be: light paths, which arrive
-// from elsewhere, find other points and normals, and cannot be weighed against camera paths. They end there.
+// Whether the shape is turned towards each ray. Its points and normals are then defined by camera paths: light paths
+// arrive from other directions, find other points and normals, and cannot be weighted against camera paths. So light
+// paths end there.
 bool facesRays(const SurfaceInteraction& at) { return at.primitive->shape && at.primitive->shape->facesRays(); }
 
 }  // namespace
@@ -33,25 +34,26 @@ struct BidirectionalTracer::Vertex {
     SurfaceInteraction hit;
     Bsdf bsdf;            // as seen from hit.wo
     Rgb throughput{1.f};  // of the subpath up to this vertex, without its BSDF
-    float own = 0;        // pdf per area from the subpath's own end
-    float reverse = 0;    // pdf per area from the opposite end; known once the subpath is two vertices longer
+    float own = 0;        // pdf per area when sampled from the subpath's own end
+    float reverse = 0;    // pdf per area when sampled from the opposite end; set once the next vertex is scattered
     bool specular = false;
-    bool oneWay = false;  // specular, and a path in the opposite direction would be mirrored elsewhere
+    bool oneWay = false;  // specular, and the reversed path would be mirrored in another direction
     int scattered = 0;    // number of non-specular vertices before this one
 
-    // For the vertex of a light path: what of its light is scattered in direction d. Since not every BSDF is
-    // reciprocal, it is evaluated with the directions, and the shading normal, that a camera path would have.
+    // For the vertex of a light path: the throughput scattered in direction d, without the cosine. Not every BSDF is
+    // reciprocal, so it is evaluated with the directions and the shading normal that a camera path would have.
     Rgb scatteredTo(const Vec3& d) const {
         const Bsdf seen = bsdf.seenFrom(d);
         return throughput * shadingOfLight(seen, hit) * seen.f(d, hit.wo, LobeFlags::NonSpecular);
     }
-    // Pdf, per solid angle, with which a path that arrives here from direction d goes on in direction hit.wo.
+    // Pdf, per solid angle, with which a path that arrives from direction d is scattered to direction hit.wo.
     float pdfBack(const Vec3& d) const { return bsdf.seenFrom(d).pdf(d, hit.wo); }
 
-    // Surfaces that are hidden from diffuse rays are met only from the camera, from mirrors and from smooth glass. A
-    // light path does not know where it will have come from, seen from the camera, before it is scattered again. So it
-    // passes such surfaces, as diffuse rays do, and if there are any it ends where it would be mirrored; camera paths
-    // make all that is left out. joined: whether the path leaves this vertex by its other lobes.
+    // Surfaces that are hidden from diffuse rays are visible only to the camera, directly or through mirrors and smooth
+    // glass. A light path cannot tell whether the rest of the path, up to the camera, will be specular. So it passes
+    // through such surfaces, as diffuse rays do, and if the scene has any, it ends at its first specular vertex; camera
+    // paths cover all that light paths leave out. joined: whether the path leaves this vertex by its non-specular
+    // lobes.
     Node node(const Accel& accel, bool joined = false) const {
         const bool mirrors = specular && !joined;
         const bool hidden = accel.hidesFromDiffuse() && (mirrors || !hit.primitive->visibleToDiffuse);
@@ -67,8 +69,8 @@ struct BidirectionalTracer::LightEnd {
     EmissionDensity density;   // `origin` includes the probability of choosing the light
     float chosen = 0;          // see Ends::chosen
 
-    // Pdf per area of the light's point (or per solid angle of its direction), given one per solid angle at another
-    // point.
+    // Pdf per area of the light's point (per solid angle of its direction if it is infinite), converted from a pdf per
+    // solid angle at the point `other`.
     float from(const Vec3& other, float perSolidAngle) const {
         return infinite ? perSolidAngle : perSolidAngle * absDot(ng, d) / lengthSquared(p - other);
     }
@@ -83,7 +85,7 @@ struct BidirectionalTracer::Paths {
     Vec3 lens{0.f};
     bool lensCanBeJoined = false;
     LightEnd end;             // the start of `light`
-    float endFromCamera = 0;  // its pdf from the first vertex of `light`, once the subpath continued
+    float endFromCamera = 0;  // pdf of its point when sampled from the first vertex of `light`, once that is scattered
     // Scratch memory for the MIS weights.
     std::vector<Node> nodes;
     Ends ends;
@@ -124,7 +126,8 @@ struct BidirectionalTracer::Step {
         ray.mirrored = at.specular && mode == TransportMode::Radiance;
         return true;
     }
-    // Russian roulette. importance: a scalar measure of the throughput.
+    // Russian roulette with survival probability min(0.95, importance). importance: the largest channel of the
+    // throughput, made independent of refraction or of the light's brightness.
     bool survives(float importance, float u) {
         const float survival = std::min(0.95f, importance);
         if (u >= survival) return false;
@@ -152,9 +155,9 @@ BidirectionalTracer::BidirectionalTracer(const Scene& scene, const Camera& camer
 
 float BidirectionalTracer::weight(std::span<const Node> nodes, size_t s, const Ends& ends) {
     const size_t n = nodes.size();
-    // Nodes count from 1, the vertex next to the lens, to n, the point on the light.
+    // Nodes are numbered from 1, the vertex next to the lens, to n, the point on the light.
     const auto node = [&](size_t i) -> const Node& { return nodes[i - 1]; };
-    size_t mostFromLight = 1;  // the light's point and what light paths can have behind it
+    size_t mostFromLight = 1;  // the light's point plus the vertices that light paths can sample after it
     while (ends.lightStartsPaths && mostFromLight < n && !node(n - mostFromLight).lightEndsBefore) ++mostFromLight;
     const auto possible = [&](size_t other) {
         const size_t t = n + 1 - other;
@@ -167,8 +170,8 @@ float BidirectionalTracer::weight(std::span<const Node> nodes, size_t s, const E
     const auto besides = [&](size_t other) {
         return (other == 1 ? double(ends.chosen) : 1.0) * (other == n ? ends.lightPaths : 1.0);
     };
-    // Camera paths never sample directions above the geometric but below the shading horizon, except straight
-    // towards a light. Paths that contain one are left out here too, so that all strategies agree.
+    // Camera paths never sample directions above the geometric but below the shading horizon, except straight towards a
+    // light. Paths with such a direction are left out here too, so that all strategies agree.
     for (size_t i = 2; i < n; ++i)
         if (!(node(i).fromCamera > 0)) return 0;
     const double own = besides(s);
@@ -240,8 +243,9 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
         SurfaceInteraction hit;
         const bool first = paths.camera.empty();
         const Vec3 from = first ? paths.lens : paths.camera.back().hit.p;
-        float own = 0;  // density of the surface met, per area
-        // Each emitter counts by the share of this way among all ways to make the path.
+        float own = 0;  // pdf per area of the surface point that was hit
+        // Emission that the camera path hits is weighted against all other strategies; at the first hit there is no
+        // other.
         const auto add = [&](const Light& light, const Rgb& radiance, const EmitterHit& at, const Vec3& d,
                              float density) {
             const Rgb emitted = step.throughput * radiance;

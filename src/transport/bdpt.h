@@ -15,8 +15,8 @@
 
 namespace drc {
 
-// A contribution of t = 1, at a film position in pixels. Already divided by the number of light paths that are traced
-// while each pixel gets one sample.
+// A contribution of the strategies with t = 1, at a film position in pixels. It is already divided by the number of
+// light paths that are traced while each pixel gets one sample.
 struct Splat {
     Vec2 film;
     Rgb radiance;
@@ -29,29 +29,29 @@ class BidirectionalTracer {
     BidirectionalTracer(const Scene& scene, const Camera& camera, const Accel& accel, const LightSampler& lights,
                         const PathSettings& settings, double lightPaths);
 
-    // Radiance along a ray of the camera from all strategies except t = 1. Traces one light path as well; where
-    // that connects to the film, the contributions are appended to `splats`. gBuffer, if not null, receives what the
-    // camera sees.
+    // Radiance along a camera ray from all strategies except t = 1. Also traces one light path, and appends its
+    // connections to the lens (t = 1) to `splats`. gBuffer, if not null, receives the surfaces that the camera sees.
     Rgb radiance(const Ray& cameraRay, Sampler& sampler, std::vector<Splat>& splats,
                  GBufferSample* gBuffer = nullptr) const;
 
-    // A vertex of a complete path, for the MIS weights: its pdf per area when generated from either side.
+    // A vertex of a complete path, for the MIS weights: its pdf per area when sampled from the camera and from the
+    // light.
     struct Node {
         float fromCamera = 0, fromLight = 0;
         bool specular = false;
-        bool lightEndsBefore = false;  // whether no light path has it as a vertex and goes on
+        bool lightEndsBefore = false;  // whether light paths end before or at this vertex
     };
     // Properties of a path's ends that the weights depend on.
     struct Ends {
-        // Ratio of two pdfs of the light's point: when it is sampled for the adjacent vertex (s = 1), and fromLight.
+        // Pdf of the light's point by light sampling at the adjacent vertex (s = 1), divided by its Node::fromLight.
         float chosen = 0;
         bool lightCanBeMet = true;
         bool lensCanBeJoined = true;
         double lightPaths = 1;
         bool lightStartsPaths = true;
     };
-    // MIS weight of the strategy that takes `s` of the nodes from the light, among all strategies that can make the
-    // path. nodes: from the vertex next to the lens to the point on the light.
+    // MIS weight of the strategy that samples the last `s` nodes from the light, among all strategies that can sample
+    // the path. nodes: from the vertex next to the lens to the point on the light.
     static float weight(std::span<const Node> nodes, size_t s, const Ends& ends);
 
   private:
@@ -60,8 +60,8 @@ class BidirectionalTracer {
     struct LightEnd;
     struct Step;
 
-    // The start of a light path that emits along d. chosen: pdf with which light samples at `from` choose it, per solid
-    // angle (1 for delta lights).
+    // The start of a light path that emits along d. chosen: pdf with which light sampling at `from` finds this point,
+    // per solid angle, including the choice of the light (for delta lights, the probability of that choice alone).
     LightEnd lightEnd(const Light& light, const EmitterHit& at, const Vec3& d, const Vec3& from, float chosen) const;
     LightEnd lightEnd(const Light& light, const EmitterHit& at, const Vec3& d, const Vec3& from) const;
 
@@ -73,13 +73,14 @@ class BidirectionalTracer {
     void joinLens(Paths& paths, float time, const Vec2& uLens, std::vector<Splat>& splats) const;
     Rgb join(Paths& paths, size_t camera, size_t light) const;
 
-    // MIS weights of the contributions that the functions above find. Pdfs are per area unless stated otherwise.
+    // MIS weights of the contributions of the functions above. Pdfs are per area unless stated otherwise.
     float weightOfMet(Paths& paths, const LightEnd& end, float fromCamera) const;
     float weightOfSampled(Paths& paths, const LightEnd& end, const Vec3& wi, float pdf) const;
     float weightOfJoined(Paths& paths, size_t camera, size_t light, const Vec3& d) const;
     float weightAtLens(Paths& paths, const Vec3& d, float fromCamera) const;
     float weight(const Paths& paths, size_t s) const;
-    // Appends the light path's vertices, from index `first` to the light, to the scratch memory of `paths`.
+    // Appends the light path's vertices, from index `first` back to the light, to the scratch memory of `paths`.
+    // fromCamera, nextFromCamera: Node::fromCamera of the first and of the second node appended.
     void appendLight(Paths& paths, size_t first, float fromCamera, float nextFromCamera) const;
 
     const Camera& camera_;

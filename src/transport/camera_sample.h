@@ -5,21 +5,20 @@
 
 namespace drc {
 
-// The beginning of every sample of a pixel.
+// The start of every sample of a pixel: film position and camera ray.
 struct CameraSample {
-    Sampler sampler;  // continues with the path
+    Sampler sampler;  // continues with the path's random numbers
     Vec2 film;        // position, in pixels
     float filterWeight;
-    CameraRay camera;  // of weight 0 where the lens blocks all light
+    CameraRay camera;  // its weight is 0 where the lens blocks all light
 };
 
-// The Sampler stream of a pixel's own random numbers. purpose: keeps different uses apart.
+// The Sampler stream of a pixel's own random numbers. purpose: a number for each use, so that uses are independent.
 inline uint64_t pixelStream(uint64_t seed, uint64_t purpose, int x, int y) {
     return hashCombine(seed, hashCombine(purpose, (uint64_t(uint32_t(y)) << 32) | uint32_t(x)));
 }
 
-// The camera ray through a film position. Takes three numbers from the sampler: two for the lens and one for
-// time.
+// The camera ray through a film position. Draws three numbers from the sampler: two for the lens and one for time.
 inline CameraRay cameraRay(const Sensor& sensor, const Vec2& film, Sampler& sampler) {
     const Vec2 uLens = sampler.get2D();
     CameraRay camera = sensor.camera->generateRay(film, uLens, sampler.get1D());

@@ -19,14 +19,14 @@ class DirectLighting {
   public:
     // No group of the guide: light samples are not guided.
     static constexpr int kNoGroup = -1;
-    // Marks a direction that light sampling cannot produce: one from the camera, or from a specular lobe.
+    // As a pdf: marks a direction that light sampling cannot produce, from the camera or from a specular lobe.
     static constexpr float kSpecular = 0;
 
     // Both arguments must outlive this object.
     DirectLighting(const Accel& accel, const LightSampler& lights) : accel_(accel), lights_(lights) {}
 
-    // From here on, samples of the guide's light are guided, and the guide learns which of them are unoccluded. Null
-    // ends that.
+    // From now on, samples of the guide's light are guided, and the guide learns which of them are unoccluded. Null
+    // turns guiding off.
     void setGuide(EnvironmentGuide* guide) { guide_ = guide; }
     // The guide's group for a point on a surface; kNoGroup without a guide.
     int groupOf(const SurfaceInteraction& at, const Bsdf& bsdf) const {
@@ -44,7 +44,7 @@ class DirectLighting {
         const Rgb emitted = hit.emitted();
         if (!isBlack(emitted)) met(*light, emitted);
     }
-    // Calls met(light, Le) for every environment that shines along a ray of direction d which left `from` and escaped.
+    // Calls met(light, Le) for every light at infinity that shines along `ray`, which left `from` and escaped.
     template <class Met>
     void forLightsAtInfinity(const Vec3& from, const Ray& ray, Met&& met) const {
         for (const Light* light : ray.fromCamera ? lights_.backdrop() : lights_.infiniteLights()) {
@@ -53,30 +53,30 @@ class DirectLighting {
         }
     }
 
-    // Le along a ray that left `from` in a direction sampled with `pdf` per solid angle, times the weight against light
-    // sampling at `from` (1 for kSpecular).
+    // Le along a ray that left `from` in a direction sampled with `pdf` per solid angle, times the MIS weight against
+    // light sampling at `from` (1 for kSpecular).
     Rgb emissionAtHit(const SurfaceInteraction& hit, const Vec3& from, float pdf) const;
     Rgb emissionAtInfinity(const Ray& ray, const Vec3& from, float pdf, int group) const;
 
     // A light sample at a vertex, before its visibility is known.
     struct Proposal {
-        const Light* light = nullptr;  // null: no light
+        const Light* light = nullptr;  // null: nothing was sampled
         LightSample sample{};
         Rgb throughput{0.f};  // BSDF times cosine, or phase function, divided by lightPdf
         float lightPdf = 0;   // per solid angle, including the choice of the light
         float bsdfPdf = 0;    // of BSDF or phase function sampling for the same direction
-        int slot = -1;        // of the guide, which learns from the sample's visibility; -1: not guided
-        // Whether the rays of paths are blocked where the shadow ray is not, so that no other technique finds this
-        // light.
+        int slot = -1;        // where the guide learns the sample's visibility; -1: not guided
+        // Whether the path's own ray to the light would be blocked although the shadow ray is not (see screened()), so
+        // that no other technique finds this light.
         bool screened = false;
-        // The weight against BSDF sampling.
+        // The MIS weight against BSDF sampling.
         float weight() const { return sample.delta || screened ? 1 : powerHeuristic(lightPdf, bsdfPdf); }
     };
     // uLight chooses the light, u the direction or the point on the light.
     Proposal propose(const SurfaceInteraction& at, const BsdfView& bsdf, int group, float uLight, const Vec2& u) const;
     Proposal propose(const MediumVertex& at, float uLight, const Vec2& u) const;
-    // The sample's contribution without weight(): throughput times Le, or black if the shadow ray is blocked. Finds out
-    // whether the proposal is screened.
+    // The sample's contribution without weight(): throughput times Le, or black if the shadow ray is blocked. Sets
+    // proposal.screened.
     Rgb arriving(const SurfaceInteraction& at, Proposal& proposal) const {
         if (proposal.light == nullptr) return Rgb(0.f);
         return arriving(at.spawnPoint(), at.mediumTowards(proposal.sample.wi), at.time, proposal);
@@ -85,7 +85,7 @@ class DirectLighting {
         if (proposal.light == nullptr) return Rgb(0.f);
         return arriving(at.spawnPoint(), at.medium, at.time, proposal);
     }
-    // The contribution with weight().
+    // arriving() times weight().
     template <class Vertex>
     Rgb weighted(const Vertex& at, Proposal& proposal) const {
         const Rgb light = arriving(at, proposal);

@@ -15,12 +15,12 @@ namespace {
 constexpr int kOne = 1 << 16;
 // Share of the samples that are drawn without guiding.
 constexpr double kUnguided = 0.25;
-// Weight of the prior estimate of a block's rate, in samples.
+// Weight of the prior of a block's rate of unoccluded samples, the mean rate of its group; counted in samples.
 constexpr double kPriorTries = 1;
 // After this many sample passes, learning gains nothing more and counting would only cost time.
 constexpr int kPassesToLearn = 64;
 
-// cumulative[i]: sum of the weights before i, in units of 2^-16 of their total, with at least one unit for each.
+// cumulative[i]: sum of the first i weights, in units of 2^-16 of the total; each weight counts at least one unit.
 template <size_t N>
 void accumulate(const std::array<double, N>& weights, std::array<uint16_t, N>& cumulative) {
     double total = 0, sum = 0;
@@ -47,7 +47,7 @@ int massOf(const std::array<uint16_t, N>& cumulative, int i) {
     return (i + 1 < int(N) ? cumulative[size_t(i) + 1] : kOne) - cumulative[size_t(i)];
 }
 
-// Number of entries that are at most x, in [0, 2^16). All are compared in SIMD registers, without branches.
+// Number of entries <= x, for x in [0, 2^16). Compares all entries in SIMD registers, without branches.
 int countUpTo(const std::array<uint16_t, 8>& numbers, int x) {
     const __m128i n = _mm_loadu_si128(reinterpret_cast<const __m128i*>(numbers.data()));
     const __m128i most = _mm_set1_epi16(int16_t(x));
@@ -141,7 +141,7 @@ void EnvironmentGuide::rebuild(Table& table, const std::atomic<uint64_t>* counts
         arrivals += count / kArrival;
     }
     if (tries == 0) return;
-    // The rate is never zero: that no sample has arrived yet does not mean that none ever will.
+    // The rate is never zero: samples of a block may arrive later even if none has arrived yet.
     const double rate = (double(arrivals) + 0.5) / (double(tries) + 1);
     double total = 0;
     std::array<std::array<double, kColumns>, kRows> p;
@@ -163,7 +163,7 @@ void EnvironmentGuide::save(StateWriter& to) const {
     static_assert(sizeof(Table) == (kRows + kBlocks) * sizeof(uint16_t));
     to.value(int32_t(passes_));
     to.bytes(std::as_bytes(std::span(tables_)));
-    // Later nothing is learned any more.
+    // Once learning has ended, the counts are not needed any more.
     if (!learning_) return;
     for (size_t i = 0; i < size_t(kGroups) * kBlocks; ++i) to.value(counts_[i].load(std::memory_order_relaxed));
 }

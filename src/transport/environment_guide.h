@@ -1,15 +1,15 @@
-// Learns during rendering from which parts of an environment light actually reaches the surfaces of a room. Most rooms
-// see only what a few windows show of the sky.
+// Learns during rendering which parts of an environment actually light the surfaces of a room. Most rooms see only
+// those parts of the sky that a few windows show.
 //
-// Guiding is done in primary sample space (Guo et al., "Primary Sample Space Path Guiding", EGSR 2018): what is guided
-// are the random numbers that become directions of the light, or of what the windows of a room show of it. The unit
+// Guiding works in primary sample space (Guo et al., "Primary Sample Space Path Guiding", EGSR 2018): it guides the
+// random numbers that are mapped to directions of the light, or to directions through the windows of a room. The unit
 // square is divided into equal blocks, each of which has an equal share of the light's power, however bright its
-// directions are. Surface points are grouped by position and normal. Each group counts how often samples of each block
-// arrived unoccluded, and chooses blocks in proportion to the square root of that rate, which minimises the variance. A
-// share of the samples stays unguided, so that no direction is ever excluded.
+// directions are. Surface points are grouped by position and normal. Each group counts how often the samples of each
+// block arrived unoccluded, and chooses blocks in proportion to the square root of that rate, which minimises the
+// variance. A share of the samples stays unguided, so that no direction is ever excluded.
 //
-// The counts of one sample pass guide the following ones. Between two calls of update() the density is fixed. It is
-// therefore known exactly for multiple importance sampling, and does not depend on the order in which threads count.
+// The counts of one sample pass guide the following passes. Between two calls of update() the density is fixed, so it
+// is known exactly for multiple importance sampling and does not depend on the order in which threads count.
 #pragma once
 #include <array>
 #include <atomic>
@@ -26,8 +26,8 @@ class EnvironmentGuide {
   public:
     static constexpr int kRows = 8, kColumns = 16, kBlocks = kRows * kColumns;
 
-    // windows: through which a light is sampled; the light must implement inverse(). size: edge length of the voxels by
-    // which points are grouped, in world units.
+    // windows: map random numbers to directions of a light, which must implement inverse(). size: edge length of the
+    // voxels that group points, world units.
     EnvironmentGuide(EnvironmentWindows windows, float size);
     EnvironmentGuide(const Light& light, float size) : EnvironmentGuide(EnvironmentWindows(light), size) {}
 
@@ -44,7 +44,7 @@ class EnvironmentGuide {
 
     struct Guided {
         Vec2 u;             // to be passed to windows().sample()
-        float density = 1;  // factor by which its pdf is to be multiplied
+        float density = 1;  // factor on the pdf of windows().sample(u)
         int slot = 0;       // to be passed to learn()
     };
     // u: uniform on the unit square.
@@ -56,7 +56,8 @@ class EnvironmentGuide {
     void learn(int slot, bool arrived) {
         if (learning_) counts_[size_t(slot)].fetch_add(arrived ? kTry + kArrival : kTry, std::memory_order_relaxed);
     }
-    // Takes the counts into use. To be called at the end of each sample pass, while no other thread uses the guide.
+    // Rebuilds the sampling densities from the counts (after passes 1, 2, 4, ...). To be called at the end of each
+    // sample pass, while no other thread uses the guide.
     void update();
 
     // Save and restore the learned state, so that a render can resume. load reads what save wrote for a guide of the
@@ -69,8 +70,8 @@ class EnvironmentGuide {
     static constexpr int kGroups = 1 << 14;
     static constexpr uint64_t kTry = 1,
                               kArrival = 1ull << 32;  // two counts in one number, for a single atomic addition
-    // Cumulative probabilities in units of 2^-16, of the rows of blocks and within each row. The last entry, one, is
-    // not stored.
+    // Cumulative probabilities in units of 2^-16: `rows` over the rows of blocks, `columns[row]` over the blocks of a
+    // row. The final 1 is not stored.
     struct Table {
         std::array<uint16_t, kRows> rows;
         std::array<std::array<uint16_t, kColumns>, kRows> columns;

@@ -6,9 +6,10 @@ namespace drc {
 namespace {
 
 constexpr float kShareOfWindows = 0.75f;
-// Cells along a side of the tables. A sun is wider than one of them; more would take longer to fill.
+// Cells along a side of a window's table. A sun is wider than one cell; more cells would take longer to fill.
 constexpr int kMostCells = 512;
-// Windows share tables if they face the same way, to within this sine.
+// Windows share a table if their frames agree: the differences of their s and of their n, as lengths, sum to less than
+// this.
 constexpr float kSameWay = 1e-4f;
 
 float rest(float u, float begin, float share) { return std::clamp((u - begin) / share, 0.f, kOneMinusEpsilon); }
@@ -38,7 +39,7 @@ EnvironmentWindows::Shares EnvironmentWindows::sharesAt(const Vec3& p) const {
     Shares shares{};
     float sum = 0;
     for (size_t i = 0; i < windows_.size(); ++i) {
-        // Windows that do not face the point, or cannot be told from it, have no share.
+        // Windows that face away from the point, or have no finite estimate there, get no share.
         if (std::isfinite(weights[i]) && windows_[i].portal().faces(p)) sum += weights[i];
         shares.begin[i + 1] = sum;
     }

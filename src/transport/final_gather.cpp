@@ -5,43 +5,44 @@
 namespace drc {
 namespace {
 
-// Beyond this number of vertices, a cache may also be asked later than at the second vertex of a path: it holds light
-// of paths of nearly the full length, which is then hardly more than what the rest of the path may have.
+// From this maxDepth on, a cache may be asked at every vertex after the first, not only at the second: its answers
+// contain light of paths of nearly the full length, hardly more than the rest of the path could collect.
 constexpr int kLongPaths = 16;
-// The number of vertices of a path that deposit. Later ones have gone through so much Russian roulette that they would
-// add more noise than knowledge.
+// Greatest number of deposits of a path. Later vertices have survived so much Russian roulette that their deposits
+// would add more noise than information.
 constexpr size_t kMaxDeposits = 4;
-// Lobes only estimate their albedos: the others are followed with at least this probability.
+// Least probability of following the lobes that the cache does not answer for. Their albedo alone cannot decide, since
+// lobes only estimate it.
 constexpr float kLeastSurvival = 0.05f;
 
-// f_part / f_all for each channel: divides the throughput of a path that was sampled through all lobes between some of
-// them and the others.
+// f_part / f_all for each channel: the share of some lobes in the throughput of a path that was sampled through all
+// lobes.
 Rgb shareOf(const Rgb& part, const Rgb& all) {
     Rgb share(0.f);
     for (int c = 0; c < 3; ++c) share[c] = all[c] > 0 ? std::min(1.f, part[c] / all[c]) : 0.f;
     return share;
 }
 
-// The lobes that a cache may answer for. Where the shading normal was bent for the view, or the view is below its
-// horizon, each view has another normal, or samples reach other light: what is scattered then depends on the view for
-// every lobe.
+// The lobes that a cache may answer for. None if the shading normal was bent for the view, or if the view lies between
+// the geometric and the shading horizon: the normal, or the light that samples reach, then depends on the view, and so
+// does the light that every lobe scatters.
 LobeSet lobesForCache(const Bsdf& bsdf, const Vec3& wo) {
     if (bsdf.bentForView() || dot(wo, bsdf.frame().n) * dot(wo, bsdf.ng()) <= 0) return 0;
     return bsdf.separableLobes();
 }
 
-// A vertex that a path will make a deposit for, while it is still being walked.
+// A vertex that the path makes a deposit for, while the path is still being traced.
 struct Training {
     CacheDeposit deposit;
-    Rgb throughput{1.f};  // from the vertex to the latest one
-    int depth = 0;        // of the vertex
+    Rgb throughput{1.f};  // of the path from this vertex to the latest one
+    int depth = 0;        // PathState::depth at this vertex
 };
 
 // All vertices that a path makes deposits for.
 class Trainings {
   public:
-    // light: reaches the latest vertex of the path, or is scattered there, at this depth. separable: the part of it
-    // that counts for the vertex itself, if that has just begun.
+    // Adds light that reaches the path's latest vertex, or is scattered there, to all deposits. depth: of the latest
+    // vertex. separable: the share of the separable lobes, applied only to the deposit of the latest vertex itself.
     void add(const Rgb& light, int depth, int maxDepth, const Rgb& separable = Rgb(1.f)) {
         for (size_t i = 0; i < count_; ++i) {
             if (!within(i, depth, maxDepth)) continue;
@@ -49,7 +50,8 @@ class Trainings {
             at_[i].deposit.light += at_[i].depth == depth ? own * separable : own;
         }
     }
-    // The path goes on. weight: of the direction. separable: as above, for the vertex that has just begun.
+    // The path continues in a sampled direction. weight: factor on its throughput. separable: the share of the
+    // separable lobes, applied only to the newest deposit.
     void scatter(const Rgb& weight, const Rgb& separable) {
         for (size_t i = 0; i < count_; ++i) at_[i].throughput *= weight;
         if (count_ > 0) at_[count_ - 1].throughput *= separable;
@@ -69,15 +71,15 @@ class Trainings {
     }
 
   private:
-    // Every deposit holds light of paths that are one vertex shorter than those of the camera.
+    // Deposits contain light of paths that are one vertex shorter than camera paths.
     bool within(size_t i, int depth, int maxDepth) const { return depth - at_[i].depth < maxDepth - 1; }
 
     std::array<Training, kMaxDeposits> at_;
     size_t count_ = 0;
 };
 
-// The path tracer's visitor, whose paths may end in the cache. Beside what it shows, a path sums the light for the
-// deposits that it makes on its way.
+// The path tracer's visitor, with paths that may end in the cache. Besides light for the picture, a path sums the light
+// of the deposits that it makes on its way.
 class GatherVisitor : public RadianceVisitor {
   public:
     GatherVisitor(const PathWalker& walker, FinalGather::Sample& sample)
@@ -122,8 +124,8 @@ class GatherVisitor : public RadianceVisitor {
         if (separable != 0) askCache(path, bsdf.viewFactor(surface.wo, separable), mixed);
         if (!shown_ && trainings_.empty()) return {};
 
-        // A path that trains is sampled through all lobes, another one through those that are still to be shown, as
-        // often as the path tracer would choose them.
+        // A path that makes deposits samples all lobes. Any other path samples only the lobes that the picture still
+        // needs, as often as the path tracer would choose them.
         const bool othersAlone = answered_ && trainings_.empty();
         divided_ = mixed && !othersAlone && (answered_ || trainsHere_);
         if (!othersAlone) return LobeFlags::All;
@@ -157,14 +159,14 @@ class GatherVisitor : public RadianceVisitor {
     }
 
   private:
-    // Whether the path has light to find beyond its next vertex, for the picture or for deposits.
+    // Whether light found from the path's new vertex on is needed, for the picture or for deposits.
     bool isWanted(const PathState& path) {
         noteArrival(path);
         if (path.depth >= maxDepth_) shown_ = false;
         return shown_ || trainings_.wantMore(path.depth, maxDepth_);
     }
-    // Asks the cache for the light of the separable lobes, and decides whether the path makes a deposit.
-    // mixed: whether there are other lobes.
+    // Asks the cache for the light of the separable lobes, and decides whether the path makes a deposit. mixed: whether
+    // the surface has other lobes too.
     void askCache(const PathState& path, const Rgb& viewFactor, bool mixed) {
         if (!accepted_) {
             ++sample_.counts.refused;
@@ -180,12 +182,12 @@ class GatherVisitor : public RadianceVisitor {
             add(path.throughput * share_ * factor * answer.perFactor);
             shown_ = mixed;
         }
-        // Deposits are made where look-ups are, and nowhere else, so that both have the same distribution.
+        // Deposits are made only at points of look-ups, so that both have the same distribution.
         trainsHere_ =
             random_.nextFloat() < answer.training * sample_.training && trainings_.begin(point_, factor, path.depth);
     }
-    // f_separable / f_all for a direction, where one sample of all lobes serves two estimates: the deposit takes this
-    // share; the picture takes the rest if the cache answered for the separable lobes.
+    // f_separable / f_all for a direction, where one sample of all lobes serves two estimates: the deposit gets this
+    // share of the light, and the picture gets the rest if the cache answered for the separable lobes.
     Rgb separableShare(const Vec3& wi) const {
         return divided_ ? shareOf(bsdf_->f(at_->wo, wi, separable_), bsdf_->f(at_->wo, wi)) : Rgb(1.f);
     }
@@ -194,22 +196,23 @@ class GatherVisitor : public RadianceVisitor {
     const int maxDepth_;
     Pcg32 random_;
     Trainings trainings_;
-    // The part of the path's throughput that the picture shows. Where the cache has answered for the separable lobes,
-    // it is that of the others.
+    // The share of the path's throughput that the picture shows. Once the cache has answered for the separable lobes,
+    // only the share of the other lobes remains.
     Rgb share_{1.f};
     bool shown_ = true;  // whether share_ is not zero
-    // Since the last non-specular vertex, and of its direction.
+    // Distance since the last non-specular vertex (world units), and pdf of the direction sampled there (per solid
+    // angle).
     float distance_ = 0, pdf_ = DirectLighting::kSpecular;
 
-    // The present vertex.
+    // The current vertex.
     const SurfaceInteraction* at_ = nullptr;
     const Bsdf* bsdf_ = nullptr;
     CachePoint point_{};
     LobeMask separable_ = LobeFlags::None;
     bool mayAsk_ = false, accepted_ = false;
-    bool answered_ = false;    // by the cache, for the separable lobes
+    bool answered_ = false;    // whether the cache answered for the separable lobes
     bool trainsHere_ = false;  // whether the path makes a deposit here
-    bool divided_ = false;     // whether its direction is sampled for the separable lobes and the others together
+    bool divided_ = false;     // whether the sampled direction serves the separable lobes and the others together
 };
 
 }  // namespace

@@ -27,9 +27,9 @@ struct GBufferSample {
         normal = faceForward(bsdf.frame().n, at.wo);
         depth = distance;
     }
-    // For a visitor's passed(): adds what the medium shows, and, if the path is scattered in it, the surface behind, as
-    // if media did not scatter paths but only hid a part of what is behind them. All samples of a pixel then record
-    // nearly the same, whether they are scattered or not.
+    // For a visitor's passed(): adds the albedo of the medium and, if the path is scattered in it, records the surface
+    // behind, as if media did not scatter paths but only hid part of what is behind them. All samples of a pixel then
+    // record nearly the same values, whether their paths are scattered or not.
     void recordMedium(const Accel& accel, const PathState& path, const MediumPassage& passage);
 };
 

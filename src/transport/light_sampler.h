@@ -16,7 +16,7 @@ class LightSampler {
     // The scene must outlive the sampler. seesBackdrop: whether the camera sees lights at infinity, as on every film
     // that is not transparent.
     LightSampler(const Scene& scene, bool seesBackdrop);
-    // For the film of the scene's own file.
+    // Uses the film of the scene's own file.
     explicit LightSampler(const Scene& scene) : LightSampler(scene, !scene.sensor.settings.transparentFilm) {}
 
     struct Choice {
@@ -27,17 +27,17 @@ class LightSampler {
     Choice sample(const Vec3& p, float u) const;
     // Probability with which sample(p) chooses this light; 0 if the light does not belong to the scene.
     float probability(const Vec3& p, const Light* light) const;
-    // Those that illuminate.
+    // Lights at infinity that illuminate surfaces.
     const std::vector<const Light*>& infiniteLights() const { return infinite_; }
-    // Those that the camera sees.
+    // Lights at infinity that the camera sees.
     const std::vector<const Light*>& backdrop() const { return backdrop_; }
 
   private:
-    // Up to this number of lights, all are estimated at every point.
+    // Up to this number of lights, the irradiance of every light is estimated at every point.
     static constexpr size_t kMaxWeighed = 32;
     bool weighsAll() const { return lights_.size() <= kMaxWeighed; }
     static_assert(kMaxWeighed % LightBounds::kCount == 0);
-    // The probabilities of all lights (if they are few), followed by zeros.
+    // The probabilities of all lights, followed by zeros. Only for at most kMaxWeighed lights.
     void weigh(const Vec3& p, float (&probabilities)[kMaxWeighed]) const;
     // Probability of choosing a light at infinity, if there are many lights.
     float distantShare(const Vec3& p) const;

@@ -5,10 +5,10 @@
 namespace drc {
 namespace {
 
-// Each channel is given at least this share of a choice, so that no weight becomes large.
+// Each channel is chosen with at least this probability, so that no weight becomes large.
 constexpr float kLeastShare = 0.05f;
 
-// Probabilities of choosing a channel, in proportion to what it has to scatter.
+// Probabilities of choosing each channel, in proportion to `wanted`, the light that it could scatter.
 Rgb sharesOf(const Rgb& wanted) {
     const float sum = wanted.x + wanted.y + wanted.z;
     if (!(sum > 0) || !std::isfinite(sum)) return Rgb(1.f / 3);
@@ -28,9 +28,9 @@ Ray MediumVertex::spawnRay(const Vec3& d, float spread) const {
     return ray;
 }
 
-// Each channel has a free path length of its own. The path chooses one channel, and samples the distance for that. The
-// pdf is the mean of the pdfs of all channels, which keeps the weights of the others bounded (the balance heuristic
-// for one sample: Veach 1997, section 9.2.4; PBR 3e, section 15.2.1).
+// Each channel has a free path length of its own. The path chooses one channel at random and samples the distance with
+// that channel's length. The pdf is the mean of the pdfs of all channels, which keeps the weights of the other channels
+// bounded (the balance heuristic for one sample: Veach 1997, section 9.2.4; PBR 3e, section 15.2.1).
 MediumSegment sampleSegment(const Medium& medium, float length, const Rgb& throughput, const Vec2& u) {
     MediumSegment segment;
     if (!medium.scatters()) {

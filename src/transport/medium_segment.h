@@ -1,4 +1,4 @@
-// Segments of paths that lead through a medium: where the path is scattered on the way, if it is.
+// Segments of paths that lead through a medium: whether and where the path is scattered.
 #pragma once
 #include <optional>
 
@@ -18,7 +18,7 @@ struct MediumVertex {
     float coneSpread = 0;
 
     MediumVertex() = default;
-    // On the ray, which is in a medium, at a distance from its origin.
+    // The point at `distance` from the origin of a ray that is in a medium.
     MediumVertex(const Ray& ray, float distance)
         : p(ray.o + ray.d * distance),
           wo(-ray.d),
@@ -26,7 +26,7 @@ struct MediumVertex {
           time(ray.time),
           footprint(ray.coneWidth + ray.coneSpread * distance),
           coneSpread(ray.coneSpread) {}
-    // No surface is near.
+    // Without an offset, because no surface is near.
     SpawnPoint spawnPoint() const { return {p, Vec3(0.f), footprint, 0}; }
     // A ray that leaves p in direction d (unit). Its cone grows with the given spread, but at least with that of the
     // arriving ray.
@@ -34,15 +34,15 @@ struct MediumVertex {
 };
 
 struct MediumSegment {
-    // Where the path is scattered, as a distance from the segment's beginning; none: it arrives at the end.
+    // Distance from the segment's beginning at which the path is scattered; none: the path arrives at the end.
     std::optional<float> scattered;
     // Factor on the throughput: T / probability of arriving, or sigma_s T / pdf of the distance if scattered.
     Rgb weight{1.f};
     float passing = 1;  // the probability of arriving at the end
 };
 
-// Samples what happens along a segment. length: at most infinite. throughput: of the path, which tells what matters
-// most. u: in the unit square.
+// Samples a path's interaction with the medium along a segment. length: may be infinite. throughput: of the path so
+// far, which decides how often each colour channel is chosen. u: in the unit square.
 MediumSegment sampleSegment(const Medium& medium, float length, const Rgb& throughput, const Vec2& u);
 
 }  // namespace drc

@@ -1,4 +1,4 @@
-// The state of a path from the camera, and what bounds it.
+// The state of a path from the camera, and its limits.
 //
 // Depth counts non-specular vertices only; mirrors and smooth glass do not count. Radiance is linear RGB.
 #pragma once
@@ -16,8 +16,8 @@ struct PathSettings {
     float broadAlpha = 0.2f;
 };
 
-// A part of a sample's radiance when the sample is scaled down to the luminance `clamp`; black if the sample is not
-// finite.
+// Scales a part of a sample's radiance by the factor of the firefly clamp, which brings the whole sample's luminance
+// down to `clamp`; black if the sample is not finite.
 inline Rgb partOfClamped(const Rgb& part, const Rgb& radiance, float clamp) {
     if (!isFinite(radiance)) return Rgb(0.f);
     const float l = luminance(radiance);
@@ -30,16 +30,16 @@ struct PathState {
     explicit PathState(const Ray& r) : ray(r), from(r.o) {}
 
     Ray ray;
-    Vec3 from;  // the vertex that the ray leaves, on the surface, not offset from it
+    Vec3 from;  // position of the vertex that the ray leaves, not offset from the surface
     Rgb throughput{1.f};
-    Rgb weight{1.f};                        // the factor that the latest vertex has multiplied it by
-    float passing = 1;                      // the probability with which media have let it pass so far
+    Rgb weight{1.f};                        // factor that the latest vertex contributed to the throughput
+    float passing = 1;                      // probability with which media let the path pass unscattered so far
     float pdf = DirectLighting::kSpecular;  // of the ray's direction, per solid angle
     float etaScale = 1;                     // undoes the scaling of radiance by refraction, for Russian roulette
     float distance = 0;                     // length of the path, world units
     int depth = 0, chain = 0;               // depth: non-specular vertices; chain: specular vertices, in total
     int group = DirectLighting::kNoGroup;   // of the guide, for the vertex that the ray leaves
-    bool playsRoulette = true;              // whether Russian roulette may end it
+    bool playsRoulette = true;              // whether Russian roulette may end the path
 };
 
 // The random numbers of one vertex.

@@ -16,11 +16,11 @@ Rgb ratioOf(const Rgb& part, const Rgb& all) {
     return ratio;
 }
 
-// A path that leaves a primary point by its non-specular lobes. What comes straight from emitters is direct light. The
-// rest is indirect light, of which the part that the broad lobes scatter is wanted, or none of it.
+// A path that leaves a primary point by its non-specular lobes. Light straight from emitters is direct light. All other
+// light is indirect; only the part that the broad lobes scatter is kept, or none at all.
 class ScatteredOnce : public PathVisitor {
   public:
-    // traceBroad: whether indirect light is wanted. All must outlive the visitor.
+    // traceBroad: whether to trace indirect light. All references must outlive the visitor.
     ScatteredOnce(const PathTracer& tracer, const SurfaceInteraction& at, const Bsdf& bsdf, bool traceBroad)
         : tracer_(tracer), at_(at), bsdf_(bsdf), traceBroad_(traceBroad) {}
 
@@ -51,14 +51,14 @@ class ScatteredOnce : public PathVisitor {
     const Bsdf& bsdf_;
     const bool traceBroad_;
     Rgb direct_{0.f}, indirect_{0.f};
-    Rgb broadShare_{1.f};      // of what all lobes scatter in the direction of the path
-    bool isIndirect_ = false;  // whether the path has come to its second vertex
+    Rgb broadShare_{1.f};      // share of the broad lobes in the light scattered from the path's direction
+    bool isIndirect_ = false;  // whether the path has reached its second vertex
 };
 
 }  // namespace
 
-// D of the split, by the chain of mirrors and smooth glass that the camera sees: at each surface of the chain, light is
-// scattered once by its other lobes.
+// D of the split: follows the chain of mirrors and smooth glass that the camera sees. At each surface of the chain, the
+// non-specular lobes scatter light once.
 class PathTracer::LayersVisitor : public PathVisitor {
   public:
     LayersVisitor(const PathTracer& tracer, Sampler& sampler, bool withIndirect, bool traceBroad,
@@ -202,8 +202,8 @@ Rgb PathTracer::indirectGlossy(const SurfaceInteraction& at, const Bsdf& bsdf, S
     const auto s = bsdf.sample(at.wo, uLobe, sampler.get2D(), glossy());
     if (!s || !(s->pdf > 0)) return Rgb(0.f);
     const Rgb weight = s->f * (absDot(s->wi, bsdf.frame().n) / s->pdf);
-    // A dim reflection dominates what is seen of a dark surface, and no filter removes all of its noise. So these lobes
-    // are traced several times as often as the path tracer would choose them.
+    // On a dark surface, even a dim reflection is most of what is seen, and no filter removes all of its noise. So
+    // glossy lobes are traced several times as often as the path tracer would choose them.
     const float own = luminance(bsdf.albedo(at.wo, glossy()));
     const float all = luminance(bsdf.albedo(at.wo, LobeFlags::NonSpecular));
     const float survival = std::min(1.f, std::max(maxComponent(weight), kGlossyPaths * own / std::max(all, 1e-6f)));

@@ -14,19 +14,19 @@ namespace drc {
 struct PrimaryHit {
     SurfaceInteraction surface;
     Bsdf bsdf;
-    Rgb throughput{1.f};  // specular chain, divided by the probability of the branches chosen
-    float distance = 0;   // length of the whole chain
-    int bounces = 0;      // of the chain: mirrors and faces of smooth glass
+    Rgb throughput{1.f};  // of the specular chain, divided by the probability of the branches chosen
+    float distance = 0;   // length of the whole chain, world units
+    int bounces = 0;      // mirrors and faces of smooth glass in the chain
 };
 
 // A sample of direct light, divided into layers, and of the indirect light that can be sampled at the same points.
-// Direct light, glossy and broad indirect light are each clamped to the settings' luminance.
+// Direct light, glossy and broad indirect light are each clamped to luminance PathSettings::clamp.
 struct SampleLayers {
     Rgb emission{0.f};  // Le that the camera sees, directly or through mirrors and smooth glass
     Rgb lit{0.f};       // direct light, scattered once
     Rgb glossy{0.f};    // indirect light of the glossy lobes, which radiance maps cannot resolve
     Rgb broad{0.f};     // indirect light of the broad lobes: an unbiased sample of what the maps give
-    // The albedo times the throughput at the first point that has broad lobes, and at the first that has glossy ones.
+    // Albedo of the broad lobes (of the glossy lobes) times the throughput, at the first point that has such lobes.
     // Zero if there is none.
     Rgb broadAlbedo{0.f}, glossyAlbedo{0.f};
     // For the first point with non-specular lobes: their albedo times the throughput, its position, its shading normal,
@@ -52,7 +52,7 @@ class PathTracer {
     // See DirectLighting.
     void setGuide(EnvironmentGuide* guide) { lighting_.setGuide(guide); }
 
-    // All light that arrives at the ray's origin along it.
+    // Radiance that arrives at the ray's origin along the ray.
     Rgb radiance(const Ray& ray, Sampler& sampler, const SampleParts& parts = {}) const;
 
     // R of the split: radiance() without Le of the first surface itself, or of the environment if the ray escapes.
@@ -61,7 +61,7 @@ class PathTracer {
     Rgb incident(const Ray& ray, Sampler& sampler, FirstHit* first = nullptr) const;
 
     // D: Le seen through the specular chain, and one bounce of light at each non-specular hit along it. Where a surface
-    // has both kinds of lobes, both are followed.
+    // has specular and other lobes, both are followed.
     Rgb direct(const Ray& ray, Sampler& sampler, GBufferSample* gBuffer = nullptr) const {
         return directLayers(ray, sampler, false, false, gBuffer).direct();
     }
@@ -71,11 +71,11 @@ class PathTracer {
         return directLayers(ray, sampler, true, traceBroad, gBuffer);
     }
 
-    // The primary point of a camera ray. Where a surface has both kinds of lobes, one is chosen at random. False: there
-    // is none, because the ray escaped or was absorbed.
+    // Finds the primary point of a camera ray. Where a surface has specular and other lobes, one kind is chosen at
+    // random. False: there is no primary point, because the ray escaped or was absorbed.
     bool primaryHit(const Ray& ray, Sampler& sampler, PrimaryHit& hit) const;
 
-    // One sample of the indirect light that these lobes scatter at a primary point: f R cos / pdf.
+    // One sample of the indirect light that `lobes` scatter at a primary point: f R cos / pdf.
     Rgb indirect(const PrimaryHit& hit, Sampler& sampler, const LobeMask& lobes = LobeFlags::NonSpecular) const;
 
     const Scene& scene() const { return scene_; }

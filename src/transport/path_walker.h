@@ -1,6 +1,6 @@
 // The walk over the vertices of a path: the one loop of all light transport from the camera, except bidirectional path
-// tracing. What becomes of the light is the part of a visitor: pictures (RadianceVisitor), final gather, radiance maps,
-// the split into direct and indirect light.
+// tracing. Visitors decide what becomes of the light: pictures (RadianceVisitor), final gather, radiance maps, the
+// split into direct and indirect light.
 #pragma once
 #include <optional>
 
@@ -11,9 +11,9 @@ namespace drc {
 
 // A part of a path that leads through a medium.
 struct MediumPassage {
-    const Ray& ray;     // from the beginning of the part
-    float length;       // of the part if the path is not scattered in it, world units
-    MediumSegment end;  // where the path is scattered, and what becomes of its throughput
+    const Ray& ray;     // starts where the part begins
+    float length;       // length of the part if the path is not scattered in it, world units
+    MediumSegment end;  // where the path is scattered, and the factor on its throughput
 };
 
 // The result of light sampling at a vertex.
@@ -21,25 +21,27 @@ struct LitVertex {
     Rgb throughput;  // of the path up to the vertex
     int depth;       // PathState::depth before the vertex
     Rgb light;  // Le times BSDF and cosine, or phase function, over the pdf, times the weight against BSDF sampling
-    Vec3 wi;    // the direction that it came from
+    Vec3 wi;    // direction from the vertex towards the light, unit
 };
 
-// A visitor of a walk, and its default: it takes no light, and goes on as far as the path leads. These are called in
-// their order here, for each vertex.
+// Interface of a visitor, with defaults that ignore all light and follow the path to its end. For each vertex, the
+// functions are called in the order given here, except that light from a medium is reported before passed() of that
+// medium.
 struct PathVisitor {
-    // The path goes through a medium, whose effect is not yet in its throughput.
+    // The path crosses a medium, whose effect is not yet in the path's throughput.
     void passed(const PathState&, const MediumPassage&) {}
-    // A surface lies on the ray: that of the next vertex, or an emitter without a material before it.
+    // The ray meets a surface: the next vertex's, or an emitter without a material before it.
     void met(const PathState&, const SurfaceInteraction&) {}
-    // Light comes along the ray to the latest vertex, from an emitter or a medium: Le times its weight against light
-    // sampling, without the path's throughput.
+    // Light arrives along the ray at the latest vertex, from an emitter or a medium: Le times its MIS weight against
+    // light sampling, without the path's throughput.
     void emitted(const PathState&, const Rgb&) {}
-    // The path has come to its next vertex, in a medium or on a surface. False: it ends there.
+    // The path has reached its next vertex, in a medium or on a surface. False: the path ends there.
     bool arrived(PathState&, const MediumVertex&) { return true; }
     bool arrived(PathState&, const SurfaceInteraction&) { return true; }
-    // The lobes by which it leaves the surface; none: it ends there. Surface and BSDF live until it has left.
+    // Returns the lobes by which the path leaves the surface; none: the path ends there. Surface and BSDF stay valid
+    // until scattered() has returned.
     std::optional<LobeMask> leavesBy(PathState&, const SurfaceInteraction&, const Bsdf&) { return LobeFlags::All; }
-    // Light sampling at the vertex gave light, or none.
+    // The result of light sampling at the vertex, possibly black.
     void lit(const LitVertex&) {}
     // The path leaves the vertex in a new direction.
     void scattered(PathState&) {}
@@ -51,13 +53,13 @@ class PathWalker {
     PathWalker(const DirectLighting& lighting, const PathSettings& settings)
         : lighting_(lighting), settings_(settings) {}
 
-    // Walks from the path's ray on.
+    // Walks a path, beginning with its ray.
     template <class Visitor>
     void walk(PathState path, Sampler& sampler, Visitor& visitor) const {
         Place next(*this, path);
         go(path, sampler, visitor, next);
     }
-    // Walks from a vertex on, which the path has come to, and leaves by these lobes.
+    // Walks on from the vertex `at`, which the path has reached and leaves by these lobes.
     template <class Visitor>
     void walkFrom(const SurfaceInteraction& at, const Bsdf& bsdf, const LobeMask& lobes, PathState path,
                   Sampler& sampler, Visitor& visitor) const {
@@ -69,7 +71,7 @@ class PathWalker {
     const PathSettings& settings() const { return settings_; }
 
   private:
-    // The surface that the path's ray leads to.
+    // The first surface along the path's ray.
     struct Place {
         Place() = default;
         Place(const PathWalker& walker, const PathState& path) { find(walker, path); }
@@ -171,7 +173,7 @@ class PathWalker {
     // Samples the next direction at a vertex. False: the path ends.
     bool scatter(PathState& path, const SurfaceInteraction& hit, const BsdfView& view, const VertexNumbers& u) const;
     bool scatter(PathState& path, const MediumVertex& at, const VertexNumbers& u) const;
-    // The part of a path's state that all kinds of vertices change alike: Russian roulette. False: the path ends.
+    // Russian roulette, the same for all kinds of vertices. False: the path ends.
     bool survives(PathState& path, float u) const;
 
     const DirectLighting& lighting_;

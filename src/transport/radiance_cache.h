@@ -1,9 +1,9 @@
-// The interface of caches in which paths end: what the separable lobes of a surface scatter, looked up instead of
-// traced.
+// The interface of caches in which paths end: the light that the separable lobes of a surface scatter is looked up
+// instead of traced.
 //
-// A cache holds the radiance that these lobes scatter towards a view, divided by their factor of that view
-// (Bsdf::viewFactor). Of separable lobes, and of no others, that quotient is the same for all views: it can be shared,
-// and is exact as the cache's resolution grows. For Lambertian reflection it is the irradiance divided by pi.
+// A cache stores the radiance that these lobes scatter towards a view, divided by the lobes' factor for that view
+// (Bsdf::viewFactor). For separable lobes, and only for them, the quotient is the same for all views: it can be shared,
+// and becomes exact as the cache's resolution grows. For Lambertian reflection it is the irradiance divided by pi.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -18,15 +18,15 @@ struct CachePoint {
     Vec3 n;           // geometric normal, unit, on the side from which the path arrives
     float reach = 0;  // see CachePoint::reachOf; world units
 
-    // The width over which paths spread that were sampled with a pdf per solid angle and went a distance: the side of a
-    // square that a cone of solid angle 1 / pdf covers. A cache must not be coarser than that: where the segment is
-    // short (corners, contact shadows) or the lobe that sampled it narrow, its error would be seen.
+    // Width over which paths spread that were sampled with `pdf` per solid angle and travelled `distance`: the side of
+    // a square that a cone of solid angle 1 / pdf covers. A cache must not be coarser than this width: where the
+    // segment is short (corners, contact shadows) or the sampled lobe is narrow, its error would be visible.
     static float reachOf(float distance, float pdf) { return pdf > 0 ? distance / std::sqrt(pdf) : 0.f; }
 };
 
 struct CacheAnswer {
     Rgb perFactor{0.f};  // the radiance that separable lobes scatter at the point, divided by their view factor
-    // The probability with which the path should make a deposit, so as to improve the answer. Also without one.
+    // The probability with which the path should make a deposit, to improve the answer. Set even if there is no answer.
     float training = 0;
 };
 
@@ -34,12 +34,12 @@ class RadianceCache {
   public:
     virtual ~RadianceCache() = default;
 
-    // Whether the cache has values for such a point, if it knows enough. Depends on nothing that was deposited, so that
-    // deposits and look-ups come from the same points.
+    // Whether the cache can have values for this point, given enough deposits. The result does not depend on the
+    // deposits, so that deposits and look-ups come from the same points.
     virtual bool accepts(const CachePoint& at) const = 0;
-    // Asks the processor for the memory that lookUp will read first.
+    // Prefetches the memory that lookUp will read first.
     virtual void prefetch(const CachePoint& at) const = 0;
-    // False: too little is known. Safe from any number of threads.
+    // False: there are too few deposits for an answer. Safe from any number of threads.
     virtual bool lookUp(const CachePoint& at, CacheAnswer& answer) const = 0;
 };
 
@@ -47,12 +47,12 @@ class RadianceCache {
 struct CacheDeposit {
     CachePoint at;
     Rgb light;       // scattered by the separable lobes towards the path, an unbiased sample
-    Rgb viewFactor;  // of these lobes towards the path, cacheableFactor() of it
+    Rgb viewFactor;  // cacheableFactor() of these lobes' view factor towards the path
 };
 
-// The view factor that deposits are divided by and answers are multiplied with: in steps that a cache can sum up as
-// integers, and at most 4, which textures brighter than white may exceed. Which factor it is matters little, that it is
-// the same at both ends matters much.
+// The view factor by which deposits are divided and answers are multiplied: rounded to steps that a cache can sum as
+// integers, and at most 4, which textures brighter than white may exceed. The rounding matters little, as long as
+// deposits and answers use the same factor.
 inline constexpr float kViewFactorSteps = 0x1p13f, kGreatestViewFactor = 4;
 inline Rgb cacheableFactor(const Rgb& factor) {
     Rgb f(0.f);

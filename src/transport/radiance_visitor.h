@@ -8,8 +8,8 @@ namespace drc {
 // Parts of a camera sample that are recorded beside its radiance; each may be null.
 struct SampleParts {
     GBufferSample* gBuffer = nullptr;
-    // The part of the sample's radiance that reaches the first non-specular vertex straight from emitters, with what
-    // the camera sees of them; the rest has met at least one more such vertex.
+    // The part of the sample's radiance that comes straight from emitters to the camera or to the first non-specular
+    // vertex; the rest was scattered by at least one more non-specular vertex.
     Rgb* direct = nullptr;
 };
 
@@ -43,7 +43,7 @@ class RadianceVisitor : public PathVisitor {
   protected:
     void add(const Rgb& light) { sum_ += light; }
     void noteArrival(const PathState& path) {
-        // All that has been met before the second vertex is direct light.
+        // All light found before the second vertex is direct light.
         if (path.depth > 0 && !direct_) direct_ = sum_;
         if (parts_.gBuffer) parts_.gBuffer->covered = true;
     }

@@ -25,12 +25,12 @@ bool shadowed(const Accel& accel, const SpawnPoint& from, const Vec3& d, float d
 // Like shadowed(), but for the rays of paths: surfaces that have holes for shadow rays alone (pbrt's shadowalpha) block
 // them everywhere.
 bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, float distance, float time);
-// screened() between two surface points, of which the one sees the other along d (unit).
+// screened() between two surface points; d (unit) points from `from` to `to`.
 bool screened(const Accel& accel, const SpawnPoint& from, const Vec3& d, const SpawnPoint& to, float time);
 // Whether anything blocks a camera's view of a surface point: d and distance lead from the point to the lens.
 bool hiddenFromLens(const Accel& accel, const SurfaceInteraction& at, const Vec3& d, float distance);
-// The share of light that the media let through along the segment of shadowed(), whatever surfaces there are. medium:
-// in which the segment begins.
+// Transmittance of the media along the segment of shadowed(), ignoring all surfaces. medium: the medium in which the
+// segment begins; null: empty space.
 Rgb transmittance(const Accel& accel, const SpawnPoint& from, const Medium* medium, const Vec3& d, float distance,
                   float time);
 

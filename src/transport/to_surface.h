@@ -4,11 +4,11 @@
 
 namespace drc {
 
-// Follows the ray to the next surface with a material, through those without one. met(hit) is called for that surface,
-// and for emitters on the way. Escaped: there is no such surface, and `ray` is the last segment. Lost: there were too
-// many surfaces, and no light may be taken from there. any, found: the result of accel.find for the ray.
-// goesOn(ray, length) is called for each segment of the way, before what it leads to; if it returns false, the path
-// ends on that segment, and the result is Scattered.
+// Follows the ray to the next surface with a material, through surfaces without one. any, found: the result of
+// accel.find for the ray. Calls goesOn(ray, length) for each segment of the way; if that returns false, the path ends
+// on the segment, and the result is Scattered. Then calls met(hit) if the segment ends at the surface with a material
+// or at an emitter. Escaped: there is no surface with a material, and `ray` is the last segment. Lost: there were too
+// many surfaces on the way; the caller must not add any light from there.
 enum class Arrival { Surface, Escaped, Lost, Scattered };
 template <class Met, class GoesOn>
 inline Arrival toSurface(const Accel& accel, Ray& ray, Accel::Found& found, bool any, SurfaceInteraction& hit,

@@ -14,37 +14,38 @@ namespace drc {
 namespace {
 
 constexpr uint64_t kStream = 0x57494e444f57;  // of random numbers
-// Rays that leave each surface that a view shows, and each surface that these hit.
+// Number of rays from each surface that a view ray hits, and from each surface that those rays hit.
 constexpr int kFirstRays = 4, kSecondRays = 3;
-// Bounds on the share of all rays that leave the scene. If fewer do, windows do not matter; if more, it is no room.
+// Bounds on the share of all rays that leave the scene. If fewer do, windows do not matter; if more, the scene is no
+// room.
 constexpr double kFewestLeave = 0.001, kMostLeave = 0.35;
-constexpr size_t kFewestRays = 30;  // in a window
-// Windows must explain this share of the rays that leave, together, and each at least that one. Many of the others
-// leave from what stands outside.
+constexpr size_t kFewestRays = 30;  // that must leave through a window
+// All windows together must explain this share of the rays that leave the scene, and each window this share: the rays
+// must pass through them. Many of the other rays leave from objects outside.
 constexpr double kExplainedTogether = 0.2, kExplainedByOne = 0.03;
 constexpr size_t kMostWindows = 8;
-// An opening that is larger than this, in squares of the median length of rays, is the sky over what stands outside.
+// A larger opening, in squares of the median ray length, is the sky above objects outside.
 constexpr float kLargest = 10;
 // At least this share of the light that surfaces would sample in a window must arrive unoccluded.
 constexpr double kFewestArrive = 0.1;
 constexpr int kTrials = 512;
-// The efficiency of samples through windows must be this many times that of samples of the whole sky: they take longer,
-// and a guide that learns makes up for a part of the difference.
+// Sampling through windows must have this many times the efficiency of sampling the whole sky: it takes longer, and a
+// guide that learns makes up for a part of the difference.
 constexpr double kGain = 1.5;
 constexpr int kTrialsOfAll = 4096;
 
-// Hits whose normals and distances from the origin agree within these lie in one plane; the distance relative to the
-// median length of rays.
+// Hits lie in one plane if the cosine between their normals is greater than kParallel, and their planes' distances from
+// the origin differ by less than kSamePlane median ray lengths.
 constexpr float kParallel = 0.999f, kSamePlane = 0.01f;
 constexpr size_t kMostPlanes = 40;
-constexpr double kFewestHits = 0.002;  // in a plane, of all hits
+constexpr double kFewestHits = 0.002;  // in a plane, as a share of all hits
 constexpr int kCells = 48;             // along a side of a wall
 
 struct Leaving {
     Vec3 o, d;
 };
 struct Spot {
-    Vec3 p, n;  // n towards where the ray came from
+    Vec3 p, n;  // n: unit normal on the side that the ray came from
 };
 struct Sightings {
     std::vector<Leaving> leaving;
@@ -64,7 +65,8 @@ std::optional<Spot> look(const Accel& accel, Ray ray, Sightings& seen) {
     return spot;
 }
 
-// Diffuse rays from what the views show, and from what these show.
+// Traces the view rays, diffuse rays from the surfaces that they hit, and diffuse rays from the surfaces that those
+// hit.
 Sightings lookAround(const Accel& accel, std::span<const Ray> views) {
     constexpr int kGrain = 64;
     std::vector<Sightings> parts((views.size() + kGrain - 1) / kGrain);
@@ -95,14 +97,14 @@ Sightings lookAround(const Accel& accel, std::span<const Ray> views) {
     return all;
 }
 
-// A wall: the plane dot(n, p) = offset, its n towards the room, and the extent of its hits along the frame's s and t.
+// A wall: the plane dot(n, p) = offset, with n towards the room, and the extent of its hits along the frame's s and t.
 struct Wall {
     Vec3 n;
     float offset = 0;
     size_t hits = 0;
-    Vec3 first{0.f};  // of the hits
+    Vec3 first{0.f};  // position of the first hit
     Frame frame{};
-    std::vector<Vec2> places{};  // of the hits
+    std::vector<Vec2> places{};  // the hits, along s and t
     Vec2 low{kInfinity}, high{-kInfinity};
 
     void extend(const Vec2& q) {
@@ -114,7 +116,7 @@ struct Wall {
     bool holds(const Spot& spot, float tolerance) const {
         return dot(spot.n, n) > kParallel && std::abs(dot(spot.p, n) - offset) < tolerance;
     }
-    // Where a ray leaves through the plane, if it does so within the extent.
+    // Where a ray that leaves crosses the plane from the room's side, along s and t, if within the extent.
     std::optional<Vec2> left(const Leaving& ray, float tolerance) const {
         const float towards = dot(ray.d, n), distance = dot(ray.o, n) - offset;
         if (!(towards < 0 && distance > tolerance)) return {};
@@ -126,8 +128,8 @@ struct Wall {
 
 // The planes with the most hits.
 std::vector<Wall> planesOf(const std::vector<Spot>& spots, float tolerance) {
-    // Counted by rounded normals and distances. What this divides is one wall again below, where the first hit of each
-    // is asked.
+    // Hits are counted by rounded normal and offset. Rounding may divide a wall; the loop below merges the parts, by
+    // testing the first hit of each part against the walls found so far.
     std::map<std::array<int, 4>, Wall> cells;
     for (const Spot& spot : spots) {
         constexpr float kNormals = 16;
@@ -154,10 +156,10 @@ std::vector<Wall> planesOf(const std::vector<Spot>& spots, float tolerance) {
     return walls;
 }
 
-// These and the sides of the box of all hits, where a room may be open.
+// planesOf() plus the sides of the bounding box of all hits, where a room may be open.
 std::vector<Wall> wallsOf(const std::vector<Spot>& spots, float tolerance) {
     std::vector<Wall> walls = planesOf(spots, tolerance);
-    // Along the edge to another wall, which windows are parallel to.
+    // Frames are aligned with the edge to a perpendicular wall, because windows are parallel to such edges.
     for (Wall& wall : walls) {
         const auto other =
             std::ranges::find_if(walls, [&](const Wall& w) { return std::abs(dot(w.n, wall.n)) < 0.1f; });
@@ -194,7 +196,7 @@ struct Opening {
     bool holds(const Vec2& q) const { return q.x >= low.x && q.x <= high.x && q.y >= low.y && q.y <= high.y; }
 };
 
-// The best opening of a wall: a connected part of it that more rays pass than hit it.
+// The best opening of a wall: a connected part of its plane that more rays pass through than hit.
 std::optional<Opening> openingOf(const Wall& wall, const std::vector<Leaving>& leaving, float tolerance) {
     const Vec2 size = wall.high - wall.low;
     if (!(size.x > 0 && size.y > 0)) return {};
@@ -213,7 +215,7 @@ std::optional<Opening> openingOf(const Wall& wall, const std::vector<Leaving>& l
         }
     if (passed.size() < kFewestRays) return {};
     for (const Vec2& hit : wall.places) --balance[cellOf(hit)];
-    // Connected parts, by flooding.
+    // Finds connected parts by flood filling.
     std::array<int, kCells * kCells> part{};
     std::vector<Opening> openings(1);
     for (int start = 0; start < kCells * kCells; ++start) {
@@ -240,7 +242,7 @@ std::optional<Opening> openingOf(const Wall& wall, const std::vector<Leaving>& l
         opening.high = Vec2(std::max(opening.high.x, q.x), std::max(opening.high.y, q.y));
         ++opening.rays;
     }
-    openings.front().rays = 0;  // what lies in no part
+    openings.front().rays = 0;  // part 0: places outside all openings
     const auto best = std::ranges::max_element(openings, {}, &Opening::worth);
     if (!(best->worth() > 0)) return {};
     // The outermost of n uniform points are on average 1 / (n + 1) of the width off the edges.
@@ -270,7 +272,8 @@ bool leaves(const Accel& accel, const Spot& from, const Vec3& d) {
     return toSurface(accel, ray, hit, [](const SurfaceInteraction&) {}) == Arrival::Escaped;
 }
 
-// How often light that is sampled in a window arrives, over the surfaces that would sample it, weighted by how much.
+// Share of light samples in a window that arrive unoccluded, over random surface points, weighted by the irradiance
+// that the window could bring.
 double arrivalThrough(const Portal& window, const Accel& accel, const std::vector<Spot>& spots) {
     LightReach reach{{}, -window.outward()};
     for (const Vec3& corner : window.corners()) reach.bounds.extend(corner);
@@ -326,7 +329,8 @@ std::vector<Portal> windowsIn(const Accel& accel, Sightings seen) {
     return windows;
 }
 
-// The square of the mean over the mean square of samples of irradiance at these surfaces: 1 without any noise.
+// Efficiency of irradiance samples at these surfaces: the square of their mean over their mean square, 1 without any
+// noise.
 double efficiency(const EnvironmentWindows& windows, const Accel& accel, const std::vector<Spot>& spots) {
     Pcg32 rng(kStream);
     double sum = 0, squares = 0;

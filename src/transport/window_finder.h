@@ -1,5 +1,5 @@
-// Finds the windows of a room: openings in its walls through which rays from what the camera sees leave the scene. What
-// it finds steers sampling alone (EnvironmentWindows), so that it may be wrong without harm to the picture.
+// Finds the windows of a room: openings in its walls through which rays from the visible surfaces leave the scene. The
+// windows only steer sampling (EnvironmentWindows), so that wrong ones do not change what the picture converges to.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,12 +9,13 @@
 
 namespace drc {
 
-// Windows, the most useful first; none if most rays leave the scene, or if openings explain few of those that do.
-// views: rays of the camera. The same for the same rays, whatever the number of threads.
+// Returns the windows, the most useful first. Returns none if too few or too many rays leave the scene, or if only few
+// of the leaving rays pass through openings. views: camera rays. The result depends on these rays alone, not on the
+// number of threads.
 std::vector<Portal> findWindows(const Accel& accel, std::span<const Ray> views);
 
-// An environment with the windows that are found, if samples through them are clearly less noisy on the surfaces that
-// the views show, or else without any. environment: without a portal; must outlive the result.
+// The environment with the windows that are found, if sampling through them is clearly less noisy on the surfaces that
+// the view rays show, else without windows. environment: without a portal; must outlive the result.
 EnvironmentWindows windowsOnto(const Light& environment, const Accel& accel, std::span<const Ray> views);
 
 }  // namespace drc

@@ -27,16 +27,16 @@ namespace http = beast::http;
 using asio::ip::tcp;
 
 constexpr size_t kMostHeader = 16 << 10;
-// A target longer than this is no request of the page's.
+// Longer targets are refused: no request of the page needs them.
 constexpr size_t kMostTarget = 2048;
 // Threads that answer requests. A picture takes a few milliseconds to encode.
 constexpr int kHandlers = 2;
-// So much of what has not been sent lies in the system's buffers. With megabytes there, nothing would be heard of a
-// slow client for minutes, whether it reads or not.
+// Bound on the unsent bytes of a connection in the system's buffers. With megabytes there, it would take minutes to
+// find out whether a slow client reads at all.
 constexpr int kMostUnsent = 128 << 10;
-// So often a line is sent to streams of events that have nothing else, which finds out that a client has gone.
+// Streams of events that have nothing else to send get a line this often, which finds out that a client has gone.
 constexpr std::chrono::seconds kHeartbeat{5};
-// After so long it is tried again to accept a connection, where there was no file descriptor for it.
+// Time until the next attempt to accept a connection, after there was no file descriptor for one.
 constexpr std::chrono::milliseconds kAcceptAgain{100};
 constexpr uint16_t kDefaultPort = 80;
 
@@ -92,7 +92,7 @@ std::string_view HttpRequest::parameter(std::string_view name) const {
     return {};
 }
 
-// All connections are worked on by one thread; only handlers run on others.
+// One thread serves all connections; only handlers run on other threads.
 struct HttpServer::Impl : std::enable_shared_from_this<HttpServer::Impl> {
     class Connection;
 
@@ -125,9 +125,9 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         at_ = at;
         read();
     }
-    // Whether it waits for a request, or for an event.
+    // Whether the connection waits for a request, or for an event.
     bool isIdle() const { return idle_; }
-    // Whether it waits for the rest of a request.
+    // Whether the connection waits for the rest of a request.
     bool isReading() const { return reading_; }
     bool isStream() const { return isStream_; }
     void close() {
@@ -167,7 +167,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         if (error == http::error::body_limit) return refuse(413, "the request is too large");
         if (error) return refuse(400, "this is no HTTP request");
         idle_ = false;
-        // Before the body is read: whoever may not ask need not be listened to.
+        // These checks come before the body is read, so that clients that may not ask cannot send data.
         const auto& message = parser_->get();
         if (!hostAllowed(message[http::field::host])) return refuse(403, "this server does not answer to that name");
         if (const auto origin = message[http::field::origin]; !origin.empty() && !originAllowed(origin))
@@ -207,7 +207,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
                               });
     }
 
-    // A few bytes at a time would hold a connection for ever.
+    // Extends the deadline only after enough bytes: a few at a time could hold a connection forever.
     void progressed(size_t bytes) {
         progress_ += bytes;
         if (progress_ < server_.settings.leastProgress) return;
@@ -236,7 +236,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     }
 
     bool hostAllowed(std::string_view host) const {
-        // Browsers leave out the port 80.
+        // Browsers leave out the default port, 80.
         const std::string port = ":" + std::to_string(server_.port);
         if (host.ends_with(port))
             host.remove_suffix(port.size());
@@ -244,7 +244,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
             return false;
         return std::ranges::find(server_.settings.hosts, host) != server_.settings.hosts.end() || isOwnAddress(host);
     }
-    // Whether it is the number of the address that the client has connected to.
+    // Whether `host` is the IP address that the client has connected to.
     bool isOwnAddress(std::string_view host) const {
         if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
         beast::error_code error;
@@ -252,7 +252,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         if (error) return false;
         const tcp::endpoint end = stream_.socket().local_endpoint(error);
         if (error) return false;
-        // Sockets of version 6 have addresses of version 4 mapped into theirs.
+        // Sockets of IPv6 report addresses of IPv4 in mapped form.
         const asio::ip::address own = end.address();
         if (named == own) return true;
         return own.is_v6() && own.to_v6().is_v4_mapped() && named.is_v4() &&
@@ -287,7 +287,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
         for (const auto& [name, value] : response.headers) message.set(name, value);
         message.keep_alive(keepAlive_ && !isStream_);
         if (isStream_) {
-            // The body has no end; the header ends with the connection.
+            // The body has no length: it ends when the connection is closed.
             message.set(http::field::connection, "close");
             eventHeader_.emplace(message.base());
             eventSerializer_.emplace(*eventHeader_);
@@ -321,13 +321,13 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
             self->serializer_.reset();
             if (!self->response_->keep_alive()) return self->close();
             self->response_.reset();
-            // It is the one that has been idle for the shortest time.
+            // Moved to the end, as the one that has been idle for the shortest time.
             self->server_.connections.splice(self->server_.connections.end(), self->server_.connections, self->at_);
             self->read();
         });
     }
 
-    // A client of a stream sends nothing; this finds out that it has gone.
+    // A client of a stream sends nothing; this read finds out that the client has gone.
     void listenForEnd() {
         stream_.expires_never();
         stream_.socket().async_read_some(asio::buffer(ignored_),
@@ -378,7 +378,7 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
     std::array<char, 512> ignored_{};
     std::string next_, written_;
     std::chrono::steady_clock::time_point writingSince_{};
-    size_t progress_ = 0;  // bytes of a body, since the deadline was set
+    size_t progress_ = 0;  // bytes of a body transferred since the deadline was set
     bool idle_ = true, reading_ = false, closed_ = false, keepAlive_ = false, isHead_ = false;
     bool isStream_ = false, listening_ = false, writing_ = false;
 };
@@ -401,7 +401,7 @@ void HttpServer::Impl::accept() {
     acceptor.async_accept([self = shared_from_this()](beast::error_code error, tcp::socket socket) {
         if (error == asio::error::operation_aborted) return;
         if (error) {
-            // It would fail at once again.
+            // Accepting at once would fail again.
             self->closeIdlest();
             self->acceptTimer.expires_after(kAcceptAgain);
             self->acceptTimer.async_wait([self](beast::error_code cancelled) {
@@ -458,7 +458,7 @@ HttpServer::~HttpServer() {
     impl_->thread.join();
     impl_->handlers.stop();
     impl_->handlers.join();
-    // Run what handlers have posted meanwhile: it holds connections, which refer to the server.
+    // Run the responses that handlers have posted meanwhile: they hold connections, which refer to the server.
     impl_->context.restart();
     impl_->context.poll();
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kShareOfFrames = 0.2;
 // Estimates of the error take at most this share of the time.
 constexpr double kShareOfEstimates = 0.1;
-// There is no use in more frames a second than this.
+// Least time between two frames: more frames a second are of no use.
 constexpr std::chrono::milliseconds kLeastInterval{150};
 
 }  // namespace
@@ -62,7 +62,7 @@ void LiveRender::pause(bool paused) {
         if (paused) cancel_.cancel();
     }
     changed_.notify_all();
-    // A render that rests makes no frame that would tell everybody.
+    // A resting render makes no frames, so listeners are told of the change here.
     if (callbacks_.onFrame) callbacks_.onFrame();
 }
 
@@ -71,7 +71,7 @@ void LiveRender::setCamera(std::function<std::unique_ptr<Camera>()> make, const 
         const std::lock_guard lock(mutex_);
         move_ = Move{std::move(make), film, moving};
         nextFocus_.reset();
-        // Else a camera that moves all the time would never be seen.
+        // Otherwise a camera that moves all the time would never get a frame.
         if (!owesFrame_) {
             abandon_.cancel();
             cancel_.cancel();
@@ -117,11 +117,11 @@ void LiveRender::work() {
         {
             std::unique_lock lock(mutex_);
             for (;;) {
-                // A pass that was cancelled counts as far as it got, and goes on from there.
+                // A cancelled pass keeps its samples, and continues later.
                 cancel_.reset();
                 abandon_.reset();
                 if (stopping_) return;
-                // First of all, because a pass may have been abandoned for it.
+                // Moves come first, because a pass may have been abandoned for one.
                 if (move_) {
                     Move move = std::move(*move_);
                     move_.reset();
@@ -171,8 +171,8 @@ void LiveRender::applyMove(Move move, std::unique_lock<std::mutex>& lock) {
     try {
         session_.moveCamera(move.make(), move.film);
     } catch (const Error& error) {
-        // Memory has become short since requireMemory(). What was being sampled has been abandoned, so the picture of
-        // the present camera begins anew.
+        // Memory has become short since requireMemory(). The samples in progress have been abandoned, so the picture of
+        // the present camera starts anew.
         logError(error.what());
         move = {.make = {}, .film = session_.sensor().settings.film, .moving = false};
         session_.moveCamera(session_.sensor().camera, move.film);
@@ -197,7 +197,7 @@ void LiveRender::requireMemory(const FilmGeometry& film) const {
 }
 
 void LiveRender::applyFocus(const std::optional<PicturePart>& part) {
-    // More samples are wanted than the whole picture gets.
+    // Even a picture that has all its samples gets more in a focus.
     state_.done = false;
     state_.focus.reset();
     if (!part) return session_.setFocus({});
@@ -224,7 +224,7 @@ bool LiveRender::isOutdated() const {
 bool LiveRender::isFrameDue() const {
     const int passes = session_.film().passes();
     const auto since = Clock::now() - lastFrame_;
-    // The first sample of the pixels comes in passes over lattices: each is shown.
+    // The first sample of the pixels comes in passes over lattices, and each of these passes is shown.
     if (passes <= SamplePass::kLattices && passes != framePasses_) return true;
     return since >= kLeastInterval &&
            std::chrono::duration<double>(since) >= std::chrono::duration<double>(frameTook_) / kShareOfFrames;

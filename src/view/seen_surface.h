@@ -1,4 +1,4 @@
-// The surface that a place of the film shows, for people who point at it.
+// Finds the surface at a position of the film, for users who point at it.
 #pragma once
 #include <optional>
 
@@ -8,14 +8,14 @@ namespace drc {
 
 struct SeenSurface {
     const Primitive* primitive = nullptr;
-    const Instance* instance = nullptr;  // of the object that it is a part of; null: of none
+    const Instance* instance = nullptr;  // instance that the surface belongs to; null: none
     float distance = 0;                  // from the camera, world units
-    Vec3 point{0.f};                     // that is seen, world space
+    Vec3 point{0.f};                     // the visible point, world space
 };
 
-// The first surface, of those with a material or a light, that the camera sees there from the middle of its lens in the
-// middle of the exposure. film: in pixels. None: it sees no surface, or the lens lets no light through. Safe while the
-// scene is rendered.
+// The first surface with a material or a light on the camera ray through `film` (in pixels), from the middle of the
+// lens, at the middle of the exposure. None: there is no such surface, or the lens lets no light through. Safe while
+// the scene is rendered.
 std::optional<SeenSurface> seenSurface(const Accel& accel, const Camera& camera, const Vec2& film);
 
 }  // namespace drc

@@ -33,8 +33,8 @@ AddressList lookUp(const StreamAddress& address) {
     return {list, [](const addrinfo* l) { freeaddrinfo(const_cast<addrinfo*>(l)); }};
 }
 
-// The system cannot be told to give up, and may ask name servers for many seconds: it does so on a thread that is left
-// to itself.
+// The system cannot be told to give up, and may ask name servers for many seconds, so the look-up runs on a detached
+// thread.
 AddressList lookUp(const StreamAddress& address, const StreamSender::Patience& patience) {
     std::packaged_task<AddressList()> task([address] { return lookUp(address); });
     std::future<AddressList> found = task.get_future();
@@ -45,13 +45,13 @@ AddressList lookUp(const StreamAddress& address, const StreamSender::Patience& p
     return found.get();
 }
 
-// Waits, for a tick at most, until the socket takes bytes or has failed.
+// Waits, for a tick at most, until the socket accepts bytes or has failed.
 bool isReady(int socket) {
     pollfd waiting{socket, POLLOUT, 0};
     return poll(&waiting, 1, int(kTick.count())) > 0;
 }
 
-// 0, or the reason why not. The socket does not block.
+// Connects a socket that does not block. Returns 0, or the errno of the failure.
 int connectTo(int socket, const addrinfo& to, const StreamSender::Patience& patience) {
     if (connect(socket, to.ai_addr, to.ai_addrlen) == 0) return 0;
     if (errno != EINPROGRESS && errno != EINTR) return errno;
@@ -126,7 +126,7 @@ StreamSender::~StreamSender() { close(socket_); }
 void StreamSender::send(std::string_view bytes, const Patience& patience) {
     auto lastSent = Clock::now();
     while (!bytes.empty()) {
-        // Not a signal but an error is what a connection that was closed gives.
+        // MSG_NOSIGNAL: a closed connection gives an error, not a signal.
         const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (sent >= 0) {
             bytes.remove_prefix(size_t(sent));

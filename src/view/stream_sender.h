@@ -1,5 +1,5 @@
-// A connection by TCP or a Unix socket that is only written to, by a thread that must not be held up: whoever waits
-// says for how long.
+// A connection by TCP or a Unix socket that is only written to, by a thread that must not be blocked: the caller
+// decides how long to wait.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -14,9 +14,10 @@ namespace drc {
 struct StreamAddress {
     std::string host;  // a name, or an address of IPv4 or IPv6
     uint16_t port = 0;
-    // A Unix socket, which other users of the machine reach only if its folder lets them; empty: the connection is TCP.
+    // Path of a Unix socket, which other users reach only if its folder's permissions let them; empty: the connection
+    // is TCP.
     std::string path = {};
-    // As parseStreamAddress() reads it.
+    // In the form that parseStreamAddress() reads.
     std::string text() const;
 };
 
@@ -27,24 +28,25 @@ StreamAddress parseStreamAddress(const std::string& text);
 class StreamSender {
   public:
     using Clock = std::chrono::steady_clock;
-    // Whether to go on waiting, given for how long nothing has happened. Asked every 50 ms or more often.
+    // Whether to go on waiting, given the time since anything happened. Called every 50 ms or more often.
     using Patience = std::function<bool(Clock::duration)>;
-    // Thrown by send() when the patience is at an end.
+    // Thrown by send() when the patience returns false.
     struct GaveUp : Error {
         using Error::Error;
     };
 
-    // Connects to the first address of the host's that answers. Throws Error, with the reason alone, if none does, or
-    // if the patience is at an end before.
+    // Connects to the first of the host's addresses that answers. Throws Error, whose message is the reason alone, if
+    // none does, or if the patience returns false before.
     StreamSender(const StreamAddress& address, const Patience& patience);
     ~StreamSender();
     StreamSender(const StreamSender&) = delete;
     StreamSender& operator=(const StreamSender&) = delete;
 
-    // Hands all bytes to the system, which delivers them even after this object is gone. Throws Error, with the reason
-    // alone, if the connection is broken. After any exception a part may have been sent: nothing more makes sense.
+    // Hands all bytes to the system, which delivers them even after this object is gone. Throws Error, whose message is
+    // the reason alone, if the connection is broken. After any exception, part of the bytes may have been sent, and the
+    // connection is of no further use.
     void send(std::string_view bytes, const Patience& patience);
-    // Whether the other side has it open, as far as is known here. What the other side sends is dropped.
+    // Whether the other side still has the connection open, as far as is known here. Drops all data that it has sent.
     bool isOpen();
 
   private:

@@ -14,14 +14,14 @@
 namespace drc {
 namespace {
 
-// The share of the time of all threads that pictures of either extent may take.
+// The share of all threads' time that pictures of each extent may take.
 constexpr double kShare = 0.025;
-// All layers are taken at first when so many pictures could have been.
+// Number of intervals before all layers are taken for the first time.
 constexpr int kUntilAll = 5;
-// Until a host that does not answer is given up.
+// Time limit for connecting to a host.
 constexpr std::chrono::seconds kConnect{5};
 
-// Seconds that this thread has worked: waiting for the viewer costs the render nothing.
+// Processor time of this thread, in seconds: waiting for the viewer costs the render nothing.
 double secondsOfThread() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -127,7 +127,7 @@ std::optional<tev::Picture> TevDisplay::taken(Extent extent) {
 }
 
 void TevDisplay::connect() {
-    // tev sends nothing: if it is gone, only reading tells before bytes are lost on it.
+    // tev sends nothing, but only reading finds out that it is gone before bytes are lost.
     if (sender_ && !sender_->isOpen()) {
         complain("the viewer has closed the connection");
         sender_.reset();
@@ -146,7 +146,7 @@ void TevDisplay::makeImage(const tev::Picture& outline) {
     creation_ = std::move(creation);
     region_ = outline.region;
     sums_.clear();
-    // It is made of zeros.
+    // tev fills a new image with zeros.
     for (const auto& [layer, image] : outline.layers)
         for (const PixelRegion& tile : tev::tilesOf(region_))
             sums_[layer].push_back(sumOf(std::vector<float>(tile.count() * size_t(image.channels()))));
@@ -169,7 +169,7 @@ void TevDisplay::show(const tev::Picture& picture) {
 }
 
 void TevDisplay::showLast() {
-    // Twice, for a viewer that was closed and opened again.
+    // Two attempts, for a viewer that was closed and opened again.
     for (int attempt = 0; attempt < 2; ++attempt) {
         connect();
         try {

@@ -17,7 +17,7 @@ enum class Type : char { ReloadImage = 1, CloseImage = 2, CreateImage = 4, Updat
 class Packet {
   public:
     explicit Packet(Type type) {
-        add(uint32_t(0));  // the length, when it is known
+        add(uint32_t(0));  // the length, set by finished()
         add(type);
     }
     template <class T>
@@ -86,7 +86,7 @@ std::string updateImage(std::string_view name, bool grabFocus, const PixelRegion
     packet.reserve(values.size_bytes() + 1024);
     packet.add(grabFocus).add(name).add(int32_t(channels.size())).add(channels);
     for (const int side : {part.x0, part.y0, part.width(), part.height()}) packet.add(int32_t(side));
-    // Where each channel begins, and how far its values are apart.
+    // The offset of each channel's first value, and the distance between its values.
     for (size_t i = 0; i < channels.size(); ++i) packet.add(int64_t(i));
     for (size_t i = 0; i < channels.size(); ++i) packet.add(int64_t(channels.size()));
     packet.add(values);

@@ -7,8 +7,8 @@
 namespace drc::tev {
 namespace {
 
-// The side of a tile, pixels. A tile of three channels has 200 KB: small beside what a network holds on its way, large
-// beside the names that go with each.
+// The side of a tile, pixels. A tile of three channels has 200 KB: small compared with the buffers of a network, large
+// compared with the names that are sent with each tile.
 constexpr int kTile = 128;
 
 }  // namespace

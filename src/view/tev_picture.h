@@ -1,4 +1,4 @@
-// A picture as tev is shown it: layers as channels of one image of the film's size, which goes over in tiles.
+// A picture in the form that tev gets: layers as channels of one image of the film's size, which is sent in tiles.
 #pragma once
 #include <string>
 #include <vector>
@@ -18,18 +18,18 @@ struct Picture {
     FilmGeometry film;
 };
 
-// The layers that the picture has of: the beauty, direct, indirect, albedo, normal, depth, variance, samples.
+// The layers of the picture, as far as it has them: beauty, direct, indirect, albedo, normal, depth, variance, samples.
 Picture pictureOf(LayeredPicture picture, const FilmGeometry& film);
-// The beauty and the samples alone.
+// The beauty and the samples only.
 Picture pictureOf(Preview preview, const PixelRegion& region, const FilmGeometry& film);
 
-// "R", "G", "B", "direct.R" and so on: of all layers, or of one.
+// Channel names of all layers, or of one: "R", "G", "B", "direct.R" and so on.
 std::vector<std::string> channelNames(const Picture& picture);
 std::vector<std::string> channelNames(const Picture::Layer& layer);
-// Squares of 128 pixels, or what is left of them at the right and at the bottom, that cover the region.
+// Tiles that cover the region: squares of 128 pixels, cut off at the right and at the bottom edge.
 std::vector<PixelRegion> tilesOf(const PixelRegion& region);
-// The values of a tile of the region in one of the picture's layers, those of all channels of a pixel together, row by
-// row.
+// The values of a tile of the region in one of the picture's layers, row by row, with the channels of each pixel
+// together.
 std::vector<float> valuesOf(const Picture& picture, const Picture::Layer& layer, const PixelRegion& tile);
 
 }  // namespace drc::tev

@@ -36,7 +36,7 @@ std::unique_ptr<Camera> ViewCamera::place(const Camera& sceneCamera, const FilmG
 }
 
 bool ViewLens::isUsable() const {
-    // Wider ones have pixels whose squares overflow.
+    // Greater values have squares that overflow in pixels.
     const auto isFine = [](float v) { return std::abs(v) < 1e9f; };
     return std::all_of(window.begin(), window.end(), isFine) && window[1] - window[0] > 1e-9f &&
            window[3] - window[2] > 1e-9f && radius >= 0 && isFine(radius) && focalDistance > 1e-9f &&

@@ -5,8 +5,8 @@
 namespace drc {
 namespace {
 
-// This part of the picture's width and height, around its middle, is measured: the corners of a realistic lens may be
-// dark, and a panorama wraps around.
+// The share of the picture's width and height, around its middle, that is measured: the corners of a realistic lens may
+// be dark, and a panorama wraps around.
 constexpr float kMeasured = 0.25f;
 
 }  // namespace
@@ -38,7 +38,7 @@ ViewPicture ViewPicture::of(const Camera& camera, const ViewCamera& at, const Pi
         picture.window = {x - picture.width / 2, x + picture.width / 2, y - height / 2, y + height / 2};
         return picture;
     }
-    // Towards the plane at distance 1, on which a perspective is even.
+    // Scales a direction to reach the plane at distance 1, on which a perspective picture is uniform.
     const auto onPlane = [](const Vec3& d) { return d / d.z; };
     if (middle.second.z > 0.1f) {
         const Vec3 across = onPlane(right.second) - onPlane(left.second);

@@ -20,11 +20,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Sizes of film that a page may ask for.
-// Bytes of a picture that is sent, and of any other request's body.
+// Greatest size of a picture that is sent, and of any other request's body, bytes.
 constexpr size_t kMostPicture = 64 << 20, kMostOther = 4 << 10;
+// Bounds on the side of a film that a page may ask for, pixels.
 constexpr int kLeastSide = 16, kMostSide = 4096;
-// Pixels of a picture to compare with.
+// Greatest number of pixels of a picture to compare with.
 constexpr int64_t kMostCompared = int64_t(kMostSide) * kMostSide;
 
 // Names of files and materials need not be UTF-8.
@@ -77,7 +77,7 @@ Json asJson(const SeenSurface& seen, const Scene& scene) {
     return value;
 }
 
-// So many numbers of an object; false if it does not have them.
+// Reads an array of `count` numbers from an object; false if there is none.
 template <typename Numbers>
 bool read(const Json& object, const char* name, size_t count, Numbers& numbers) {
     const auto found = object.find(name);
@@ -107,7 +107,7 @@ bool read(const Json& object, ViewLens& lens) {
     return lens.isUsable();
 }
 
-// A whole number of a query; none if it is anything else.
+// A whole number in a query; none if the text is anything else.
 std::optional<int> numberOf(std::string_view digits) {
     if (digits.empty() || digits.size() > 6) return {};
     int value = 0;
@@ -118,7 +118,7 @@ std::optional<int> numberOf(std::string_view digits) {
     return value;
 }
 
-// A share, from 0 to 1, of a query; none if it is anything else.
+// A share, from 0 to 1, in a query; none if the text is anything else.
 std::optional<float> shareOf(std::string_view digits) {
     float value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -126,8 +126,8 @@ std::optional<float> shareOf(std::string_view digits) {
     return value;
 }
 
-// Width, height, channels and the frame's number, as 32-bit integers, then all values as halves, in the machine's order
-// of bytes, which is little-endian wherever this program runs.
+// Encodes width, height, channels and the frame's number, as 32-bit integers, and then all values as halves, in the
+// machine's order of bytes, which is little-endian wherever this program runs.
 std::string encodeHalves(const Image& image, uint64_t number) {
     static_assert(std::endian::native == std::endian::little);
     const uint32_t header[] = {uint32_t(image.width()), uint32_t(image.height()), uint32_t(image.channels()),
@@ -168,7 +168,7 @@ std::vector<std::string> layersOf(const LiveFrame& frame) {
 
 namespace {
 
-// The image of a layer that the frame holds as it is; null: it has to be computed.
+// The image of a layer, if the frame contains it as it is; null: the layer has to be computed.
 const Image* heldLayer(const LiveFrame& frame, const std::string& name) {
     const LayeredPicture& picture = frame.picture;
     if (name == "beauty") return &picture.beauty;
@@ -222,7 +222,7 @@ ViewService::ViewService(const Scene& scene, const Accel& accel, LiveRender& ren
       camera_(home_) {}
 
 HttpAdmission ViewService::admit(const HttpRequest& header) const {
-    // Compared in constant time: how long it takes tells nothing of the token.
+    // Compared in constant time, so that the time reveals nothing of the token.
     const std::string prefix = "/" + settings_.token + "/";
     unsigned difference = header.path.size() < prefix.size();
     for (size_t i = 0; i < std::min(prefix.size(), header.path.size()); ++i)
@@ -408,7 +408,7 @@ HttpResponse ViewService::setCamera(const HttpRequest& request) {
     const auto moving = object.find("moving");
     const bool isMoving = moving != object.end() && moving->is_boolean() && moving->get<bool>();
     Json answer = asJson(camera, scene_);
-    // Under one lock, so that the last of several is the one that pages are told of.
+    // Under one lock, so that pages are told of the camera that was set last.
     const std::lock_guard lock(mutex_);
     camera_ = camera;
     answer["number"] = ++cameraNumber_;

@@ -8,7 +8,7 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = a => { const l = Math.hypot(...a) || 1; return a.map(x => x / l); };
 const between = (low, x, high) => Math.max(low, Math.min(high, x));
-// By the right-hand rule.
+// Turns v about a unit axis by an angle in radians, by the right-hand rule.
 function turned(v, axis, angle) {
   const c = Math.cos(angle), s = Math.sin(angle);
   return add(add(scaled(v, c), cross(axis, v), s), axis, dot(axis, v) * (1 - c));
@@ -19,22 +19,23 @@ function basis(c) {
   const ahead = unit(add(c.look, c.eye, -1)), right = unit(cross(c.up, ahead));
   return [right, cross(ahead, right), ahead];
 }
-// How the picture lies in these axes; the renderer has found out by rays. A mirrored camera has its right at their left.
+// The geometry of the picture in these axes, which the renderer has measured with rays unless the page has set a lens.
+// A mirrored camera has its right at their left.
 function pictureOf(c) {
   if (!c.lens) return home.picture;
   return { kind: c.lens.orthographic ? "parallel" : "perspective", width: c.lens.window[1] - c.lens.window[0],
            ahead: [0, 0, 1], right: [c.mirrored ? -1 : 1, 0, 0], top: [0, 1, 0] };
 }
-// The directions of what the picture shows in its middle, of its right edge and of its top edge, as they are now. hand:
-// whether right = top x ahead, or the contrary.
+// The directions of the picture's middle, of its right edge and of its top edge in world space. hand: 1 if right = top
+// x ahead, -1 if it is the contrary.
 function directions() {
   const axes = basis(camera), picture = pictureOf(camera);
   const world = v => add(add(scaled(axes[0], v[0]), axes[1], v[1]), axes[2], v[2]);
   const [ahead, right, top] = [picture.ahead, picture.right, picture.top].map(world);
   return { ahead, right, top, hand: dot(cross(top, ahead), right) < 0 ? -1 : 1 };
 }
-// The scene's vertical: an axis that the camera of the scene, if it stands level, has no part of to its right. Of several,
-// the one that is nearest to its own up.
+// The scene's vertical: a coordinate axis at a right angle to the right of the scene's camera, if that camera stands
+// level. If several axes qualify, it is the one nearest to the camera's own up.
 function vertical() {
   const [right] = basis(home), axes = [0, 1, 2].map(i => home.up.map((x, k) => (k === i ? Math.sign(x) : 0)));
   const level = axes.filter(axis => Math.abs(dot(axis, right)) < 0.02 && dot(axis, home.up) > 0.1);
@@ -45,25 +46,25 @@ function depthOf(point) {
   const arm = add(point, camera.eye, -1);
   return pictureOf(camera).kind === "panorama" ? Math.hypot(...arm) : Math.max(1e-6, dot(arm, directions().ahead));
 }
-// World units that a pixel of the screen shows, so far ahead of the camera.
+// World units that a pixel of the screen shows at a depth.
 function unitsPerPixel(depth) {
   const { kind, width } = pictureOf(camera);
   return width * (kind === "parallel" ? 1 : depth) / placed().width;
 }
-// By how much the middle of the picture lies above the horizon, radians.
+// The elevation of the picture's middle above the horizon, radians.
 const elevation = () => Math.asin(between(-1, dot(directions().ahead, vertical()), 1));
-// Turns the camera about a point, which stays where it is in the picture: ahead comes to lie further to the right, and
-// higher, by so many radians.
+// Turns the camera about a point, which stays where it is in the picture: by these angles, in radians, the direction of
+// view moves to the right and up.
 function turn(about, rightward, upward) {
   const up = vertical(), { ahead, right, hand } = directions(), now = elevation();
-  // Not over the poles.
+  // Not beyond the poles.
   const most = Math.max(1.5, Math.abs(now)), rise = between(-most, now + upward, most) - now;
   const level = Math.abs(dot(ahead, up)) < 0.9999 ? scaled(unit(cross(up, ahead)), hand) : right;
   const by = v => turned(turned(v, level, -hand * rise), up, hand * rightward);
   camera.eye = add(about, by(add(camera.eye, about, -1)));
   camera.look = add(about, by(add(camera.look, about, -1)));
   camera.up = unit(by(camera.up));
-  // A camera that stands level gets an up that people can read; one that does not keeps its roll.
+  // A camera that stands level gets the vertical as its up, which people can read; any other camera keeps its roll.
   if (Math.abs(dot(basis(camera)[0], up)) < 1e-4 && dot(camera.up, up) > 0) camera.up = up;
   moved();
 }
@@ -72,13 +73,13 @@ function shift(by) {
   camera.look = add(camera.look, by);
   moved();
 }
-// By pixels of the screen: what is so far ahead follows the pointer.
+// Shifts the camera by pixels of the screen: points at this depth follow the pointer.
 function pan(depth, dx, dy) {
   const { right, top } = directions(), k = unitsPerPixel(depth);
   shift(add(scaled(right, -dx * k), top, dy * k));
 }
-// To a share of its distance from a point, which stays where it is in the picture. A camera of parallel rays sees a part
-// of its picture instead.
+// Multiplies the distance from a point by a factor; the point stays where it is in the picture. A camera of parallel
+// rays shows a smaller or larger part of its picture instead.
 function dolly(towards, factor) {
   const [, , axis] = basis(camera), arm = add(towards, camera.eye, -1);
   if (pictureOf(camera).kind === "parallel") {
@@ -92,7 +93,8 @@ function dolly(towards, factor) {
   }
   moved();
 }
-// Ahead, to the right and upwards; 1 is the median distance of what the scene's camera shows.
+// Moves the camera ahead, to the right and upwards; 1 is the median distance of the surfaces that the scene's camera
+// shows.
 function fly(along, aside, upward) {
   const { ahead, right } = directions();
   shift(scaled(add(add(scaled(ahead, along), right, aside), vertical(), upward), distanceOf(home)));

@@ -2,7 +2,7 @@
 // ---- Controls --------------------------------------------------------------------------------------------------
 function setInspect(on) {
   inspect = on;
-  // What a click has told may cover a part of the picture.
+  // The text that a click has shown may cover a part of the picture, so it is removed.
   if (!on) $("pixel").replaceChildren("\u00a0");
   tellMode();
 }

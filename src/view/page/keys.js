@@ -1,10 +1,10 @@
 
 // ---- Keys ------------------------------------------------------------------------------------------------------
-// Keys that fly: ahead, to the right, upwards. Those that turn: to the right, upwards.
+// The directions of keys that fly: ahead, to the right, upwards; and of keys that turn: to the right, upwards.
 const flying = { w: [1, 0, 0], s: [-1, 0, 0], a: [0, -1, 0], d: [0, 1, 0], q: [0, 0, -1], e: [0, 0, 1] };
 const turning = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] };
 const kTurn = 1;  // radians a second
-let speed = 0;    // of flight: so many powers of two of half the scene's distance a second
+let speed = 0;    // binary logarithm of the speed of flight, in halves of the scene's distance a second
 function setSpeed(power) {
   speed = between(-6, power, 6);
   $("speed").value = speed;
@@ -23,17 +23,18 @@ function flight(now) {
   }
   const [along, aside, upward, rightward, rise] = sum;
   if (along || aside || upward) fly(along, aside, upward);
-  // Around what the middle shows, the eye goes to the side of the key.
+  // When the camera turns around the picture's middle, the eye moves to the side of the key.
   if (rightward || rise) { if (steering === "look") turn(camera.eye, rightward, rise); else if (middle) turn(middle, -rightward, -rise); }
   wheel = null;
   requestAnimationFrame(flight);
 }
-// The letter on the key, on a keyboard with Latin ones. On others, the one that is there on an American keyboard.
+// The letter on the key, on a keyboard with Latin letters. On others, the letter of that key on an American keyboard.
 function keyOf(event) {
   const { key, code } = event;
   return (key.length === 1 && key > "~" ? code.replace(/^(Key|Digit)/, "") : key).toLowerCase();
 }
-// After a click or a touch of a control the keys are the picture's again. Whoever goes to a control by Tab stays there.
+// After a click or a touch on a control, keys act on the picture again. A control that was reached by Tab keeps the
+// keys.
 let byPointer = true;
 addEventListener("pointerdown", () => byPointer = true, true);
 addEventListener("keydown", event => { if (event.key === "Tab") byPointer = false; }, true);
@@ -41,7 +42,7 @@ function backToPicture(event) {
   if (byPointer && event.target.matches(event.type === "click" ? "button, input[type=range]" : "select, input:not([type=number])")) screen.focus({ preventScroll: true });
 }
 for (const done of ["click", "change"]) addEventListener(done, backToPicture);
-// What the element that has the focus does with a key itself.
+// Whether the element that has the focus handles a key itself.
 function takesKey(element, key) {
   if (!(element instanceof Element)) return false;
   if (element.matches("input[type=number], input[type=file]")) return true;

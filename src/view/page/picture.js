@@ -66,7 +66,7 @@ const viewTransforms = {
 };
 
 let layer = "beauty", exposure = 0, view = "srgb", current = null, reference = null;
-// Layers that are no radiance are shown by a fixed rule of their own.
+// Layers that are not radiance are shown by fixed rules.
 function render(picture, name) {
   const key = [name, exposure, view].join();
   if (picture.drawnAs === key) return;
@@ -78,14 +78,14 @@ function render(picture, name) {
   } else if (name === "albedo") {
     for (let i = 0; i < n; ++i) for (let c = 0; c < 3; ++c) out[4 * i + c] = byte(srgb(halfTable[halves[3 * i + c]]));
   } else if (channels === 1) {
-    // From the least value to the greatest, which is white.
+    // From zero, which is black, to the greatest finite value, which is white.
     let most = 0;
     for (let i = 0; i < n; ++i) { const v = halfTable[halves[i]]; if (v > most && v < Infinity) most = v; }
     for (let i = 0; i < n; ++i) { const v = byte(srgb(halfTable[halves[i]] / (most || 1))); out[4 * i] = out[4 * i + 1] = out[4 * i + 2] = v; }
   } else {
     const gain = 2 ** exposure * (name === "variance" ? 16 : 1), transform = viewTransforms[view];
     if (!transform.from) {
-      // One table over all halves does.
+      // The curve acts on single channels, so one table over all halves suffices.
       const table = new Uint8ClampedArray(65536);
       for (let i = 0; i < 65536; ++i) { const v = halfTable[i] * gain; table[i] = v > 0 ? byte(transform.curve(v)) : 0; }
       for (let i = 0, k = 0, m = 3 * n; i < m; i += 3, k += 4) {

@@ -5,13 +5,13 @@ function onScreen(event) {
   const frame = screen.getBoundingClientRect();
   return [event.clientX - frame.left, event.clientY - frame.top];
 }
-// Where the pointers are on the screen in the middle, and how far apart.
+// The middle of the pointers on the screen, and the distance between two of them.
 function gesture() {
   const places = [...pointers.values()].map(onScreen), n = places.length;
   const [x, y] = [0, 1].map(i => places.reduce((sum, p) => sum + p[i], 0) / n);
   return { x, y, spread: n > 1 ? Math.hypot(places[0][0] - places[1][0], places[0][1] - places[1][1]) : 0 };
 }
-// A drag holds a point of the scene. Until the renderer has told it, movements add up.
+// A drag holds a point of the scene. Movements add up until the renderer has told which point it is.
 let drag = null;
 async function take(pans) {
   const mine = drag = { grip: null, pans, at: gesture(), x: 0, y: 0, closer: 1 };
@@ -28,7 +28,8 @@ function steer(d) {
     if (closer !== 1) dolly(grip, closer);
     pan(depthOf(grip), x, y);
   } else if (steering === "look") {
-    // What is in the middle of the picture follows the pointer. Where it looks down or up, more of a turn shows less.
+    // The middle of the picture follows the pointer. Where the camera looks down or up, the same turn moves the picture
+    // less.
     const angle = pictureOf(camera).kind === "parallel" ? Math.PI / size : unitsPerPixel(1);
     turn(camera.eye, -x * angle / Math.max(0.3, Math.cos(elevation())), y * angle);
   } else {
@@ -69,7 +70,7 @@ for (const end of ["pointerup", "pointercancel"])
   screen.addEventListener(end, event => {
     pointers.delete(event.pointerId);
     drag = null;
-    // Two fingers are hardly ever lifted at once: the one that stays means nothing.
+    // Two fingers are hardly ever lifted at once, so the remaining one does not move the camera.
     if (!pointers.size) takeUp(); else if (inspect) take(false);
   });
 screen.addEventListener("contextmenu", event => event.preventDefault());
@@ -81,11 +82,12 @@ function magnify(factor, x, y) {
   zoom = to;
   draw();
 }
-// While keys fly, the wheel sets how fast. Else it goes closer to what is under the pointer, or farther.
+// While keys fly, the wheel sets their speed. Otherwise it moves the camera towards or away from the point under the
+// pointer.
 let wheel = null;
 screen.addEventListener("wheel", async event => {
   event.preventDefault();
-  // Lines and pages of browsers that count so, in pixels.
+  // Some browsers count in lines or pages; these are converted to pixels.
   const factor = 1.0015 ** (event.deltaY * [1, 30, 300][event.deltaMode]), [x, y] = onScreen(event);
   if (inspect) return magnify(1 / factor, x, y);
   if (!camera) return;
@@ -142,7 +144,8 @@ function tellPixel(event) {
   line.replaceChildren(square, `${at[0]}, ${at[1]}   ${current.layer}   ${text}`, surface);
   tellSurface();
 }
-// What the renderer knows of the surface under the pointer. One question at a time, and not too many a second.
+// The renderer's answer about the surface under the pointer. Only one question is open at a time, and few are asked a
+// second.
 const surface = document.createElement("span");
 let pointed = null, asking = false;
 function words(answer) {

@@ -42,7 +42,7 @@ function draw() {
     document.body.dataset.drawn = current.number;
   });
 }
-// A rectangle in CSS pixels, to be seen on any picture.
+// Draws a rectangle, given in CSS pixels, so that it is visible on any picture.
 function outline(x, y, width, height, dashes) {
   for (const [colour, line] of [["#191817", 4], ["#e0a458", 2]]) {
     pen.strokeStyle = colour;

@@ -4,7 +4,7 @@ async function ask(path, body) {
   if (!response.ok) throw new Error((await response.text()).trim() || response.statusText);
   return response;
 }
-// There is no estimate of the error yet where the camera has just been moved.
+// Just after a camera move there is no estimate of the error yet.
 const available = name => name === "error" && !state?.["error estimate"] ? "beauty" : name;
 let fetching = false, wanted = false;
 async function load() {
@@ -24,7 +24,7 @@ async function load() {
 }
 function say(text, bad) { $("status").textContent = text; $("status").classList.toggle("bad", !!bad); }
 function onFrame(event) {
-  // An answer may be overtaken by an event.
+  // An event may overtake an answer, which is then out of date.
   if (event.serial < state?.serial) return;
   state = Object.assign(state ?? {}, event);
   if (event.error) return say(event.error, true);
@@ -71,18 +71,18 @@ async function start() {
   onFrame(first);
   listen();
 }
-// Events of the renderer, as long as there is one: a page outlives the program that it came from.
+// Listens to the renderer's events as long as there is a renderer: a page outlives the program that it came from.
 function listen() {
   const events = new EventSource("events");
   events.addEventListener("frame", event => onFrame(JSON.parse(event.data)));
   events.onopen = async () => {
     const now = await (await ask("state")).json();
-    // Another render under the same address: all that this page knows is of the former.
+    // Another render has the same address: all data of this page are those of the former render.
     if (now.run === state.run) onFrame(now); else location.reload();
   };
   events.onerror = async () => {
     say("the renderer does not answer; trying again", true);
-    // Else the browser itself goes on trying.
+    // In the other states, the browser itself tries again.
     if (events.readyState !== EventSource.CLOSED) return;
     const answer = await fetch("state").catch(() => null);
     if (answer?.status === 403) say("drc view has been started anew: open the new address, which it has printed", true);

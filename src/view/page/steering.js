@@ -20,7 +20,7 @@ function tellMode() {
   screen.classList.toggle("inspect", inspect);
 }
 
-// The renderer has one camera, and every page may set it: it numbers what is set.
+// The renderer has one camera, which every page may set. The renderer numbers these settings.
 let sending = false, next = null, settle = 0, heard = null;
 function moved() {
   send(true);
@@ -44,7 +44,7 @@ async function send(moving) {
   sending = false;
   takeUp();
 }
-// What another page has set is taken up, unless this one is steering: then it comes last.
+// A camera that another page has set is taken over, unless this page is steering: its own camera then comes last.
 function hear(their) {
   if (!heard || their.number > heard.number) heard = their;
   takeUp();
@@ -54,7 +54,7 @@ function takeUp() {
   if (heard.number > camera.number) camera = heard;
   heard = null;
 }
-// Else the renderer would go on with the small pictures of a camera that moves.
+// Otherwise the renderer would go on with the small pictures of a moving camera.
 addEventListener("pagehide", () => {
   if (!settle) return;
   const [width, height] = film;
@@ -66,8 +66,8 @@ function reset() {
   send(false);
 }
 
-// The point of the scene at a place of the screen, which drags and the wheel go by. What has no surface there, and a link
-// that is too slow for a question, leave what lies straight ahead.
+// The point of the scene at a place of the screen, which drags and the wheel refer to. Where there is no surface, or if
+// the answer takes too long, it is the point that the camera looks at.
 async function pointAt(x, y) {
   const at = placed(), ahead = camera.look;
   const share = (a, from, size) => between(0, (a - from) / size, 1).toFixed(5);
