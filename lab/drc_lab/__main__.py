@@ -1,8 +1,9 @@
-"""python3 -m drc_lab bench ... | evaluate-page REPORT.json ...: what `drc bench` and `drc evaluate --html` start."""
+"""python3 -m drc_lab bench ... | evaluate-page REPORT.json ... | check: what `drc bench` and `drc evaluate --html` start."""
 import sys
 
 from . import log
 from .errors import USAGE_EXIT_STATUS, Error, UsageError
+from .requirements import require_modules
 
 
 def _run(name: str, words: list[str]) -> int:
@@ -14,7 +15,10 @@ def _run(name: str, words: list[str]) -> int:
         from .evaluation_command import evaluate_page
 
         return evaluate_page(words)
-    raise UsageError(f"the laboratory has no command '{name}'; it has bench and evaluate-page")
+    if name == "check":
+        require_modules()
+        return 0
+    raise UsageError(f"the laboratory has no command '{name}'; it has bench, evaluate-page and check")
 
 
 def main(words: list[str]) -> int:
