@@ -1,4 +1,8 @@
-"""python3 -m drc_lab bench ... | evaluate-page REPORT.json ... | check: what `drc bench` and `drc evaluate --html` start."""
+"""python3 -m drc_lab bench ... | evaluate-page REPORT.json ... | check
+
+`drc bench` and `drc evaluate --html` start these commands.
+"""
+
 import sys
 
 from . import log

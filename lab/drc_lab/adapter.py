@@ -1,4 +1,5 @@
 """Other renderers, as the bench runs them: the contents of an adapter file (integrations/README.md)."""
+
 from __future__ import annotations
 
 import json

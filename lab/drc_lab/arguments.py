@@ -1,4 +1,5 @@
 """A command line with the rules and the messages that drc's other commands have."""
+
 from __future__ import annotations
 
 import argparse
@@ -25,7 +26,9 @@ def _number(text: str) -> float:
     return float(text) if _NUMBER.fullmatch(text) else math.nan
 
 
-def whole_number_in(low: int, high: int, message: str = "{} is not a whole number from {} to {}") -> Callable[[str], int]:
+def whole_number_in(
+    low: int, high: int, message: str = "{} is not a whole number from {} to {}"
+) -> Callable[[str], int]:
     def check(text: str) -> int:
         if re.fullmatch(r"[-+]?\d{1,18}", text, re.ASCII) and low <= int(text) <= high:
             return int(text)
@@ -86,7 +89,11 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, name: str, **options) -> None:
         super().__init__(
-            prog=name, allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter, add_help=False, **options
+            prog=name,
+            allow_abbrev=False,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+            add_help=False,
+            **options,
         )
         self.add_argument("-h", "--help", action="help", help="Print this help message and exit")
 
@@ -131,7 +138,9 @@ class Parser(argparse.ArgumentParser):
         if not word.startswith("-"):
             return UsageError(f"'{word}' is one file too many for {self.prog}")
         option, names = word.partition("=")[0], self._names()
-        nearest = [_ELSEWHERE[option]] if _ELSEWHERE.get(option) in names else difflib.get_close_matches(option, names, 1)
+        nearest = (
+            [_ELSEWHERE[option]] if _ELSEWHERE.get(option) in names else difflib.get_close_matches(option, names, 1)
+        )
         hint = f"did you mean '{nearest[0]}'?" if nearest else f"{self.prog} --help lists them"
         return UsageError(f"{self.prog} has no option '{option}'; {hint}")
 

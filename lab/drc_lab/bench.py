@@ -1,4 +1,5 @@
-"""Compares methods: scenes x methods x budgets, each in a process that is measured, each picture beside its references."""
+"""Compares methods: scenes x methods x budgets, each in a process that is measured, and their errors."""
+
 from __future__ import annotations
 
 import json
@@ -203,8 +204,8 @@ class _Bench:
         place = Path("runs", file_name(scene.name), file_name(method.name), f"{budget.name.replace(' ', '')}-{repeat}")
         stem = str(self._s.output / place)
         job = Job(
-            scene=scene.file, output=f"{stem}.exr", timing=f"{stem}.timing.json", width=scene.width, height=scene.height,
-            threads=self._s.threads, seed=repeat, budget=budget,
+            scene=scene.file, output=f"{stem}.exr", timing=f"{stem}.timing.json",
+            width=scene.width, height=scene.height, threads=self._s.threads, seed=repeat, budget=budget,
         )  # fmt: skip
         key, record = self._key_of(method, job), Path(f"{stem}.json")
         if known := self._known_run(record, key, job.output, scene):
@@ -281,8 +282,9 @@ def run_bench(settings: BenchSettings, cancel: Cancel | None = None) -> Report:
     """Runs everything that has no result in the output yet, and returns all results.
 
     A result is valid as long as the command, the program (ours: drc itself) and the scene's file are unchanged; if
-    references have changed, its picture is measured again. A method that fails leaves a Run with its message, and is tried
-    again the next time. Stops early on `cancel`, and returns the results so far. Raises Error if the whole comparison makes
-    no sense: a scene or a reference cannot be read, an external program is not installed, or two scenes have one name.
+    references have changed, its picture is measured again. A method that fails leaves a Run with its message, and is
+    tried again the next time. Stops early on `cancel`, and returns the results so far. Raises Error if the whole
+    comparison makes no sense: a scene or a reference cannot be read, an external program is not installed, or two
+    scenes have one name.
     """
     return _Bench(settings, cancel).run()

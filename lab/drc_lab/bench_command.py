@@ -1,4 +1,5 @@
 """`drc bench`: compares renderers and writes what was found as a table, as JSON and as a page."""
+
 from __future__ import annotations
 
 import sys

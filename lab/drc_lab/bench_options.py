@@ -1,4 +1,5 @@
 """The command line of `drc bench`."""
+
 from __future__ import annotations
 
 import argparse
@@ -39,45 +40,134 @@ def bench_parser() -> Parser:
     )
     add = parser.add_argument
     add("scenes", metavar="SCENE", nargs="+", help="Scene files, pbrt-v3 or pbrt-v4")
-    add("-o", "--output", metavar="TEXT", default="out/bench",
-        help="Folder for index.html, bench.json, bench.md and all pictures. Default: out/bench")
-    add("--methods", metavar="TEXT", nargs="+", type=comma_list, action=ExtendLists,
+    add(
+        "-o",
+        "--output",
+        metavar="TEXT",
+        default="out/bench",
+        help="Folder for index.html, bench.json, bench.md and all pictures. Default: out/bench",
+    )
+    add(
+        "--methods",
+        metavar="TEXT",
+        nargs="+",
+        type=comma_list,
+        action=ExtendLists,
         help=f"With commas between: {', '.join(INTEGRATORS)}, drc-maps:MAP-DENOISER (none, gaussian, oracle), "
         "drc-maps:NETWORK, or the name of an adapter (cycles, mitsuba3, pbrt-v3, pbrt-v4); each with +DENOISER, as "
-        "path+oidn: Open Image Denoise in its best mode for the budget, or in one that is named: path+oidn:high, :balanced, "
-        ":high-raw, :balanced-raw, :fast-raw; raw: albedo and normal are not filtered first. Default: drc,path")
-    add("--method", metavar="TEXT", nargs="+", action=ExtendLists, dest="named_methods",
-        help="NAME=OPTIONS: our own renderer with these options of drc render; may be repeated")
-    add("--adapter", metavar="TEXT", nargs="+", action=ExtendLists, dest="adapters",
-        help="Adapter file of another program, or its folder; may be repeated. The adapter's name is then a method")
-    add("--seconds", metavar="TEXT", nargs="+", type=comma_list, action=ExtendLists,
-        help=f"Wall-clock budgets of the whole process, as 10,30. Default, if no budget is given: {DEFAULT_SECONDS}")
-    add("--spp", metavar="TEXT", nargs="+", type=comma_list, action=ExtendLists,
-        help="Budgets in samples a pixel, as 1..256: adapters and ours without radiance maps")
-    add("--tasks", metavar="TEXT", nargs="+", type=comma_list, action=ExtendLists,
-        help="Budgets in indirect tasks, as 1..256: drc-maps")
-    add("--direct-spp", metavar="INT", type=whole_number_in(1, _MOST_SPP), default=16,
-        help="Samples a pixel of direct light where the budget is in tasks. Default: 16")
-    add("--repeats", metavar="INT", type=whole_number_in(1, 1000, "Value {} not in range {} to {}"), default=1,
-        help="Number of runs of each method, from 1 to 1000, each with its own seed. Default: 1")
-    add("--references", metavar="TEXT", default="",
-        help="Folder with NAME-1.exr and NAME-2.exr for each scene, of different seeds, or with NAME.exr, whose noise is "
-        "then part of the errors. NAME is that of the scene file, or of its folder if the file is called scene.pbrt. "
-        "Default: pairs are rendered, and kept in the output folder")
-    add("--reference-error", metavar="FLOAT", type=number_above(0), default=ReferenceSettings.error,
-        help="Standard error that the noise of rendered references may leave in an error. Default: 2e-05")
-    add("--reference-integrator", metavar="TEXT", type=one_of("path", "bdpt"), default=ReferenceSettings.integrator,
-        help="path or bdpt. Default: path")
-    add("--reference-spp", metavar="INT", type=whole_number_in(1, _MOST_SPP), default=ReferenceSettings.max_spp,
-        help="Samples a pixel of each reference at which rendering it stops, whatever its noise. Default: 65536")
-    add("--resolution", metavar="TEXT", default="",
-        help="WIDTHxHEIGHT in pixels. Default: the given references', else 1280x720")
-    add("--limit", metavar="FLOAT", type=seconds_of_work, default=3600,
-        help="Seconds after which a run without a budget in seconds is ended. Default: 3600")
-    add("--nthreads", metavar="INT", type=threads_number(), default=0,
-        help="Number of threads; 0, the default: one for each core that the affinity mask and the control group give")
-    add("--oidn-library", metavar="TEXT", default="",
-        help="Path of libOpenImageDenoise.so, if the system does not find it by itself")
+        "path+oidn: Open Image Denoise in its best mode for the budget, or in one that is named: path+oidn:high, "
+        ":balanced, :high-raw, :balanced-raw, :fast-raw; raw: albedo and normal are not filtered first. "
+        "Default: drc,path",
+    )
+    add(
+        "--method",
+        metavar="TEXT",
+        nargs="+",
+        action=ExtendLists,
+        dest="named_methods",
+        help="NAME=OPTIONS: our own renderer with these options of drc render; may be repeated",
+    )
+    add(
+        "--adapter",
+        metavar="TEXT",
+        nargs="+",
+        action=ExtendLists,
+        dest="adapters",
+        help="Adapter file of another program, or its folder; may be repeated. The adapter's name is then a method",
+    )
+    add(
+        "--seconds",
+        metavar="TEXT",
+        nargs="+",
+        type=comma_list,
+        action=ExtendLists,
+        help=f"Wall-clock budgets of the whole process, as 10,30. Default, if no budget is given: {DEFAULT_SECONDS}",
+    )
+    add(
+        "--spp",
+        metavar="TEXT",
+        nargs="+",
+        type=comma_list,
+        action=ExtendLists,
+        help="Budgets in samples a pixel, as 1..256: adapters and ours without radiance maps",
+    )
+    add(
+        "--tasks",
+        metavar="TEXT",
+        nargs="+",
+        type=comma_list,
+        action=ExtendLists,
+        help="Budgets in indirect tasks, as 1..256: drc-maps",
+    )
+    add(
+        "--direct-spp",
+        metavar="INT",
+        type=whole_number_in(1, _MOST_SPP),
+        default=16,
+        help="Samples a pixel of direct light where the budget is in tasks. Default: 16",
+    )
+    add(
+        "--repeats",
+        metavar="INT",
+        type=whole_number_in(1, 1000, "Value {} not in range {} to {}"),
+        default=1,
+        help="Number of runs of each method, from 1 to 1000, each with its own seed. Default: 1",
+    )
+    add(
+        "--references",
+        metavar="TEXT",
+        default="",
+        help="Folder with NAME-1.exr and NAME-2.exr for each scene, of different seeds, or with NAME.exr, whose noise "
+        "is then part of the errors. NAME is that of the scene file, or of its folder if the file is called "
+        "scene.pbrt. Default: pairs are rendered, and kept in the output folder",
+    )
+    add(
+        "--reference-error",
+        metavar="FLOAT",
+        type=number_above(0),
+        default=ReferenceSettings.error,
+        help="Standard error that the noise of rendered references may leave in an error. Default: 2e-05",
+    )
+    add(
+        "--reference-integrator",
+        metavar="TEXT",
+        type=one_of("path", "bdpt"),
+        default=ReferenceSettings.integrator,
+        help="path or bdpt. Default: path",
+    )
+    add(
+        "--reference-spp",
+        metavar="INT",
+        type=whole_number_in(1, _MOST_SPP),
+        default=ReferenceSettings.max_spp,
+        help="Samples a pixel of each reference at which rendering it stops, whatever its noise. Default: 65536",
+    )
+    add(
+        "--resolution",
+        metavar="TEXT",
+        default="",
+        help="WIDTHxHEIGHT in pixels. Default: the given references', else 1280x720",
+    )
+    add(
+        "--limit",
+        metavar="FLOAT",
+        type=seconds_of_work,
+        default=3600,
+        help="Seconds after which a run without a budget in seconds is ended. Default: 3600",
+    )
+    add(
+        "--nthreads",
+        metavar="INT",
+        type=threads_number(),
+        default=0,
+        help="Number of threads; 0, the default: one for each core that the affinity mask and the control group give",
+    )
+    add(
+        "--oidn-library",
+        metavar="TEXT",
+        default="",
+        help="Path of libOpenImageDenoise.so, if the system does not find it by itself",
+    )
     add("--quiet", action="store_true", help="Print only the table, warnings and errors")
     add("-v", "--verbose", action="store_true", help="Print more messages, among them the command lines")
     add("--drc", metavar="PROGRAM", help="The drc that renders and measures. Default: the one that was called")

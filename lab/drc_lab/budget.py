@@ -1,4 +1,5 @@
 """Budgets of a method: wall-clock seconds of its whole process, or an amount in its own unit."""
+
 from __future__ import annotations
 
 import math

@@ -1,4 +1,5 @@
 """The plots of a comparison's page: error against time, and memory against tasks."""
+
 from __future__ import annotations
 
 from dataclasses import dataclass

@@ -1,4 +1,5 @@
 """The page's tables of methods that had the same seconds."""
+
 from __future__ import annotations
 
 import math

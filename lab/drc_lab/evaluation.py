@@ -1,4 +1,5 @@
 """An evaluation of networks, as `drc evaluate --json` says it, made ready to be shown."""
+
 from __future__ import annotations
 
 import json

@@ -1,4 +1,5 @@
 """evaluate-page: makes a page of what `drc evaluate --json --pictures FOLDER` says."""
+
 from __future__ import annotations
 
 from pathlib import Path

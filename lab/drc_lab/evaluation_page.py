@@ -1,4 +1,5 @@
 """The page of `drc evaluate --html`: one file with tables, box plots, tests and pictures of some examples."""
+
 from __future__ import annotations
 
 from pathlib import Path

@@ -1,4 +1,5 @@
 """The tables of an evaluation's page: blocks of rows with a cell for each measure."""
+
 from __future__ import annotations
 
 import math

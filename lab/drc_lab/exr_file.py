@@ -3,6 +3,7 @@
 Scan lines of floats, compressed by ZIP: https://openexr.com/en/latest/OpenEXRFileLayout.html. drc reads them, and reads
 the metadata back (program.py).
 """
+
 from __future__ import annotations
 
 import struct

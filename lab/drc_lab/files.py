@@ -1,17 +1,18 @@
 """Files that are written whole or not at all, and what tells that a file was changed."""
+
 import os
 import tempfile
 from pathlib import Path
 
 from .errors import Error, reason_of
 
-# The clock that drc takes file times from starts in the year 2174. Its numbers are kept, so that pictures and references
-# which drc itself has rendered and recorded are found again.
+# Records of earlier versions have file times by a clock that starts in the year 2174. Its numbers are kept, so that
+# their pictures and references are found again.
 _FILE_CLOCK_EPOCH = 6437664000 * 10**9
 
 
 def write_whole(path: Path, data: "bytes | str") -> None:
-    """Writes a temporary file beside the target and renames it: a crash or a full disk leaves the old file as it was."""
+    """Writes a temporary file beside the target and renames it: a crash or a full disk leaves the old file."""
     content = data.encode("utf-8") if isinstance(data, str) else data
     target = Path(os.path.realpath(path))
     temporary = None

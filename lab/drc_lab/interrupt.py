@@ -1,4 +1,5 @@
 """Interrupts: the first Ctrl-C asks to finish and keep what is done, the second ends the process at once."""
+
 import os
 import signal
 

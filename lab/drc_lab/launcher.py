@@ -1,10 +1,11 @@
-"""Starts one program, waits for its end and reports what it used. Run as a script of its own: launcher.py FD PROGRAM ...
+"""Starts one program, waits for its end and reports what it used. Usage: launcher.py FD PROGRAM ...
 
 The system counts the memory of the process that a program is started from as the program's own peak. The bench reads
 pictures and draws plots, and is larger than many renders; this script imports next to nothing and stays at some 10 MB.
-It writes lines of JSON to the descriptor FD: {"pid"} or {"errno"} at the start, then {"seconds", "cpu_seconds", "peak_mb",
-"status"}.
+It writes lines of JSON to the descriptor FD: {"pid"} or {"errno"} at the start, then {"seconds", "cpu_seconds",
+"peak_mb", "status"}.
 """
+
 import json
 import os
 import sys

@@ -1,4 +1,5 @@
 """Messages to the user on standard error, in the words of drc itself."""
+
 import sys
 
 QUIET, NORMAL, VERBOSE = range(3)

@@ -1,4 +1,5 @@
-"""What the parts of a comparison's page share: the quantities, how each is written, and which runs there are."""
+"""The parts of a comparison's page share this: the quantities, how each is written, and which budgets there are."""
+
 from __future__ import annotations
 
 import math

@@ -1,4 +1,5 @@
 """A method that the bench compares: one of our own, or another program with an adapter."""
+
 from __future__ import annotations
 
 import math
@@ -46,10 +47,10 @@ class OwnProgram:
 class Method:
     """The method that `text` names.
 
-    INTEGRATOR, drc-maps:MAP-DENOISER, drc-maps:WEIGHTS (a network's name, or a file), or the name of an adapter; each with
-    +DENOISER. Without one, drc and drc-maps are denoised as by default, and the others are not. Ours take oidn and
-    oidn-direct with a mode, as path+oidn:balanced-raw; without one they take the best mode for the budget. Or NAME=OPTIONS,
-    with options of `drc render` separated by blanks. Raises Error that says what would be right.
+    INTEGRATOR, drc-maps:MAP-DENOISER, drc-maps:WEIGHTS (a network's name, or a file), or the name of an adapter; each
+    with +DENOISER. Without one, drc and drc-maps are denoised as by default, and the others are not. Ours take oidn and
+    oidn-direct with a mode, as path+oidn:balanced-raw; without one they take the best mode for the budget. Or
+    NAME=OPTIONS, with options of `drc render` separated by blanks. Raises Error that says what would be right.
     """
 
     def __init__(self, text: str, find_adapter: FindAdapter) -> None:
@@ -115,7 +116,7 @@ class Method:
         self._options += ["--denoise", self._denoiser]
 
     def keeps(self, unit: str) -> bool:
-        """Whether the method can keep a budget in this unit. Ours keep seconds, and tasks if they have maps, else spp."""
+        """Whether a budget can be kept in this unit: ours keep seconds, and tasks if they have maps, else spp."""
         if self.adapter:
             return unit in self.adapter.commands
         return unit == SECONDS or (unit == TASKS) == self._has_maps

@@ -1,4 +1,5 @@
 """Numbers as HTML."""
+
 from __future__ import annotations
 
 import math

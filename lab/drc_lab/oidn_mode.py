@@ -1,4 +1,5 @@
-"""The modes of Open Image Denoise, and which of them is best for a budget, so that path tracing with it is a fair opponent."""
+"""The modes of Open Image Denoise; the best one for a budget makes path tracing with it a fair opponent."""
+
 from __future__ import annotations
 
 import math
@@ -32,11 +33,11 @@ def find_mode(name: str) -> OidnMode | None:
 
 
 def best_mode(seconds: float, pixels: float, threads: int) -> OidnMode:
-    """The mode of "path+oidn" for a budget: the first measured one that takes at most a quarter of it, else the cheapest.
+    """The mode of "path+oidn": the first measured one that takes at most a quarter of the budget, else the cheapest.
 
-    By errors at 1280x720 on two cores, with 10 and 30 s, in three interiors (docs/measuring.md), balanced-raw is best or
-    equal to the best in all but one of the six; what high costs is worth more as samples there. Whether high is best from
-    60 s on has not been measured.
+    By errors at 1280x720 on two cores, with 10 and 30 s, in three interiors (docs/measuring.md), balanced-raw is best
+    or equal to the best in all but one of the six; what high costs is worth more as samples there. Whether high is best
+    from 60 s on has not been measured.
     """
     measured = [mode for mode in MODES if not math.isnan(mode.microseconds)]
     for mode in measured:

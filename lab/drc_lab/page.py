@@ -1,4 +1,5 @@
 """The page of a comparison: one HTML file that fetches nothing."""
+
 from __future__ import annotations
 
 from collections import Counter

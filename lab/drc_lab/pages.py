@@ -1,4 +1,5 @@
 """The templates of the pages (templates/), which Jinja2 fills in; all that they show is escaped."""
+
 from __future__ import annotations
 
 from pathlib import Path

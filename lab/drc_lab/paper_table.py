@@ -1,4 +1,5 @@
 """The page's tables in the units of each method, tasks and samples, as the paper has them."""
+
 from __future__ import annotations
 
 import math
@@ -120,7 +121,9 @@ def _table(report: Report, scene: Scene) -> PaperTable | None:
         png_kb=one_decimal(scene.reference_png_kb),
         entropy=two_decimals(scene.reference_entropy),
         columns=columns,
-        rows=[(f"{amount:g}", [_group(report, scene.name, column, amount) for column in columns]) for amount in amounts],
+        rows=[
+            (f"{amount:g}", [_group(report, scene.name, column, amount) for column in columns]) for amount in amounts
+        ],
         beside=[row for ours in tasks for row in _beside(report, scene.name, ours, samples)],
     )
 

@@ -1,4 +1,5 @@
-"""The pictures of a comparison, each once on the page: as figures, one strip for each scene, and the rest in a gallery."""
+"""The pictures of a comparison, each once on the page: a strip of figures for each scene, and a gallery of the rest."""
+
 from __future__ import annotations
 
 import base64

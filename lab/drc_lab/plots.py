@@ -1,4 +1,5 @@
 """Plots by matplotlib, as SVG that becomes a part of a page and has the page's colours, light or dark."""
+
 from __future__ import annotations
 
 import html
@@ -101,6 +102,9 @@ def _inline_svg(figure: Figure, title: str, tips: dict[str, str]) -> Markup:
         svg = file.getvalue()
     svg = svg[svg.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
+    # Nothing reaches out of the axes, whose limits are around all values.
+    svg = re.sub(r"<clipPath.*?</clipPath>", "", svg, flags=re.DOTALL)
+    svg = re.sub(r' clip-path="[^"]*"', "", svg)
     view_box = re.search(r'viewBox="[^"]*"', svg)[0]
     label = html.escape(title)
     svg = re.sub(r"<svg[^>]*>", f'<svg class="plot" {view_box} role="img" aria-label="{label}">', svg, count=1)
@@ -114,7 +118,7 @@ def _inline_svg(figure: Figure, title: str, tips: dict[str, str]) -> Markup:
 
 
 def _shown(series: list[Series], log_x: bool, log_y: bool) -> list[Series]:
-    """What the axes can show."""
+    """Leaves out points that the axes cannot show."""
 
     def fits(value: float, logarithmic: bool) -> bool:
         return math.isfinite(value) and (value > 0 or not logarithmic)
@@ -126,7 +130,9 @@ def _shown(series: list[Series], log_x: bool, log_y: bool) -> list[Series]:
     return [one for one in kept if one.points]
 
 
-def line_plot(title: str, x_label: str, series: list[Series], log_y: bool, x_ticks: list[float] | None = None) -> Markup:
+def line_plot(
+    title: str, x_label: str, series: list[Series], log_y: bool, x_ticks: list[float] | None = None
+) -> Markup:
     """A line for each series, with a mark and, where they are known, a bar at each point. x is logarithmic.
 
     x_ticks: the values below the axis, in place of round ones.
@@ -138,7 +144,7 @@ def line_plot(title: str, x_label: str, series: list[Series], log_y: bool, x_tic
         tips: dict[str, str] = {}
         for one in series:
             colour = SERIES[one.colour]
-            axes.plot([p.x for p in one.points], [p.y for p in one.points], color=colour, linewidth=1.4, clip_on=False)
+            axes.plot([p.x for p in one.points], [p.y for p in one.points], color=colour, linewidth=1.4)
             for p in one.points:
                 _add_point(axes, p, one, tips)
         if series:
@@ -159,8 +165,8 @@ def line_plot(title: str, x_label: str, series: list[Series], log_y: bool, x_tic
 def _add_point(axes: Axes, point: Point, series: Series, tips: dict[str, str]) -> None:
     colour, name = SERIES[series.colour], f"tip-{len(tips)}"
     if math.isfinite(point.low) and math.isfinite(point.high):
-        axes.plot([point.x] * 2, [point.low, point.high], color=colour, linewidth=1, clip_on=False, gid=f"bar-{len(tips)}")
-    axes.plot([point.x], [point.y], series.marker, color=colour, markersize=4.5, clip_on=False, gid=name)
+        axes.plot([point.x] * 2, [point.low, point.high], color=colour, linewidth=1, gid=f"bar-{len(tips)}")
+    axes.plot([point.x], [point.y], series.marker, color=colour, markersize=4.5, gid=name)
     tips[name] = point.title
 
 
@@ -179,7 +185,7 @@ def box_limits(boxes: list[Box], logarithmic: bool) -> tuple[float, float, bool]
 
 
 def box_plot(title: str, boxes: list[Box], limits: tuple[float, float, bool]) -> Markup:
-    """Boxes from quartile to quartile, a line at the median, a circle at the mean; whiskers to the outer percentiles."""
+    """Draws boxes between quartiles, a line at the median, a circle at the mean, whiskers to outer percentiles."""
     low, high, logarithmic = limits
     with matplotlib.rc_context(_STYLE):
         figure = Figure(figsize=(_WIDTH, 0.6 + _ROW_HEIGHT * max(1, len(boxes))), layout="constrained")
@@ -201,7 +207,14 @@ def box_plot(title: str, boxes: list[Box], limits: tuple[float, float, bool]) ->
 
 def _add_box(axes: Axes, box: Box, place: int, tips: dict[str, str]) -> None:
     s, colour, name = box.summary, SERIES[box.colour], f"tip-{place}"
-    values = {"med": s["median"], "q1": s["q1"], "q3": s["q3"], "whislo": s["p5"], "whishi": s["p95"], "mean": s["mean"]}
+    values = {
+        "med": s["median"],
+        "q1": s["q1"],
+        "q3": s["q3"],
+        "whislo": s["p5"],
+        "whishi": s["p95"],
+        "mean": s["mean"],
+    }
     line = {"color": colour, "linewidth": 1.1}
     drawn = axes.bxp(
         [values | {"fliers": []}], positions=[place], widths=0.5, vert=False, patch_artist=True, showmeans=True,
@@ -209,8 +222,6 @@ def _add_box(axes: Axes, box: Box, place: int, tips: dict[str, str]) -> None:
         boxprops={"edgecolor": colour, "facecolor": "none", "linewidth": 1.1},
         meanprops={"marker": "o", "markersize": 4, "markerfacecolor": colour, "markeredgecolor": colour},
     )  # fmt: skip
-    for artist in itertools.chain(*drawn.values()):
-        artist.set_clip_on(False)
     drawn["boxes"][0].set_gid(name)
     tips[name] = (
         f"{box.label}: median {s['median']:.4g}, quartiles {s['q1']:.4g} and {s['q3']:.4g}, mean {s['mean']:.4g}"

@@ -1,4 +1,5 @@
 """Runs a program to its end and measures it."""
+
 from __future__ import annotations
 
 import json
@@ -31,10 +32,10 @@ class ProcessUse:
 
 
 def run_measured(command: list[str], limit_seconds: float | None = None, cancel: Cancel | None = None) -> ProcessUse:
-    """command[0] is looked up in PATH. The program leads a process group of its own, and reads nothing from the terminal.
+    """Looks command[0] up in PATH. The program leads a process group of its own, and reads nothing from the terminal.
 
-    After `limit_seconds`, or when `cancel` is raised, the group is asked to end, and killed two seconds later. Raises Error
-    if the program cannot be started at all.
+    After `limit_seconds`, or when `cancel` is raised, the group is asked to end, and killed two seconds later. Raises
+    Error if the program cannot be started at all.
     """
     if not command:
         raise Error("a command must have at least a program's name")
@@ -133,7 +134,7 @@ class _Run:
 
 
 def _read(descriptor: int) -> bytes | None:
-    """What there is to read; empty at the end, None if there is nothing yet."""
+    """Reads as much as there is: empty at the end, None if there is nothing yet."""
     try:
         return os.read(descriptor, 1 << 16)
     except BlockingIOError:
@@ -143,7 +144,8 @@ def _read(descriptor: int) -> bytes | None:
 def last_line(output: str) -> str:
     """The last line that is not blank, trimmed: where programs usually report errors.
 
-    If the output ends with a line of a scene's file and a caret below it, as our own errors do, the line before these two.
+    If the output ends with a line of a scene's file and a caret below it, as our own errors do, it is the line before
+    these two.
     """
     lines = [line.strip() for line in output.replace("\r", "\n").split("\n") if line.strip()]
     if len(lines) > 2 and lines[-1] == "^":

@@ -1,4 +1,5 @@
 """drc itself, as the laboratory calls it: what measures and what reads pictures is in C++, and says it as JSON."""
+
 from __future__ import annotations
 
 import json
@@ -20,7 +21,7 @@ _PREFIX = re.compile(r"^drc: (error: )?")
 
 
 def find_program(named: str | None) -> str:
-    """The program that the user names, that DRC_PROGRAM names, of the source tree's build, or in PATH; its real path."""
+    """Finds the program that the user or DRC_PROGRAM names, else that of the build, else drc in PATH."""
     here = Path(__file__).resolve()
     candidates = [named] if named else [os.environ.get("DRC_PROGRAM"), here.parents[2] / "build/release/drc", "drc"]
     for candidate in candidates:

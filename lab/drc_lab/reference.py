@@ -1,4 +1,5 @@
 """Renders the two references of a scene, until their noise is small enough to measure with, and keeps them."""
+
 from __future__ import annotations
 
 import os
@@ -116,8 +117,8 @@ class _Rendering:
         spp = 2 * self._streams[0].spp
         if not self._error <= self._settings.error:
             log.warning(
-                f"the references of {self._name} leave a standard error of about {self._error:.1e} after 2 x {spp} spp; "
-                f"{self._settings.error:.1e} was wanted"
+                f"the references of {self._name} leave a standard error of about {self._error:.1e} after "
+                f"2 x {spp} spp; {self._settings.error:.1e} was wanted"
             )
         origin = (
             f"{self._settings.integrator}, 2 x {spp} spp, noise {self._noise:.1e}, "
@@ -144,7 +145,8 @@ class _Rendering:
 
     def _render_part(self, stream: _Stream, cancel: Cancel | None) -> bool:
         log.info(
-            f"references of {self._name}: rendering {stream.next_spp} spp, picture {stream.number + 1} of {len(_STREAMS)}"
+            f"references of {self._name}: rendering {stream.next_spp} spp, "
+            f"picture {stream.number + 1} of {len(_STREAMS)}"
         )
         raw = self._folder / "part.exr"
         command = [self._program.path, "render", self._scene, "--integrator", self._settings.integrator]
@@ -174,8 +176,8 @@ def render_references(
     """`folder`/NAME-WIDTHxHEIGHT-1.exr and -2.exr, if they have the key and are good enough; else they are rendered.
 
     Each is the mean of two halves, so there are four streams of samples with different seeds, kept in
-    `folder`/NAME-WIDTHxHEIGHT: after an interruption, or for a smaller error, rendering continues there. None if cancelled.
-    Raises Error if the program fails.
+    `folder`/NAME-WIDTHxHEIGHT: after an interruption, or for a smaller error, rendering continues there. None if
+    cancelled. Raises Error if the program fails.
     """
     size, whole_key = f"{width}x{height}", f"{settings.integrator}\n{key}"
     first, second = (folder / f"{name}-{size}-{i}.exr" for i in (1, 2))

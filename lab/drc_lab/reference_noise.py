@@ -1,8 +1,9 @@
-"""What the noise of two references puts into a cross error, from the halves that each reference is the mean of.
+"""Estimates how much the noise of two references adds to a cross error, from the two halves that each is the mean of.
 
-The definitions are those of src/image/relative_norm.h, cross_error.h and tile_statistics.h, which say why they are as they
-are; a test compares the noise found here with that of `drc compare`.
+The definitions are those of src/image/relative_norm.h, cross_error.h and tile_statistics.h, which say why they are as
+they are; a test compares the noise found here with that of `drc compare`.
 """
+
 from __future__ import annotations
 
 import math
@@ -56,7 +57,7 @@ def reference_noise(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def _standard_error_of_zero(values: np.ndarray) -> float:
-    """The standard error of a mean whose expectation is zero, from the sums of tiles, as neighbours may be dependent."""
+    """The standard error of a mean whose expectation is zero, by sums of tiles, since neighbours may be dependent."""
     height, width = values.shape
     side = min(32, max(8, int(math.sqrt(width * height / 64))))
     across, down = (max(1, math.floor(pixels / side + 0.5)) for pixels in (width, height))

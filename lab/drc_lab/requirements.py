@@ -1,4 +1,5 @@
 """The libraries that the laboratory stands on. Nothing but the commands that need them imports them."""
+
 import importlib.util
 
 from .errors import Error

@@ -1,4 +1,5 @@
 """The results of a comparison of renderers: plain data that the bench stores and its page shows."""
+
 from __future__ import annotations
 
 import math
@@ -64,7 +65,7 @@ QUANTITIES = (
 class Scene:
     name: str
     file: str
-    # EXR; relative to the folder of the report, or absolute. `reference` is shown on the page: for a pair it is the mean.
+    # EXR; relative to the folder of the report, or absolute. The page shows `reference`: for a pair it is the mean.
     reference: str = ""
     pair: list[str] = field(default_factory=list)  # two independent references; empty if there is only one
     reference_origin: str = ""  # "given", or how they were rendered
@@ -143,5 +144,5 @@ def opponent_error(report: Report, scene: str, budget: Budget) -> float:
 
 
 def is_noisy(value: float, perfect: float, noise: float) -> bool:
-    """Whether the references' noise, by which a perfect picture would miss `perfect`, has a large share of the value."""
+    """Whether the noise by which a perfect picture would miss `perfect` has a large share of the value."""
     return noise > MOST_DISPLAYED_NOISE * abs(value - perfect)

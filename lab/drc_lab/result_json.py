@@ -1,4 +1,5 @@
 """Results as JSON: one file for each run while a comparison is going on, and all of it at the end."""
+
 from __future__ import annotations
 
 import json

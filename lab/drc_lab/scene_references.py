@@ -1,4 +1,5 @@
 """The references that a scene's pictures are compared with: two independent ones, or one."""
+
 from __future__ import annotations
 
 import os
@@ -28,7 +29,7 @@ def size_of(program: Program, picture: str) -> tuple[int, int]:
 
 
 def describe(program: Program, references: list[str], shown: str, scene: Scene) -> None:
-    """Fills in what the report says about references: noise and file size. shown: the only one, or the mean of a pair."""
+    """Fills in the noise and the file size of references. shown: the only one, or the mean of a pair."""
     told = program.compare(references, shown)
     scene.reference_png_kb = number_from(told["png_kb"][0])
     scene.reference_entropy = number_from(told.get("entropy", [None])[0])

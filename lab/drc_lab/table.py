@@ -1,4 +1,5 @@
 """The results as Markdown: a table for each budget."""
+
 from __future__ import annotations
 
 import math
@@ -7,8 +8,8 @@ from .budget import Budget
 from .result import MOST_DISPLAYED_NOISE, Report, Run, Scene, all_runs_of, is_noisy, opponent_error, runs_of, spread_of
 
 _HEADER = [
-    "scene", "method", "error", "trimmed", "8x8 blocks", "/ path+oidn", "SSIM", "FLIP", "mean ratio RGB", "spp", "load s",
-    "render s", "denoise s", "write s", "whole s", "MB",
+    "scene", "method", "error", "trimmed", "8x8 blocks", "/ path+oidn", "SSIM", "FLIP", "mean ratio RGB", "spp",
+    "load s", "render s", "denoise s", "write s", "whole s", "MB",
 ]  # fmt: skip
 
 
@@ -77,7 +78,9 @@ class _BudgetTable:
         opponent = opponent_error(self._report, scene.name, self._budget)
         errors = [_error(runs, name) for name in ("error", "trimmed_error", "block_error")]
         ratios = [spread_of([run.mean_ratio[c] for run in runs]).median for c in range(3)]
-        seconds = [_number(_median(runs, f"{part}seconds"), 1) for part in ("load_", "render_", "denoise_", "write_", "")]
+        seconds = [
+            _number(_median(runs, f"{part}seconds"), 1) for part in ("load_", "render_", "denoise_", "write_", "")
+        ]
         return [
             _in_cell(scene.name),
             _in_cell(method),

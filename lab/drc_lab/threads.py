@@ -1,4 +1,5 @@
 """The number of threads that a program is given if the user names none."""
+
 from __future__ import annotations
 
 import math
