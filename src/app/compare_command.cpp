@@ -48,7 +48,7 @@ nlohmann::ordered_json number(double x) {
     return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
 
-// What of the JSON tells about each picture by itself: the reference, or the mean of both, and the test image.
+// Adds the facts about each picture by itself: the reference, or the mean of both, and the test image.
 void addSizes(nlohmann::ordered_json& json, const std::array<double, 2>& pngKb, const Image& reference,
               const Image& test) {
     json["png_kb"] = {number(pngKb[0]), number(pngKb[1])};

@@ -40,8 +40,8 @@ TEST_F(EvaluateCommandTest, WeightsMayStandAnywhereAndBeRepeated) {
 
 TEST_F(EvaluateCommandTest, NamesPicturesInTheJson) {
     const auto run = [&](const std::string& folder, const std::string& seed) {
-        return nlohmann::json::parse(evaluateWith({path("ea"), "--weights", a, "--json", "--pictures", path(folder),
-                                                   "--samples", "3", "--seed", seed}));
+        return nlohmann::json::parse(evaluateWith(
+            {path("ea"), "--weights", a, "--json", "--pictures", path(folder), "--samples", "3", "--seed", seed}));
     };
     const auto json = run("new/folder", "0");
     EXPECT_EQ(json["samples"]["seed"], 0);

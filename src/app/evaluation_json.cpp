@@ -72,8 +72,10 @@ OrderedJson toJson(const EvaluatedGroup& group, const GroupReport& report) {
 
 std::string evaluationJson(const Evaluation& evaluation, const EvaluationReport& report,
                            const SampleSettings* samples) {
-    OrderedJson json{
-        {"version", DRC_VERSION}, {"examples", evaluation.examples}, {"files", evaluation.files}, {"skipped_files", evaluation.skipped}};
+    OrderedJson json{{"version", DRC_VERSION},
+                     {"examples", evaluation.examples},
+                     {"files", evaluation.files},
+                     {"skipped_files", evaluation.skipped}};
     json["networks"] = OrderedJson::array();
     for (const EvaluatedNetwork& network : evaluation.networks)
         json["networks"].push_back({{"name", network.name},

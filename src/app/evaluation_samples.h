@@ -1,5 +1,5 @@
-// The maps of some examples as pictures, for the page of an evaluation: the captured map, the result of each method, and
-// its difference from the target.
+// The maps of some examples as pictures, for the page of an evaluation: the captured map, the result of each method,
+// and its difference from the target.
 #pragma once
 #include <cstdint>
 #include <nlohmann/json.hpp>

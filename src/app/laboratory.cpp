@@ -31,7 +31,8 @@ std::string startScript() {
     std::error_code ignored;
     for (const fs::path& folder : shippedFolders("lab"))
         if (const fs::path script = folder / "start.py"; fs::exists(script, ignored)) return script.string();
-    throw Error("the folder lab, the part of drc that is written in Python, is neither beside the program nor above it");
+    throw Error(
+        "the folder lab, the part of drc that is written in Python, is neither beside the program nor above it");
 }
 
 [[noreturn]] void cannotStart(int reason) {
