@@ -70,6 +70,9 @@ class CommandLine(FolderTest):
             (["-o", ""], "--output: the value is empty"),
             (["--nthreads", "9999"], "9999 is not a whole number from 0 to"),
             (["--reference-error", "0"], "0 is not a number above 0"),
+            (["--reference-error", "nan"], "--reference-error: nan is not a number"),
+            (["--limit", "nan"], "--limit: nan is not a number"),
+            (["--nthreads", "100000"], "--nthreads: 100000 is not"),
             (["--limit", "0"], "not a number of seconds above 0"),
             (["--reference-integrator", "foo"], "foo not in {path,bdpt}"),
             (["--reference-spp", "1e3"], "1e3 is not a whole number from 1 to 16777216"),
@@ -112,7 +115,19 @@ class BenchCommand(FolderTest):
         self.out = self.folder / "out"
 
     def command(self, *words, python=(sys.executable,)):
-        return [*python, str(START), "bench", "--drc", self.program, self.scene, "-o", str(self.out), *words]
+        return [
+            *python,
+            str(START),
+            "bench",
+            "--drc",
+            self.program,
+            self.scene,
+            "-o",
+            str(self.out),
+            "--nthreads",
+            "1",
+            *words,
+        ]
 
     def bench(self, *words, **options):
         return subprocess.run(self.command(*words, **options), capture_output=True, text=True)
