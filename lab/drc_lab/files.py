@@ -17,6 +17,9 @@ def write_whole(path: Path, data: "bytes | str") -> None:
     target = Path(os.path.realpath(path))
     temporary = None
     try:
+        if target.exists() and not target.is_file():
+            target.write_bytes(content)  # a pipe or a device cannot be replaced
+            return
         mode = target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask()
         # Hidden, and without the target's extension, so that no "*.exr" picks up a half-written file.
         handle, temporary = tempfile.mkstemp(prefix=f".{target.name[:200]}.", suffix=".tmp", dir=target.parent)
@@ -27,9 +30,10 @@ def write_whole(path: Path, data: "bytes | str") -> None:
         os.chmod(temporary, mode)
         os.replace(temporary, target)
     except OSError as error:
+        raise Error(f"cannot write {path}: {reason_of(error)}") from None
+    finally:
         if temporary is not None and os.path.exists(temporary):
             os.unlink(temporary)
-        raise Error(f"cannot write {path}: {reason_of(error)}") from None
 
 
 def _umask() -> int:

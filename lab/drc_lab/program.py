@@ -51,10 +51,9 @@ class Program:
     def version(self) -> str:
         return self._call("--version").split()[-1]
 
-    def compare(self, references: list[str], picture: str, **options: str) -> dict:
+    def compare(self, references: list[str], picture: str) -> dict:
         """The errors of a picture against one reference or two (`drc compare --json`)."""
-        extra = [word for name, value in options.items() for word in (f"--{name}", value)]
-        return json.loads(self._call("compare", *references, picture, "--json", *extra))
+        return json.loads(self._call("compare", *references, picture, "--json"))
 
     def info(self, picture: str) -> dict:
         """Size, metadata and channels of a picture."""

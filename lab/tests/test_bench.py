@@ -134,7 +134,8 @@ class Bench(FolderTest):
 
     def test_failures_say_what_the_program_said(self):
         for name, script in (
-            ("refuses", "echo loading; echo 'line 3: no such shape' >&2; exit 1"), ("silent", "exit 3"),
+            ("refuses", f"echo loading; cp {self.folder}/half.exr {{output}}; echo 'line 3: no such shape' >&2; exit 1"),
+            ("silent", "exit 3"),
             ("lazy", "true"),
             ("large", self.copying("large.exr")), ("damaged", "echo >{output}"), ("slow", "sleep 60"),
         ):  # fmt: skip

@@ -3,6 +3,7 @@
 import threading
 import time
 import unittest
+from pathlib import Path
 
 from drc_lab.errors import Error
 from drc_lab.interrupt import Cancel
@@ -47,10 +48,15 @@ class MeasuredProcess(unittest.TestCase):
         self.assertLess(large, 115)
 
     def test_the_limit_ends_whole_groups(self):
-        use = shell("sleep 60 & sleep 60; true", 0.2)
+        use = shell("sleep 60 & echo $!; sleep 60; true", 0.3)
         self.assertTrue(use.stopped)
         self.assertLess(use.seconds, 30)
         self.assertNotEqual(use.exit_code, 0)
+        background = Path("/proc", use.output.strip(), "stat")
+        limit = time.monotonic() + 5
+        while background.exists() and ") Z " not in background.read_text() and time.monotonic() < limit:
+            time.sleep(0.02)
+        self.assertLess(time.monotonic(), limit)
 
     def test_what_ignores_the_request_is_killed(self):
         self.assertEqual(shell("trap '' TERM; while :; do sleep 0.05; done", 0.1).exit_code, 128 + 9)

@@ -101,7 +101,9 @@ class References(FolderTest):
         self.pictures(0.2)  # the same in each part: never good enough
         self.settings.max_spp = 200
         self.assertIn("2 x 144 spp", self.render().origin)  # 64, 96, 144; then 216 would be
-        self.assertEqual(len(self.calls()), 12)
+        calls = self.calls()
+        self.assertEqual([call.split()[0] for call in calls], ["32"] * 4 + ["16"] * 4 + ["24"] * 4)
+        self.assertEqual({int(call.split()[1]) for call in calls}, set(range(1 << 20, (1 << 20) + 12)))
         self.settings.error = 1e-2  # they are good enough for a caller who wants less
         self.render()
         self.assertEqual(self.calls(), [])
