@@ -201,7 +201,8 @@ class BenchCommand(FolderTest):
 
     def test_without_modules_there_is_one_line_and_help(self):
         bare = (sys.executable, "-S")  # without site-packages
-        done = self.bench(python=bare)
+        small = ["--spp", "1", "--methods", "path", "--resolution", "24x16", "--reference-error", "1"]
+        done = self.bench(*small, python=bare)
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         self.assertIn("no module numpy and none called matplotlib", done.stderr)
