@@ -33,4 +33,10 @@ void addViewCommand(CLI::App& app);
 void addImageCommand(CLI::App& app);
 void addCellsCommand(CLI::App& app);
 
+// `drc bench` is a command of the laboratory (laboratory.h), which parses its arguments by itself.
+inline constexpr const char* kBenchCommand = "bench";
+bool isBench(int argc, const char* const* argv);
+// Replaces this process by it. Throws Error if it cannot be started.
+[[noreturn]] void bench(int argc, const char* const* argv);
+
 }  // namespace drc

@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "image/difference_image.h"
+#include "image/entropy.h"
 #include "image/image_io.h"
 #include "image/metrics.h"
 #include "image/pair_metrics.h"
@@ -47,7 +48,14 @@ nlohmann::ordered_json number(double x) {
     return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
 
-std::string toJson(const Metrics& m) {
+// Adds the facts about each picture by itself: the reference, or the mean of both, and the test image.
+void addSizes(nlohmann::ordered_json& json, const std::array<double, 2>& pngKb, const Image& reference,
+              const Image& test) {
+    json["png_kb"] = {number(pngKb[0]), number(pngKb[1])};
+    json["entropy"] = {luminanceEntropy(reference), luminanceEntropy(test)};
+}
+
+std::string toJson(const Metrics& m, const Image& reference, const Image& test) {
     nlohmann::ordered_json json;
     json["ssim"] = number(m.ssim);
     json["flip"] = number(m.flip);
@@ -56,7 +64,7 @@ std::string toJson(const Metrics& m) {
     json["mse"] = number(m.mse);
     json["l1"] = number(m.l1);
     json["mean_ratio"] = {number(m.meanRatio[0]), number(m.meanRatio[1]), number(m.meanRatio[2])};
-    json["png_kb"] = {number(m.pngKb[0]), number(m.pngKb[1])};
+    addSizes(json, m.pngKb, reference, test);
     return json.dump();
 }
 
@@ -74,7 +82,7 @@ std::string toTable(const Metrics& m) {
     return table;
 }
 
-std::string toJson(const ReferencePair& pair, const PairMetrics& m) {
+std::string toJson(const ReferencePair& pair, const PairMetrics& m, const Image& test) {
     const CrossErrors& e = m.errors;
     nlohmann::ordered_json json;
     json["error"] = number(e.error.mean);
@@ -92,7 +100,7 @@ std::string toJson(const ReferencePair& pair, const PairMetrics& m) {
     json["flip_noise"] = number(pair.flipNoise());
     json["flip_is_noisy"] = m.flipIsNoisy;
     json["mean_ratio"] = {number(e.meanRatio[0]), number(e.meanRatio[1]), number(e.meanRatio[2])};
-    json["png_kb"] = {number(m.pngKb[0]), number(m.pngKb[1])};
+    addSizes(json, m.pngKb, pair.mean(), test);
     return json.dump();
 }
 
@@ -169,7 +177,7 @@ void compareWithOne(const CompareOptions& options) {
     const Metrics m = compare(reference.image, test.image, options.exposure);
     warnOfNonFinite(m.nonFiniteReference, reference.path);
     warnOfNonFinite(m.nonFiniteTest, test.path);
-    fmt::print("{}{}", options.json ? toJson(m) : toTable(m), options.json ? "\n" : "");
+    fmt::print("{}{}", options.json ? toJson(m, reference.image, test.image) : toTable(m), options.json ? "\n" : "");
     writeDifferences(options, reference.image, test.image, reference.window);
 }
 
@@ -182,7 +190,7 @@ void compareWithTwo(const CompareOptions& options) {
     const ReferencePair pair(std::move(first.image), std::move(second.image), options.exposure, paths[0], paths[1]);
     const PairMetrics m = pair.compare(test.image, paths[2]);
     for (size_t i = 0; i < paths.size(); ++i) warnOfNonFinite(m.errors.nonFinite[i], paths[i]);
-    fmt::print("{}{}", options.json ? toJson(pair, m) : toTable(pair, m), options.json ? "\n" : "");
+    fmt::print("{}{}", options.json ? toJson(pair, m, test.image) : toTable(pair, m), options.json ? "\n" : "");
     writeDifferences(options, pair.mean(), test.image, test.window);
 }
 
@@ -218,9 +226,9 @@ void addComparison(CLI::App& app, const std::string& name, const std::string& ow
     command->add_flag(
         "--json", options->json,
         "Print one JSON object. With one reference: ssim, flip, relmse, block_relmse, mse, l1, mean_ratio "
-        "[R, G, B], png_kb [REF, TEST]. With two: error, trimmed_error, block_error, each with _se, its "
+        "[R, G, B], png_kb and entropy [REF, TEST]. With two: error, trimmed_error, block_error, each with _se, its "
         "standard error; reference_noise, block_reference_noise; ssim and flip, each with _noise and "
-        "_is_noisy; mean_ratio, png_kb");
+        "_is_noisy; mean_ratio, png_kb, entropy");
     command->add_option("--diff", options->diff,
                         "Write a PNG: reference | test | 4 |difference| | red where brighter, blue where darker");
     command->add_option("--signed-diff", options->signedDiff,

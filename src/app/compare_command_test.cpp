@@ -58,8 +58,9 @@ TEST_F(CompareCommandTest, Json) {
     const auto json = nlohmann::ordered_json::parse(run({"compare", path("a.exr"), path("b.exr"), "--json"}));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) keys.push_back(key);
-    EXPECT_THAT(keys,
-                testing::ElementsAre("ssim", "flip", "relmse", "block_relmse", "mse", "l1", "mean_ratio", "png_kb"));
+    EXPECT_THAT(keys, testing::ElementsAre("ssim", "flip", "relmse", "block_relmse", "mse", "l1", "mean_ratio",
+                                           "png_kb", "entropy"));
+    EXPECT_EQ(json["entropy"].size(), 2u);
     EXPECT_NEAR(json["mse"].get<double>(), 0.0625, 1e-9);
     EXPECT_NEAR(json["l1"].get<double>(), 0.25, 1e-9);
     EXPECT_NEAR(json["relmse"].get<double>(), 0.0625 / 0.0725, 1e-9);
@@ -136,10 +137,10 @@ TEST_F(CompareCommandTest, WithTwoReferencesTheirNoiseIsGone) {
         nlohmann::ordered_json::parse(run({"compare", path("seed1.exr"), path("seed2.exr"), path("b.exr"), "--json"}));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) keys.push_back(key);
-    EXPECT_THAT(keys,
-                testing::ElementsAre("error", "error_se", "trimmed_error", "trimmed_error_se", "block_error",
-                                     "block_error_se", "reference_noise", "block_reference_noise", "ssim", "ssim_noise",
-                                     "ssim_is_noisy", "flip", "flip_noise", "flip_is_noisy", "mean_ratio", "png_kb"));
+    EXPECT_THAT(keys, testing::ElementsAre("error", "error_se", "trimmed_error", "trimmed_error_se", "block_error",
+                                           "block_error_se", "reference_noise", "block_reference_noise", "ssim",
+                                           "ssim_noise", "ssim_is_noisy", "flip", "flip_noise", "flip_is_noisy",
+                                           "mean_ratio", "png_kb", "entropy"));
     EXPECT_NEAR(json["error"].get<double>(), 0, 2e-4);
     EXPECT_NEAR(json["reference_noise"].get<double>(), 0.0025 / 0.26, 1e-4);
     EXPECT_NEAR(json["mean_ratio"][1].get<double>(), 1, 1e-6);

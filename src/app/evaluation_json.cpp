@@ -50,7 +50,8 @@ OrderedJson toJson(const PairReport& pair, bool withMeans) {
 }
 
 OrderedJson toJson(const EvaluatedGroup& group, const GroupReport& report) {
-    OrderedJson json{{"projection", projectionName(group.layout.projection())},
+    OrderedJson json{{"name", group.name()},
+                     {"projection", projectionName(group.layout.projection())},
                      {"map_size", group.layout.size()},
                      {"examples", group.examples.size()},
                      {"files", OrderedJson::array()}};
@@ -69,9 +70,12 @@ OrderedJson toJson(const EvaluatedGroup& group, const GroupReport& report) {
 
 }  // namespace
 
-std::string evaluationJson(const Evaluation& evaluation, const EvaluationReport& report) {
-    OrderedJson json{
-        {"examples", evaluation.examples}, {"files", evaluation.files}, {"skipped_files", evaluation.skipped}};
+std::string evaluationJson(const Evaluation& evaluation, const EvaluationReport& report,
+                           const SampleSettings* samples) {
+    OrderedJson json{{"version", DRC_VERSION},
+                     {"examples", evaluation.examples},
+                     {"files", evaluation.files},
+                     {"skipped_files", evaluation.skipped}};
     json["networks"] = OrderedJson::array();
     for (const EvaluatedNetwork& network : evaluation.networks)
         json["networks"].push_back({{"name", network.name},
@@ -81,6 +85,11 @@ std::string evaluationJson(const Evaluation& evaluation, const EvaluationReport&
     json["projections"] = OrderedJson::array();
     for (size_t g = 0; g < evaluation.groups.size(); ++g)
         json["projections"].push_back(toJson(evaluation.groups[g], report.groups[g]));
+    if (samples) {
+        for (size_t g = 0; g < evaluation.groups.size(); ++g)
+            json["projections"][g]["samples"] = writeSamples(evaluation, g, *samples);
+        json["samples"] = {{"seed", samples->seed}, {"error_scale", writeErrorScale(*samples)}};
+    }
     json["across_projections"] = OrderedJson::array();
     for (const AcrossReport& across : report.across) {
         OrderedJson& entry = json["across_projections"].emplace_back();

@@ -1,5 +1,5 @@
-// The numbers of an evaluation: each method's measures over the examples, and tests of their differences. The table,
-// the JSON and the page of `drc evaluate` show them.
+// The numbers of an evaluation: each method's measures over the examples, and tests of their differences. The table
+// and the JSON of `drc evaluate` show them, and so does the page that the laboratory makes of the JSON.
 #pragma once
 #include <array>
 #include <string>

@@ -3,19 +3,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 
 #include "app/map_pictures.h"
-#include "report/html_page.h"
+#include "image/image_io.h"
 
 namespace drc {
 namespace {
 
-constexpr double kErrorPercentile = 0.95;
-constexpr size_t kMethodsAtFullSize = 4;  // with more methods, the pictures are smaller
+using Json = nlohmann::ordered_json;
 
-std::string image(const Image& linear, const std::string& what, const char* style = "") {
-    return fmt::format("<img {}src=\"{}\" alt=\"{}\"/>\n", style, pngDataUri(linear), escapeHtml(what));
-}
+constexpr double kErrorPercentile = 0.95;
 
 struct DenoisedMap {
     std::vector<float> radiance, errors;
@@ -45,53 +44,66 @@ std::vector<DenoisedMap> denoiseAll(const EvaluatedGroup& group, const TrainingE
     return maps;
 }
 
-std::string methodColumn(const std::string& name, const DenoisedMap& map, const MapLayout& layout, float exposure,
-                         float white) {
-    const std::string escaped = escapeHtml(name);
-    const auto score = [](const char* title, double value) {
-        return fmt::format("<dt>{}</dt><dd>{}</dd>", title, htmlNumber(value));
-    };
-    return fmt::format("<figure><div title=\"{0}\">{0}</div>\n", escaped) +
-           image(radiancePicture(map.radiance, layout, exposure), name) +
-           image(errorPicture(map.errors, layout, white), "error of " + name) + "<dl>" + score("L1", map.scores.l1) +
-           score("SSIM", map.scores.ssim) + score("irradiance", map.scores.irradiance) + "</dl>\n</figure>\n";
-}
+// JSON has no NaN, the SSIM of maps that are too small for it.
+Json score(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
-std::string exampleBlock(const EvaluatedGroup& group, const ExampleKey& key, const std::string& scale) {
+// Writes pictures whose names begin alike.
+class MapPictureFiles {
+  public:
+    MapPictureFiles(std::string folder, std::string stem) : folder_(std::move(folder)), stem_(std::move(stem)) {}
+
+    std::string write(const std::string& what, const Image& linear) const {
+        const std::string name = fmt::format("{}-{}.png", stem_, what);
+        writePng((std::filesystem::path(folder_) / name).string(), linear);
+        return name;
+    }
+
+  private:
+    std::string folder_, stem_;
+};
+
+Json sampleOf(const EvaluatedGroup& group, const ExampleKey& key, const MapPictureFiles& pictures) {
     TrainingExample example;
     group.files[key.file].source->load(key.index, 0, 1, example);
     const MapLayout& layout = group.layout;
+    const CapturedMap& captured = example.inputs.front();
     const std::vector<DenoisedMap> maps = denoiseAll(group, example);
     const float exposure = exposureOf(example.target, layout), white = errorWhite(maps);
-    std::string block = fmt::format(
-        "<div class=\"example\">\n<h4>{} <span>viewpoint {}, pixel {:.0f}, {:.0f}</span></h4>\n"
-        "<div class=\"maps\" style=\"--map: {}px\">\n",
-        escapeHtml(group.scene(key)), key.viewpoint, std::floor(key.film.x), std::floor(key.film.y),
-        maps.size() > kMethodsAtFullSize ? 128 : 160);
-    block += "<figure><div>distance</div>\n" + image(distancePicture(example.inputs.front(), layout), "distance") +
-             image(normalPicture(example.inputs.front(), layout), "normals") + "<div>normals</div></figure>\n";
-    if (group.guides)
-        block += "<figure><div>albedo</div>\n" +
-                 image(radiancePicture(example.inputs.front().albedo, layout, 1), "albedo") + "</figure>\n";
-    for (size_t m = 0; m < maps.size(); ++m)
-        block += methodColumn(m == 0 ? group.methods[m].name + ": 1 sample a texel" : group.methods[m].name, maps[m],
-                              layout, exposure, white);
-    block += "<figure><div>reference</div>\n" + image(radiancePicture(example.target, layout, exposure), "reference") +
-             scale +
-             fmt::format(
-                 "<div class=\"ends\"><span>0</span><span>{:.2f}</span></div>\n"
-                 "<div>error, in means</div><div>of the reference</div></figure>\n",
-                 white);
-    return block + "</div>\n</div>\n";
+    Json sample{{"scene", group.scene(key)},
+                {"viewpoint", key.viewpoint},
+                {"pixel", {std::floor(key.film.x), std::floor(key.film.y)}},
+                {"distance", pictures.write("distance", distancePicture(captured, layout))},
+                {"normals", pictures.write("normals", normalPicture(captured, layout))}};
+    if (group.guides) sample["albedo"] = pictures.write("albedo", radiancePicture(captured.albedo, layout, 1));
+    sample["methods"] = Json::array();
+    for (size_t m = 0; m < maps.size(); ++m) {
+        const DenoisedMap& map = maps[m];
+        sample["methods"].push_back(
+            {{"name", group.methods[m].name},
+             {"picture", pictures.write(fmt::format("{}", m), radiancePicture(map.radiance, layout, exposure))},
+             {"error", pictures.write(fmt::format("{}-error", m), errorPicture(map.errors, layout, white))},
+             {"l1", score(map.scores.l1)},
+             {"ssim", score(map.scores.ssim)},
+             {"irradiance_relmse", score(map.scores.irradiance)}});
+    }
+    sample["reference"] = pictures.write("reference", radiancePicture(example.target, layout, exposure));
+    sample["white"] = score(white);
+    return sample;
 }
 
 }  // namespace
 
-std::string sampleMaps(const EvaluatedGroup& group, const std::vector<size_t>& chosen) {
-    const std::string scale = image(errorScale(), "scale of the error", "class=\"bar\" ");
-    std::string blocks;
-    for (const size_t i : chosen) blocks += exampleBlock(group, group.examples[i], scale);
-    return blocks;
+Json writeSamples(const Evaluation& evaluation, size_t group, const SampleSettings& settings) {
+    const EvaluatedGroup& shown = evaluation.groups[group];
+    Json samples = Json::array();
+    for (const size_t i : chooseExamples(shown, settings.count, settings.seed))
+        samples.push_back(
+            sampleOf(shown, shown.examples[i], MapPictureFiles(settings.folder, fmt::format("{}-{}", group, i))));
+    return samples;
+}
+
+std::string writeErrorScale(const SampleSettings& settings) {
+    return MapPictureFiles(settings.folder, "error").write("scale", errorScale());
 }
 
 }  // namespace drc

@@ -43,7 +43,7 @@ class Tables {
     std::string text_;
 };
 
-std::string number(double x) { return fmt::format("{:.4f}", x); }
+std::string fourDecimals(double x) { return fmt::format("{:.4f}", x); }
 
 void addGroup(const GroupReport& group, Tables& tables) {
     const std::pair<const char*, double Summary::*> parts[] = {{"mean", &Summary::mean},
@@ -54,7 +54,7 @@ void addGroup(const GroupReport& group, Tables& tables) {
     for (const auto& [title, part] : parts) {
         tables.text(std::string(title) + "\n");
         for (const MethodReport& method : group.methods)
-            tables.row("  " + method.name, [&](size_t m) { return number(method.summary[m].*part); });
+            tables.row("  " + method.name, [&](size_t m) { return fourDecimals(method.summary[m].*part); });
     }
     tables.text("\nall methods\n");
     tables.row("  Kruskal-Wallis p", [&](size_t m) { return formatP(group.all[m].p); });
@@ -71,8 +71,8 @@ void addAcross(const Evaluation& evaluation, const AcrossReport& across, Tables&
     for (const PairReport& pair : across.pairs) {
         tables.text(pair.first == pair.second ? pair.first + "\n"
                                               : fmt::format("{} against {}\n", pair.first, pair.second));
-        tables.row("  mean, " + first, [&](size_t m) { return number(pair.firstMean[m]); });
-        tables.row("  mean, " + second, [&](size_t m) { return number(pair.secondMean[m]); });
+        tables.row("  mean, " + first, [&](size_t m) { return fourDecimals(pair.firstMean[m]); });
+        tables.row("  mean, " + second, [&](size_t m) { return fourDecimals(pair.secondMean[m]); });
         tables.tests(pair);
     }
 }

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
 
     const std::unique_ptr<CLI::App> app = drc::makeCommandLine();
     try {
+        if (drc::isBench(argc, argv)) drc::bench(argc, argv);
         app->parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         return drc::finishUnparsed(*app, e);
