@@ -38,8 +38,8 @@ Frame SurfaceInteraction::withRelief(const Frame& shading, const Relief& relief,
     if (relief.normals) return normalMapFrame(at, shading, *relief.normals);
     if (bumpTangents == BumpTangents::OppositeUnit) {
         at.dpdu = -shading.s;
-        // bumpFrame() takes the normal's orientation from dpdu and dpdv, so their order is fixed by the shading frame,
-        // not by the texture's parametrisation.
+        // bumpFrame() orients the normal by cross(dpdu, dpdv): the shading frame decides its sign, not the texture's
+        // parametrisation.
         at.dpdv = -shading.t;
     }
     return bumpFrame(at, shading, *relief.heights);

@@ -96,7 +96,7 @@ void convert(const ConvertOptions& options, const CLI::App& command) {
     if (!options.layer.empty()) selectLayer(picture, options.layer);
     if (!options.crop.empty()) {
         crop(picture, options.crop);
-        // In formats without windows, the part would otherwise be placed in the whole picture.
+        // Only EXR has a data window; other formats would pad the crop to the full picture.
         if (imageOutputKind(options.output.path) != ImageOutputKind::Exr) picture.window = {};
     }
     if (!options.size.empty()) {

@@ -25,8 +25,8 @@ class CellStatistics {
     // The squared deviations of relativeLuminance() from the cell's mean, summed over the deposits, in units of
     // CellSums::square.
     int64_t squaredDeviations(const CellSums& sums) const;
-    // The squared deviations of the deposits from the means of the smaller cells within this one, summed: the variance
-    // of a deposit times their number.
+    // Sum of the deposits' squared deviations, each from the mean of its smaller cell within this one: their variance
+    // times their number.
     double summedVarianceWithin(const CellSums& sums) const;
 
     // Units per luminance, in a coarser unit whose sums over all deposits do not overflow.

@@ -15,8 +15,9 @@ namespace drc {
 enum class Quality { Draft, Standard, High };
 
 enum class Denoise {
-    Automatic,   // resolved(): the surface filter if the integrator has layers for it, else Off; callers that can load
-                 // Open Image Denoise use Oidn instead of Off
+    // resolved() makes it Surface if the integrator has layers for it, else Off. Callers that can load Open Image
+    // Denoise replace that Off by Oidn.
+    Automatic,
     Off,         // no denoiser
     Surface,     // each layer is averaged along surfaces, as far as its noise requires (LayerFilter)
     Oidn,        // Open Image Denoise on the whole picture

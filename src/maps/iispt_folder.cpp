@@ -216,7 +216,7 @@ IisptWriter::IisptWriter(const std::string& path, const ShardHeader& header) : p
 }
 
 bool IisptWriter::has(const Vec2& film) const {
-    // write() writes the file of this kind last.
+    // write() writes the file of the last kind last, so that all others exist.
     return fs::exists(fileName(path_, kKinds.back(), int(film.x), int(film.y)));
 }
 

@@ -51,7 +51,7 @@ class WindowedDistribution2D {
     }
     // Integral over all points with smaller x and y: sums_, interpolated bilinearly between the corners of cells.
     double before(double x, double y) const;
-    // Integral over the points of one column of cells with smaller y.
+    // Integral over one column of cells, from its start up to y.
     double inColumn(int column, double y) const;
     const double* columnAt(int x) const { return &columns_[size_t(x) * (size_t(height_) + 1)]; }
 

@@ -11,7 +11,7 @@ struct CellTraining {
     std::optional<int> spp;   // camera samples a pixel at each camera; with a budget, at most
     int part = 0, parts = 1;  // of a training that several processes share: each takes other samples
     const CancelToken* cancel = nullptr;
-    // Called after each camera. share: of the work that is done, in [0, 1]. error: RadianceCells::error().
+    // Called after each camera. share: part of the work that is done, in [0, 1]. error: RadianceCells::error().
     std::function<void(double share, double error)> visited;
 };
 

@@ -9,8 +9,9 @@ namespace drc {
 
 class FrameSequence {
   public:
-    // present: the files of the first frame, which next() replaces by those of the following frames; must outlive this
-    // object. list: a path, as for FrameList; empty: there is one frame. Throws Error if the list cannot be opened.
+    // present: the first frame's files, which next() replaces by those of the next frame; must outlive this object.
+    // list: path of a frame list (FrameList); empty if there is only one frame. Throws Error if the list cannot be
+    // opened.
     FrameSequence(FrameFiles& present, const std::string& list);
 
     bool isAnimation() const { return list_.has_value(); }

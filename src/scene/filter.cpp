@@ -85,8 +85,8 @@ class SeparableFilter final : public Filter {
     Vec2 radius() const override { return Vec2(x_.radius(), y_.radius()); }
     float eval(const Vec2& p) const override { return x_.eval(p.x) * y_.eval(p.y); }
     FilterSample sample(const Vec2& u, uint32_t index, uint64_t pixel) const override {
-        // Each group starts with two samples in the majority. Among its first K samples, the majority is therefore
-        // ahead by at least (K - 2) (1 - 2 minority).
+        // phase puts the first two samples of each group into the majority. Among the first K samples of a group, the
+        // majority then has at least (K - 2) (1 - 2 minority_) samples more than the minority.
         const double phase = double(hashCombine(pixel, 0)) * 0x1p-64 * (1 - 2 * minority_);
         const auto inMinority = [&](uint32_t number) { return uint64_t(double(number) * minority_ + phase); };
         const uint32_t number = index / kGroups;

@@ -8,7 +8,7 @@
 
 namespace drc {
 
-// Measured peaks, in bytes, of Embree's BVH and its build buffers and of the copy of a mesh that shading reads.
+// Measured peak memory, in bytes: Embree's BVH, its build buffers and the copy of the mesh for shading, together.
 inline constexpr double kTracingBytesPerTriangle = 120, kTracingBytesPerVertex = 32;
 inline constexpr double kTracingBytesPerCurvePiece = 104;
 

@@ -1,5 +1,5 @@
 // Environment camera: a lat-long image of all directions (PBR 3e, section 6.3). As in pbrt, the left edge of the film
-// looks along +x of camera space, and a quarter of the width further along +z.
+// looks along +x of camera space, and the column at a quarter of its width looks along +z.
 #include "scene/cameras/camera.h"
 #include "scene/cameras/camera_placement.h"
 
