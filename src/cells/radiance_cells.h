@@ -65,6 +65,8 @@ class RadianceCells final : public RadianceCache {
 
   private:
     void renewAnswers();
+    // Puts a collection into the empty table; returns how many cells found no room.
+    size_t fill(const CellCollection& collection);
 
     RadianceCellSettings settings_;
     CellGrid grid_;

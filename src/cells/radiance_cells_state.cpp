@@ -83,10 +83,19 @@ RadianceCells::RadianceCells(const CellCollection& collection, size_t capacity)
                      .lightScale = collection.lightScale}) {
     while (grid_.refined() < collection.refined) refine();
     deposits_ = collection.deposits;
-    // At this load one bucket of 300 has more cells than there is room for.
-    constexpr size_t kPlacesPerCell = 4;
-    table_ = CellTable(std::clamp(std::bit_ceil(std::max<size_t>(1, collection.cells.size()) * kPlacesPerCell),
-                                  CellTable::kWays, settings_.capacity));
+    // At this load one bucket of 300 has more cells than there is room for; in a small table there is room for all.
+    constexpr size_t kPlacesPerCell = 4, kSmall = 1 << 16;
+    size_t places = std::bit_ceil(std::max<size_t>(1, collection.cells.size()) * kPlacesPerCell);
+    for (;; places *= 2) {
+        places = std::clamp(places, CellTable::kWays, settings_.capacity);
+        table_ = CellTable(places);
+        if (fill(collection) == 0 || places >= std::min(kSmall, settings_.capacity)) break;
+    }
+    renewAnswers();
+}
+
+size_t RadianceCells::fill(const CellCollection& collection) {
+    size_t lost = 0;
     for (CollectedCell cell : collection.cells) {
         cell.reduce(CellStatistics::kMostDeposits);
         CellSums sums;
@@ -105,6 +114,7 @@ RadianceCells::RadianceCells(const CellCollection& collection, size_t capacity)
         answer.points = cell.place.points;
         answer.key = CellGrid::keyOf(sums.cube, cell.place.facing, cell.place.generation, cell.place.points);
         answer.lastUse = uint16_t(now_);
+        // An empty place in the bucket, else that of the cell with the fewest deposits.
         const size_t bucket = table_.bucketOf(answer.key) * CellTable::kWays;
         size_t at = bucket;
         for (size_t other = bucket; other < bucket + CellTable::kWays; ++other) {
@@ -114,11 +124,13 @@ RadianceCells::RadianceCells(const CellCollection& collection, size_t capacity)
             }
             if (table_.sums(other).count < table_.sums(at).count) at = other;
         }
-        if (table_.answer(at).key != 0 && table_.sums(at).count >= sums.count) continue;
+        const bool isFull = table_.answer(at).key != 0;
+        lost += isFull;
+        if (isFull && table_.sums(at).count >= sums.count) continue;
         table_.answer(at) = answer;
         table_.sums(at) = sums;
     }
-    renewAnswers();
+    return lost;
 }
 
 CellCollection RadianceCells::collect(const Vec3& origin) const {
