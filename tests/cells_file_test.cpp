@@ -95,6 +95,7 @@ TEST_F(CellsFile, PartsAreMergedInAnyOrder) {
     EXPECT_EQ(readFile(path("forth")), readFile(path("twice")));
     EXPECT_THAT(run("cells info forth"), HasSubstr("nested sizes"));
     EXPECT_THAT(run("cells train a.pbrt --part 4/3 -o x", 64), HasSubstr("--part 4/3: must be as 2/5"));
+    EXPECT_THAT(run("cells train a.pbrt --part 3000/4000 -o x", 64), HasSubstr("of which there are at most 1000"));
     train("other", "--cell-size 0.2");
     EXPECT_THAT(run("cells merge 1 other -o x", 1), HasSubstr("give all parts one --cell-size"));
     EXPECT_FALSE(std::filesystem::exists(path("x")));

@@ -11,6 +11,7 @@ from . import measures as m
 from .budget import SECONDS, Budget
 from .measures import Measure, MeasuredSpread, spread_over, spread_text
 from .number_text import significant, two_decimals
+from .page_cell import Cell
 from .result import NOT_MEASURED, OPPONENT, Report, Run, Scene, failures_of, is_noisy, opponent_error, runs_of
 
 COLUMNS = (
@@ -18,12 +19,6 @@ COLUMNS = (
     m.WRITE_SECONDS, m.SECONDS, m.CPU_SECONDS, m.PEAK_MB,
 )  # fmt: skip
 COLUMN_COUNT = len(COLUMNS) + 1  # and, beside the error, its ratio to the opponent's
-
-
-@dataclass
-class Cell:
-    html: Markup
-    is_best: bool = False
 
 
 @dataclass

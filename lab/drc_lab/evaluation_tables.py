@@ -10,12 +10,7 @@ from markupsafe import Markup
 
 from .evaluation import MEASURES, Measure, number
 from .number_text import DASH, four_decimals, p_value
-
-
-@dataclass
-class Cell:
-    html: Markup
-    is_best: bool = False
+from .page_cell import Cell
 
 
 @dataclass

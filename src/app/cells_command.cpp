@@ -43,9 +43,11 @@ void readPart(const std::string& text, CellTraining& training) {
     };
     const int part = slash == std::string::npos ? 0 : number(0, slash);
     const int parts = slash == std::string::npos ? 0 : number(slash + 1, text.size());
-    if (part < 1 || part > parts) throw UsageError("--part " + text + ": must be as 2/5, the second of five parts");
+    if (part < 1 || part > parts || parts > CellTraining::kMostParts)
+        throw UsageError(
+            fmt::format("--part {}: must be as 2/5, the second of five parts, of which there are at most {}", text,
+                        CellTraining::kMostParts));
     training.part = part - 1;
-    training.parts = parts;
 }
 
 // The cameras of the scene and of the frames after it.

@@ -83,7 +83,8 @@ RadianceCells::RadianceCells(const CellCollection& collection, size_t capacity)
                      .lightScale = collection.lightScale}) {
     while (grid_.refined() < collection.refined) refine();
     deposits_ = collection.deposits;
-    // At this load one bucket of 300 has more cells than there is room for; in a small table there is room for all.
+    // At this load one bucket of 300 has more cells than places; a table at its capacity may have to leave out more. A
+    // small table grows until there is room for all.
     constexpr size_t kPlacesPerCell = 4, kSmall = 1 << 16;
     size_t places = std::bit_ceil(std::max<size_t>(1, collection.cells.size()) * kPlacesPerCell);
     for (;; places *= 2) {

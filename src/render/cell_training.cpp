@@ -60,6 +60,8 @@ CellCollection trainCells(const Scene& scene, const std::vector<Sensor>& given, 
     // Parts, and rounds within them, have samples of their own.
     const int most = training.spp.value_or(training.seconds > 0 ? std::numeric_limits<int>::max() : kMostRounds);
     constexpr int kSamplesOfPart = 1 << 20;
+    // Samples of a focus have indices from 2^31 on.
+    static_assert(int64_t(CellTraining::kMostParts) * kSamplesOfPart < int64_t(1) << 31);
     const int first = training.part * kSamplesOfPart;
     params.firstSample = first;
     Session session(scene, sensors[0], params);

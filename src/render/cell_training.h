@@ -7,9 +7,12 @@
 namespace drc {
 
 struct CellTraining {
-    double seconds = 0;       // wall-clock budget; 0: none
-    std::optional<int> spp;   // camera samples a pixel at each camera; with a budget, at most
-    int part = 0, parts = 1;  // of a training that several processes share: each takes other samples
+    static constexpr int kMostParts = 1000;
+
+    double seconds = 0;      // wall-clock budget; 0: none
+    std::optional<int> spp;  // camera samples a pixel at each camera; with a budget, at most
+    // The part of a training that several processes share, from 0 to kMostParts - 1: each takes other samples.
+    int part = 0;
     const CancelToken* cancel = nullptr;
     // Called after each camera. share: part of the work that is done, in [0, 1]. error: RadianceCells::error().
     std::function<void(double share, double error)> visited;
