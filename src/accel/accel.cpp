@@ -5,13 +5,11 @@
 #include <xmmintrin.h>
 
 #include <algorithm>
-#include <bit>
-#include <unordered_map>
+#include <unordered_set>
 
-#include "accel/curve_geometry.h"
+#include "accel/geometry_group.h"
 #include "accel/instance_geometry.h"
 #include "accel/intersect_context.h"
-#include "accel/packed_mesh.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/log.h"
@@ -19,190 +17,11 @@
 #include "base/memory_use.h"
 #include "base/parallel.h"
 #include "base/parallel_time.h"
-#include "math/sampler.h"
+#include "scene/shapes/curves.h"
 #include "scene/tracing_memory.h"
 
 namespace drc {
 namespace {
-
-// The data that Embree's callbacks need for one geometry. Lives as long as the Accel.
-struct GeometryData {
-    const Primitive* primitive;
-    uint32_t index;                  // among all of the scene's geometries
-    NotedMemory memory;              // of the mesh
-    std::optional<PackedMesh> mesh;  // set for meshes only
-    const Curves* curves = nullptr;  // set for curves only; null and no mesh: another shape
-    const Bsdf* lobes = nullptr;     // see SurfaceInteraction::lobes
-};
-
-struct Group {
-    RTCScene scene = nullptr;
-    std::vector<std::unique_ptr<GeometryData>> geometries;  // indexed by Embree's geometry ID
-};
-
-void fill(const ShapeHit& found, SurfaceInteraction& hit) {
-    hit.p = found.p;
-    hit.ng = found.ng;
-    hit.ns = found.ns == Vec3(0.f) ? found.ng : found.ns;
-    hit.uv = found.uv;
-    hit.dpdu = found.dpdu;
-    hit.dpdv = found.dpdv;
-    hit.tangent = found.dpdu;
-    hit.bumpTangents = BumpTangents::Derivatives;
-    hit.triangle = found.part;
-    hit.error = 0;  // shapes are intersected in double precision
-}
-
-// Embree intersects a piecewise linear approximation of curves. The error also covers its distance from the curve, so
-// that spawned rays leave it.
-void fillCurve(const ShapeHit& found, SurfaceInteraction& hit) {
-    constexpr float kShareOfCoordinates = 0x1p-15f, kShareOfWidth = 0x1p-10f;
-    fill(found, hit);
-    hit.error = kShareOfCoordinates * std::max({std::abs(hit.p.x), std::abs(hit.p.y), std::abs(hit.p.z)}) +
-                kShareOfWidth * length(hit.dpdv);
-}
-
-// Fills in the interaction at a hit on a mesh or curves, at distance t along the ray.
-void fillAt(const GeometryData& data, const Ray& ray, float t, uint32_t primId, float u, float v,
-            SurfaceInteraction& hit) {
-    if (data.mesh)
-        data.mesh->fill(primId, u, v, hit);
-    else
-        fillCurve(data.curves->hitAt(primId, u, ray, t), hit);
-}
-
-// A hash of the ray, the geometry and its part: uniform in [0, 1) and independent for the different surfaces that a ray
-// hits.
-float uniformOf(const Ray& ray, const GeometryData& data, uint32_t part) {
-    const auto bits = [](const Vec3& v) {
-        const uint64_t low = std::bit_cast<uint32_t>(v.x), middle = std::bit_cast<uint32_t>(v.y);
-        return hashCombine(low << 32 | middle, std::bit_cast<uint32_t>(v.z));
-    };
-    const uint64_t hash = hashCombine(hashCombine(bits(ray.o), bits(ray.d)), uint64_t(data.index) << 32 | part);
-    return float(hash >> 40) * 0x1p-24f;
-}
-
-// Whether the alpha mask lets the ray pass through the surface. part: distinguishes several hits of the ray on one
-// geometry.
-bool isHole(const GeometryData& data, const FloatTexture& alpha, const SurfaceInteraction& hit, const Ray& ray,
-            uint32_t part) {
-    const float value = alpha.eval(hit.textureContext());
-    if (!data.primitive->alphaIsShare) return value == 0;
-    return value < 1 && uniformOf(ray, data, part) >= value;
-}
-bool isHole(const GeometryData& data, const FloatTexture* alpha, uint32_t primId, float u, float v, const Ray& ray,
-            float t) {
-    if (alpha == nullptr) return false;
-    SurfaceInteraction hit;
-    fillAt(data, ray, t, primId, u, v, hit);
-    return isHole(data, *alpha, hit, ray, primId);
-}
-
-// Values of RTCRay::id, which encodes Ray::fromCamera and Ray::mirrored.
-constexpr unsigned kDiffuse = 0, kFromCamera = 1, kMirrored = 2;
-
-bool isOpenToLight(const Primitive& primitive) { return !primitive.material || !primitive.visibleToDiffuse; }
-
-bool isHidden(const Primitive& primitive, RTCRayN* ray, unsigned n, unsigned i) {
-    const unsigned kind = RTCRayN_id(ray, n, i);
-    return (!primitive.visibleToCamera && kind == kFromCamera) || (!primitive.visibleToDiffuse && kind == kDiffuse);
-}
-
-Ray rayOf(RTCRayN* ray, unsigned n, unsigned i) {
-    Ray r;
-    r.o = Vec3(RTCRayN_org_x(ray, n, i), RTCRayN_org_y(ray, n, i), RTCRayN_org_z(ray, n, i));
-    r.d = Vec3(RTCRayN_dir_x(ray, n, i), RTCRayN_dir_y(ray, n, i), RTCRayN_dir_z(ray, n, i));
-    r.tMax = RTCRayN_tfar(ray, n, i);
-    return r;
-}
-
-void filterIntersect(const RTCFilterFunctionNArguments* a) {
-    const auto& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
-    const Primitive& primitive = *data.primitive;
-    for (unsigned i = 0; i < a->N; ++i) {
-        if (a->valid[i] != -1) continue;
-        if (isHidden(primitive, a->ray, a->N, i) ||
-            isHole(data, primitive.alpha.get(), RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
-                   RTCHitN_v(a->hit, a->N, i), rayOf(a->ray, a->N, i), RTCRayN_tfar(a->ray, a->N, i)))
-            a->valid[i] = 0;
-    }
-}
-
-void filterOccluded(const RTCFilterFunctionNArguments* a) {
-    const auto& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
-    const Primitive& primitive = *data.primitive;
-    for (unsigned i = 0; i < a->N; ++i) {
-        if (a->valid[i] != -1) continue;
-        const auto hole = [&](const FloatTexture* alpha) {
-            return isHole(data, alpha, RTCHitN_primID(a->hit, a->N, i), RTCHitN_u(a->hit, a->N, i),
-                          RTCHitN_v(a->hit, a->N, i), rayOf(a->ray, a->N, i), RTCRayN_tfar(a->ray, a->N, i));
-        };
-        if (isOpenToLight(primitive) || hole(primitive.alpha.get()) || hole(primitive.shadowAlpha.get()))
-            a->valid[i] = 0;
-    }
-}
-
-void shapeBounds(const RTCBoundsFunctionArguments* a) {
-    const Bounds b = static_cast<const GeometryData*>(a->geometryUserPtr)->primitive->shape->bounds();
-    a->bounds_o->lower_x = b.min.x;
-    a->bounds_o->lower_y = b.min.y;
-    a->bounds_o->lower_z = b.min.z;
-    a->bounds_o->upper_x = b.max.x;
-    a->bounds_o->upper_y = b.max.y;
-    a->bounds_o->upper_z = b.max.z;
-}
-
-// The nearest hit on a shape at which none of the alpha masks is transparent.
-std::optional<ShapeHit> intersectSolid(const GeometryData& data, std::initializer_list<const FloatTexture*> masks,
-                                       const Ray& ray, float tMin) {
-    constexpr int kMaxHits = 8;  // no shape has more intersections with a ray
-    for (int i = 0; i < kMaxHits; ++i) {
-        auto found = data.primitive->shape->intersect(ray, tMin);
-        if (!found) return {};
-        const auto isOpen = [&](const FloatTexture* mask) {
-            if (mask == nullptr) return false;
-            SurfaceInteraction hit;
-            fill(*found, hit);
-            // The index i gives each hit of the ray on the shape its own random number.
-            return isHole(data, *mask, hit, ray, uint32_t(i));
-        };
-        if (std::none_of(masks.begin(), masks.end(), isOpen)) return found;
-        tMin = found->t * (1 + 1e-6f);
-    }
-    return {};
-}
-
-void shapeIntersect(const RTCIntersectFunctionNArguments* a) {
-    const GeometryData& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
-    RTCRayHitN* rayhit = a->rayhit;
-    RTCRayN* rays = RTCRayHitN_RayN(rayhit, a->N);
-    RTCHitN* hits = RTCRayHitN_HitN(rayhit, a->N);
-    for (unsigned i = 0; i < a->N; ++i) {
-        if (a->valid[i] != -1 || isHidden(*data.primitive, rays, a->N, i)) continue;
-        const auto found =
-            intersectSolid(data, {data.primitive->alpha.get()}, rayOf(rays, a->N, i), RTCRayN_tnear(rays, a->N, i));
-        if (!found) continue;
-        RTCRayN_tfar(rays, a->N, i) = found->t;
-        RTCHitN_geomID(hits, a->N, i) = a->geomID;
-        RTCHitN_primID(hits, a->N, i) = a->primID;
-        RTCHitN_instID(hits, a->N, i, 0) = a->context->instID[0];
-        RTCHitN_u(hits, a->N, i) = found->uv.x;
-        RTCHitN_v(hits, a->N, i) = found->uv.y;
-        static_cast<IntersectContext*>(a->context)->latest = *found;
-    }
-}
-
-void shapeOccluded(const RTCOccludedFunctionNArguments* a) {
-    const GeometryData& data = *static_cast<const GeometryData*>(a->geometryUserPtr);
-    const Primitive& primitive = *data.primitive;
-    if (isOpenToLight(primitive)) return;
-    for (unsigned i = 0; i < a->N; ++i) {
-        if (a->valid[i] != -1) continue;
-        if (intersectSolid(data, {primitive.alpha.get(), primitive.shadowAlpha.get()}, rayOf(a->ray, a->N, i),
-                           RTCRayN_tnear(a->ray, a->N, i)))
-            RTCRayN_tfar(a->ray, a->N, i) = -kInfinity;
-    }
-}
 
 // Embree calls this before it allocates memory (bytes > 0) and after it has freed memory (bytes < 0).
 bool noteMemoryOfEmbree(void*, ssize_t bytes, bool) {
@@ -210,32 +29,51 @@ bool noteMemoryOfEmbree(void*, ssize_t bytes, bool) {
     return true;
 }
 
-size_t bytesOf(const PackedMesh& mesh) {
-    return mesh.vertices().size() * sizeof(PackedMesh::Vertex) + mesh.faces().size() * sizeof(PackedMesh::Face);
+RTCDevice newDevice() {
+    RTCDevice device = rtcNewDevice(nullptr);
+    if (device == nullptr) throw Error("Embree could not be started");
+    rtcSetDeviceMemoryMonitorFunction(device, noteMemoryOfEmbree, nullptr);
+    return device;
+}
+
+double weightOf(const Primitive& primitive) {
+    if (primitive.mesh) return primitive.mesh->triangleCount();
+    const Curves* curves = primitive.shape->asCurves();
+    return curves ? double(curves->pieceCount()) : 1;
+}
+
+// Whether the same instances are placed in the same way.
+bool samePlacing(const Instance& a, const Instance& b) {
+    return a.object == b.object && !a.objectToWorld.isAnimated() && !b.objectToWorld.isAnimated() &&
+           a.objectToWorld.start() == b.objectToWorld.start();
 }
 
 }  // namespace
 
+// Embree's scene of the world holds the loose geometries and the instances. In an animation in which objects move, the
+// geometries that stand still are in a group of their own, which is an instance in the world, too: in the next frame
+// only the hierarchy over what is loose has to be built.
 struct Accel::Impl {
     RTCDevice device = nullptr;
-    Group world;
-    std::vector<Group> objects;
-    std::vector<const Instance*> instances;  // indexed by geometry ID in the world scene; null if not an instance
+    std::unique_ptr<GeometryGroup> loose;
+    std::unique_ptr<GeometryGroup> still;  // null: all geometries are loose
+    std::vector<std::unique_ptr<GeometryGroup>> objects;
+    std::vector<Instance> placed;            // copies of the scene's instances, to be compared with those of the next
+    std::vector<const Instance*> instances;  // by geometry ID in the world's scene; null if not an instance
     const Instance* firstInstance = nullptr;
     bool anythingMoves = false;
     bool hasShadowMasks = false;
     bool hidesFromCamera = false, hidesFromDiffuse = false;
     bool hasOpenMedia = false;
     float reachOfMedia = 0;
-    uint32_t geometries = 0;  // number of geometries so far
+    std::unordered_map<const Material*, std::unique_ptr<const Bsdf>> lobes;  // one per material without textures
 
     ~Impl() {
-        for (Group& g : objects)
-            if (g.scene) rtcReleaseScene(g.scene);
-        if (world.scene) rtcReleaseScene(world.scene);
+        objects.clear();
+        still.reset();
+        loose.reset();
         if (device) rtcReleaseDevice(device);
     }
-    std::unordered_map<const Material*, std::unique_ptr<const Bsdf>> lobes;  // one per material without textures
 
     // Embree aborts the program when it is given rays with coordinates that are not finite or beyond 1.8e18, in world
     // space or, after transformation, in an instance's space. A valid scene file can lead to such rays: its camera may
@@ -246,14 +84,38 @@ struct Accel::Impl {
     void limitReachBy(const Transform& objectToWorld);
     float reach = limits::kCoordinate;
 
+    // The meshes and shapes that geometries were made of.
+    std::unordered_set<const void*> sources() const;
     const Bsdf* lobesOf(const Material* material);
-    void fill(Group& group, const std::vector<Primitive>& primitives);
+    // Takes over or builds the scene's objects. Returns whether all are those of the earlier scene.
+    bool takeObjects(const Scene& scene, Impl* before, GeometryStore& store);
+    // Takes over the earlier scene's world if all of its geometries are the same; else returns false.
+    bool takeWholeWorld(const Scene& scene, Impl& before);
+    // Takes over or builds the geometries of the world, without committing the loose ones.
+    void takeWorld(const Scene& scene, Impl* before, GeometryStore& store);
+    void listInstances(const Scene& scene);
+    void placeInstances(const Scene& scene);
+    // Sets what depends on more of the primitives than their geometry.
+    void describe(const Scene& scene);
+    void describe(GeometryGroup& group, const std::vector<Primitive>& primitives, uint32_t firstIndex);
     // Object-to-world transform of a moving instance at a ray's time.
     Transform toWorld(const Instance& instance, float time) const {
-        const auto id = world.geometries.size() + size_t(&instance - firstInstance);
-        return instanceToWorld(rtcGetGeometry(world.scene, unsigned(id)), time);
+        const auto id = loose->geometries().size() + size_t(&instance - firstInstance);
+        return instanceToWorld(rtcGetGeometry(loose->scene(), unsigned(id)), time);
     }
 };
+
+std::unordered_set<const void*> Accel::Impl::sources() const {
+    std::unordered_set<const void*> all;
+    const auto add = [&](const GeometryGroup* group) {
+        if (group == nullptr) return;
+        for (const auto& geometry : group->geometries()) all.insert(geometry->source());
+    };
+    add(loose.get());
+    add(still.get());
+    for (const auto& object : objects) add(object.get());
+    return all;
+}
 
 const Bsdf* Accel::Impl::lobesOf(const Material* material) {
     if (material == nullptr || !material->isConstant()) return nullptr;
@@ -278,94 +140,192 @@ void Accel::Impl::limitReachBy(const Transform& objectToWorld) {
     }
 }
 
-void Accel::Impl::fill(Group& group, const std::vector<Primitive>& primitives) {
-    group.scene = rtcNewScene(device);
-    // With this flag, no ray passes between triangles that share an edge.
-    rtcSetSceneFlags(group.scene, RTC_SCENE_FLAG_ROBUST);
-    for (const Primitive& primitive : primitives) {
-        auto data = std::make_unique<GeometryData>();
-        data->primitive = &primitive;
-        data->index = geometries++;
+namespace {
+
+// Assigns the scene's primitives to a group that was made of the same ones, in any order. False: it was not, and
+// nothing has changed.
+bool takeOver(GeometryGroup& group, PrimitivesBySource& primitives) {
+    std::vector<const Primitive*> its;
+    for (const auto& geometry : group.geometries()) {
+        const Primitive* primitive = primitives.take(*geometry);
+        if (primitive == nullptr) return false;
+        its.push_back(primitive);
+    }
+    for (size_t id = 0; id < its.size(); ++id) group.geometries()[id]->primitive = its[id];
+    return true;
+}
+
+std::unique_ptr<GeometryGroup> makeGroup(RTCDevice device, const std::vector<const Primitive*>& primitives,
+                                         GeometryStore& store) {
+    std::vector<std::unique_ptr<Geometry>> geometries;
+    geometries.reserve(primitives.size());
+    for (const Primitive* primitive : primitives) geometries.push_back(store.take(*primitive));
+    return std::make_unique<GeometryGroup>(device, std::move(geometries));
+}
+
+std::vector<const Primitive*> pointersTo(const std::vector<Primitive>& primitives) {
+    std::vector<const Primitive*> pointers;
+    for (const Primitive& primitive : primitives) pointers.push_back(&primitive);
+    return pointers;
+}
+
+}  // namespace
+
+bool Accel::Impl::takeObjects(const Scene& scene, Impl* before, GeometryStore& store) {
+    objects.resize(scene.objects.size());
+    // An object is usually at the place that it had in the earlier scene.
+    if (before)
+        for (size_t i = 0; i < std::min(objects.size(), before->objects.size()); ++i) {
+            PrimitivesBySource primitives(scene.objects[i].primitives);
+            if (before->objects[i]->geometries().size() == scene.objects[i].primitives.size() &&
+                takeOver(*before->objects[i], primitives))
+                objects[i] = std::move(before->objects[i]);
+        }
+    if (before)
+        for (auto& object : before->objects)
+            if (object) store.add(object->release());
+    std::vector<GeometryGroup*> built;
+    for (size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i]) continue;
+        objects[i] = makeGroup(device, pointersTo(scene.objects[i].primitives), store);
+        built.push_back(objects[i].get());
+    }
+    parallelFor(0, int(built.size()), 1, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) rtcCommitScene(built[size_t(i)]->scene());
+    });
+    return before && built.empty() && before->objects.size() == objects.size();
+}
+
+bool Accel::Impl::takeWholeWorld(const Scene& scene, Impl& before) {
+    const size_t geometries =
+        before.loose->geometries().size() + (before.still ? before.still->geometries().size() : 0);
+    PrimitivesBySource primitives(scene.primitives);
+    if (geometries != scene.primitives.size() || !std::ranges::equal(before.placed, scene.instances, samePlacing) ||
+        !takeOver(*before.loose, primitives) || (before.still && !takeOver(*before.still, primitives)))
+        return false;
+    loose = std::move(before.loose);
+    still = std::move(before.still);
+    listInstances(scene);
+    return true;
+}
+
+void Accel::Impl::takeWorld(const Scene& scene, Impl* before, GeometryStore& store) {
+    std::vector<const Primitive*> primitives = pointersTo(scene.primitives);
+    if (before) {
+        // Which primitives the earlier scene had, too.
+        PrimitivesBySource known(scene.primitives);
+        std::vector<const Primitive*> common;
+        double commonWeight = 0, allWeight = 0;
+        const auto find = [&](const GeometryGroup& group) {
+            for (const auto& geometry : group.geometries())
+                if (const Primitive* primitive = known.take(*geometry)) {
+                    common.push_back(primitive);
+                    commonWeight += weightOf(*primitive);
+                }
+        };
+        if (before->still) {
+            PrimitivesBySource left(scene.primitives);
+            if (takeOver(*before->still, left)) still = std::move(before->still);
+        }
+        if (still) {
+            for (const auto& geometry : still->geometries()) common.push_back(geometry->primitive);
+        } else {
+            if (before->still) find(*before->still);
+            find(*before->loose);
+            for (const Primitive* primitive : primitives) allWeight += weightOf(*primitive);
+            // Two hierarchies cost more to trace than one.
+            constexpr double kWorthIt = 0.5;
+            if (commonWeight < kWorthIt * allWeight) common.clear();
+        }
+        if (before->still) store.add(before->still->release());
+        store.add(before->loose->release());
+        before->still.reset();  // before another takes its memory
+        before->loose.reset();
+        if (!common.empty()) {
+            std::ranges::sort(common);  // as in the scene's file
+            if (!still) {
+                still = makeGroup(device, common, store);
+                still->commit();
+            }
+            std::erase_if(primitives, [&](const Primitive* p) { return std::ranges::binary_search(common, p); });
+        }
+    }
+    loose = makeGroup(device, primitives, store);
+}
+
+void Accel::Impl::listInstances(const Scene& scene) {
+    instances.assign(loose->geometries().size(), nullptr);
+    for (const Instance& instance : scene.instances) instances.push_back(&instance);
+    if (still) instances.push_back(nullptr);
+}
+
+void Accel::Impl::placeInstances(const Scene& scene) {
+    listInstances(scene);
+    double bytes = 0;
+    for (const Instance& instance : scene.instances) bytes += instance.memory();
+    const MemoryClaim placing(bytes, fmt::format("placing {} instances", scene.instances.size()));
+    for (size_t id = loose->geometries().size(); id < instances.size(); ++id) {
+        const Instance* instance = instances[id];
+        RTCGeometry geometry =
+            instance ? makeInstanceGeometry(device, objects[size_t(instance->object)]->scene(), instance->objectToWorld)
+                     : makeInstanceGeometry(device, still->scene(), Transform());
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(loose->scene(), geometry, unsigned(id));
+        rtcReleaseGeometry(geometry);
+    }
+}
+
+void Accel::Impl::describe(GeometryGroup& group, const std::vector<Primitive>& primitives, uint32_t firstIndex) {
+    for (const auto& geometry : group.geometries()) {
+        const Primitive& primitive = *geometry->primitive;
+        geometry->index = firstIndex + uint32_t(&primitive - primitives.data());
+        geometry->lobes = lobesOf(primitive.material.get());
         hasShadowMasks |= primitive.shadowAlpha != nullptr;
         hidesFromCamera |= !primitive.visibleToCamera;
         hidesFromDiffuse |= !primitive.visibleToDiffuse;
         hasOpenMedia |= primitive.media.changes() && !primitive.material;
-        data->lobes = lobesOf(primitive.material.get());
-        RTCGeometry geometry = nullptr;
-        if (primitive.mesh) {
-            const PackedMesh& mesh = data->mesh.emplace(*primitive.mesh);
-            data->memory = NotedMemory(MemoryUse::Accelerator, bytesOf(mesh));
-            geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-            rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices().data(),
-                                       offsetof(PackedMesh::Vertex, p), sizeof(PackedMesh::Vertex),
-                                       mesh.vertices().size());
-            rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces().data(),
-                                       offsetof(PackedMesh::Face, v), sizeof(PackedMesh::Face), mesh.faces().size());
-        } else if (primitive.shape->asCurves()) {
-            data->curves = primitive.shape->asCurves();
-            geometry = makeCurveGeometry(device, *data->curves);
-        } else {
-            geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-            rtcSetGeometryUserPrimitiveCount(geometry, 1);
-            rtcSetGeometryBoundsFunction(geometry, shapeBounds, nullptr);
-            rtcSetGeometryIntersectFunction(geometry, shapeIntersect);
-            rtcSetGeometryOccludedFunction(geometry, shapeOccluded);
-        }
-        // The intersection functions of shapes make these tests themselves.
-        if (data->mesh || data->curves) {
-            if (primitive.alpha || !primitive.visibleToCamera || !primitive.visibleToDiffuse)
-                rtcSetGeometryIntersectFilterFunction(geometry, filterIntersect);
-            if (primitive.alpha || primitive.shadowAlpha || isOpenToLight(primitive))
-                rtcSetGeometryOccludedFilterFunction(geometry, filterOccluded);
-        }
-        rtcSetGeometryUserData(geometry, data.get());
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(group.scene, geometry, unsigned(group.geometries.size()));
-        rtcReleaseGeometry(geometry);
-        group.geometries.push_back(std::move(data));
     }
 }
 
-Accel::Accel(const Scene& scene) : impl_(std::make_unique<Impl>()) {
-    const MemoryClaim memory = claimForTracing(scene);
-    impl_->device = rtcNewDevice(nullptr);
-    if (impl_->device == nullptr) throw Error("Embree could not be started");
-    rtcSetDeviceMemoryMonitorFunction(impl_->device, noteMemoryOfEmbree, nullptr);
-    impl_->objects.resize(scene.objects.size());
-    for (size_t i = 0; i < scene.objects.size(); ++i) impl_->fill(impl_->objects[i], scene.objects[i].primitives);
-    parallelFor(0, int(scene.objects.size()), 1, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) rtcCommitScene(impl_->objects[size_t(i)].scene);
-    });
-    impl_->fill(impl_->world, scene.primitives);
-    impl_->instances.resize(scene.primitives.size(), nullptr);
-    impl_->firstInstance = scene.instances.data();
-    double bytes = 0;
-    for (const Instance& instance : scene.instances) bytes += instance.memory();
-    const MemoryClaim placing(bytes, fmt::format("placing {} instances", scene.instances.size()));
+void Accel::Impl::describe(const Scene& scene) {
+    uint32_t index = 0;
+    for (size_t i = 0; i < objects.size(); ++i) {
+        describe(*objects[i], scene.objects[i].primitives, index);
+        index += uint32_t(scene.objects[i].primitives.size());
+    }
+    describe(*loose, scene.primitives, index);
+    if (still) describe(*still, scene.primitives, index);
+    firstInstance = scene.instances.data();
     for (const Instance& instance : scene.instances) {
-        impl_->limitReachBy(instance.objectToWorld.start());
-        impl_->limitReachBy(instance.objectToWorld.end());
-        RTCGeometry geometry =
-            makeInstanceGeometry(impl_->device, impl_->objects[size_t(instance.object)].scene, instance.objectToWorld);
-        impl_->anythingMoves |= instance.objectToWorld.isAnimated();
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(impl_->world.scene, geometry, unsigned(impl_->instances.size()));
-        rtcReleaseGeometry(geometry);
-        impl_->instances.push_back(&instance);
+        limitReachBy(instance.objectToWorld.start());
+        limitReachBy(instance.objectToWorld.end());
+        anythingMoves |= instance.objectToWorld.isAnimated();
     }
-    {
-        const ParallelSection section;
-        rtcCommitScene(impl_->world.scene);
+    placed = scene.instances;
+    if (scene.media.empty()) return;
+    const Bounds bounds = scene.bounds();
+    if (!bounds.empty()) reachOfMedia = length(bounds.max - bounds.min);
+}
+
+Accel::Accel(const Scene& scene, std::unique_ptr<Accel> earlier) : impl_(std::make_unique<Impl>()) {
+    Impl* before = earlier ? earlier->impl_.get() : nullptr;
+    const MemoryClaim memory = claimForTracing(scene, before ? before->sources() : std::unordered_set<const void*>());
+    impl_->device = before ? before->device : newDevice();
+    if (before) rtcRetainDevice(impl_->device);
+    GeometryStore store(impl_->device);
+    const bool sameObjects = impl_->takeObjects(scene, before, store);
+    if (!sameObjects || !impl_->takeWholeWorld(scene, *before)) {
+        impl_->takeWorld(scene, before, store);
+        impl_->placeInstances(scene);
+        impl_->loose->commit();
     }
-    if (!scene.media.empty()) {
-        const Bounds bounds = scene.bounds();
-        if (!bounds.empty()) impl_->reachOfMedia = length(bounds.max - bounds.min);
-    }
+    impl_->describe(scene);
     if (const RTCError e = rtcGetDeviceError(impl_->device); e != RTC_ERROR_NONE)
         throw Error(fmt::format("Embree could not build the scene (error {})", int(e)));
 }
 
 Accel::~Accel() = default;
+Accel::Accel(Accel&&) noexcept = default;
 
 bool Accel::intersect(const Ray& ray, SurfaceInteraction& hit) const {
     Found found;
@@ -392,12 +352,15 @@ bool Accel::find(const Ray& ray, Found& found) const {
     q.ray.flags = 0;
     q.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     q.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(impl_->world.scene, &context, &q);
+    rtcIntersect1(impl_->loose->scene(), &context, &q);
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
 
-    found.instance = q.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? nullptr : impl_->instances[q.hit.instID[0]];
-    const Group& group = found.instance ? impl_->objects[size_t(found.instance->object)] : impl_->world;
-    const GeometryData& data = *group.geometries[q.hit.geomID];
+    const bool inGroup = q.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+    found.instance = inGroup ? impl_->instances[q.hit.instID[0]] : nullptr;
+    const GeometryGroup& group = !inGroup         ? *impl_->loose
+                                 : found.instance ? *impl_->objects[size_t(found.instance->object)]
+                                                  : *impl_->still;
+    const Geometry& data = *group.geometries()[q.hit.geomID];
     found.geometry = &data;
     found.triangle = q.hit.primID;
     found.b1 = q.hit.u;
@@ -408,7 +371,7 @@ bool Accel::find(const Ray& ray, Found& found) const {
 }
 
 void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit) const {
-    const GeometryData& data = *static_cast<const GeometryData*>(found.geometry);
+    const Geometry& data = *static_cast<const Geometry*>(found.geometry);
     hit.primitive = data.primitive;
     hit.lobes = data.lobes;
     hit.moves = found.instance && found.instance->objectToWorld.isAnimated();
@@ -424,9 +387,9 @@ void Accel::describe(const Ray& ray, const Found& found, SurfaceInteraction& hit
             local.o = inverse.point(ray.o);
             local.d = inverse.vector(ray.d);  // not normalised, so that t is the same in both spaces
         }
-        fillAt(data, local, found.t, found.triangle, found.b1, found.b2, hit);
+        data.fillAt(local, found.t, found.triangle, found.b1, found.b2, hit);
     } else {
-        fill(found.shape, hit);
+        fillFromShape(found.shape, hit);
     }
     if (toWorld) {
         // A plane with the unit normal ng at distance h from a point has the distance h / |normal| after the
@@ -479,7 +442,7 @@ bool Accel::occluded(const Vec3& o, const Vec3& d, float tMax, float time) const
     r.mask = ~0u;
     r.id = kDiffuse;
     r.flags = 0;
-    rtcOccluded1(impl_->world.scene, &context, &r);
+    rtcOccluded1(impl_->loose->scene(), &context, &r);
     return r.tfar < 0;
 }
 

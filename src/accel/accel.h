@@ -12,8 +12,13 @@ class Accel {
   public:
     // Builds the acceleration structures on all cores. The scene must outlive the Accel and must not move in memory.
     // Throws Error if Embree fails or memory is short.
-    explicit Accel(const Scene& scene);
+    // earlier: of an earlier frame of an animation; its scene may be gone. Geometries of meshes and shapes that both
+    // scenes share are taken over, and so are hierarchies of which all is the same. Otherwise, what stays the same gets
+    // a hierarchy of its own, so that in the next frames only what has moved is built anew. Rays find the same surfaces
+    // in either case, but for the order of surfaces at the same place.
+    explicit Accel(const Scene& scene, std::unique_ptr<Accel> earlier = nullptr);
     ~Accel();
+    Accel(Accel&&) noexcept;
     Accel(const Accel&) = delete;
     Accel& operator=(const Accel&) = delete;
 

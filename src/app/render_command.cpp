@@ -19,6 +19,7 @@
 #include "base/mapped_file.h"
 #include "base/parallel_time.h"
 #include "base/progress.h"
+#include "pbrt/kept_contents.h"
 #include "render/cells_file.h"
 #include "render/frame_checkpoint.h"
 #include "render/frame_sequence.h"
@@ -83,6 +84,7 @@ struct LoadedScene {
     MemoryTable memory;
     std::unique_ptr<const Scene> scene;
     SameWorld world;
+    pbrt::KeptContents kept;  // for the next frame
     RenderParams params;
     ChosenDenoiser denoiser;
     std::string weightsHash;
@@ -106,14 +108,15 @@ RenderParams paramsOf(const RenderOptions& o, const RenderSettings& settings, co
     return params;
 }
 
-// Reads the cells that --cells names.
-void useCells(const RenderOptions& o, const Scene& scene, RenderParams& params) {
+// Reads the cells that --cells names, unless the frame goes on with those of the frame before.
+void useCells(const RenderOptions& o, const Scene& scene, const SessionRemains& remains, RenderParams& params) {
     params.cells = o.cells != "off";
     if (!namesCellsFile(o)) {
         if (params.freezeCells) throw UsageError("--freeze-cells: there is nothing to freeze without --cells FILE");
         return;
     }
     if (params.cellSize > 0) throw UsageError("--cell-size: cells that --cells names have the size of their file");
+    if (remains.cells && !params.freezeCells) return;
     CellCollection cells = loadCells("--cells " + o.cells, o.cells, cellsIdentity(scene, params));
     if (cells.lightScale != scene.sensor.settings.filmScale || cells.origin != scene.origin)
         throw Error(fmt::format("--cells {}: they are of a film of scale {:g}, here {:g}", o.cells, cells.lightScale,
@@ -121,10 +124,18 @@ void useCells(const RenderOptions& o, const Scene& scene, RenderParams& params) 
     params.startCells = std::make_shared<const CellCollection>(std::move(cells));
 }
 
-// Loads the scene of the present frame, and prepares it. start: beginning of the frame's time budget.
-std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clock::time_point start) {
+// Loads the scene of the present frame, and prepares it. start: beginning of the frame's time budget. before: the frame
+// before, of which all that serves this frame is kept; null: none.
+std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clock::time_point start,
+                                  std::unique_ptr<LoadedScene> before) {
     auto loaded = std::make_unique<LoadedScene>();
-    std::unique_ptr<Scene> scene = loadScene(o);
+    SessionRemains remains;
+    if (before) {
+        remains = before->session->takeRemains();
+        loaded->kept = std::move(before->kept);
+        before.reset();  // two scenes may not fit into memory
+    }
+    std::unique_ptr<Scene> scene = loadScene(o, o.frames.empty() ? nullptr : &loaded->kept);
     o.overrides.cropFilm(scene->sensor.settings);
     if (!o.frames.empty()) loaded->world = SameWorld(*scene);
     RenderParams& params = loaded->params;
@@ -133,13 +144,13 @@ std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clo
         chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
     if (!o.oidnLibrary.empty() && !loaded->denoiser.oidn)
         throw UsageError("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
-    useCells(o, *scene, params);
+    useCells(o, *scene, remains, params);
     if (traitsOf(params.integrator).maps) loaded->weightsHash = chooseMapDenoiser(o, params.indirect);
     loaded->stats.timer("load").add(Clock::now() - start);
     params.denoise = loaded->denoiser.denoise;
     const auto build = Clock::now();
     loaded->scene = std::move(scene);
-    loaded->session.emplace(*loaded->scene, params, &loaded->stats, start);
+    loaded->session.emplace(*loaded->scene, loaded->scene->sensor, params, &loaded->stats, start, std::move(remains));
     loaded->stats.timer("build").add(Clock::now() - build);
     loaded->memory.afterBuilding(*loaded->scene);
     return loaded;
@@ -276,7 +287,7 @@ RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& 
     if (resumed) frames.skipTo(resumed->loaded, o.resume);
     FramePosition position{frames.number(), frames.number()};
     auto start = processInfo().start;
-    std::unique_ptr<LoadedScene> loaded = load(o, command, start);
+    std::unique_ptr<LoadedScene> loaded = load(o, command, start, nullptr);
     if (resumed && resumed->frame > resumed->loaded) {
         // The learnt state is that of a camera moved from the loaded frame to this one, so move it again.
         frames.skipTo(resumed->frame, o.resume);
@@ -299,8 +310,7 @@ RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& 
         filesOf(o);  // throws if the frame's outputs collide with other files
         start = Clock::now();
         if (moveCamera(*loaded, o)) continue;
-        loaded.reset();  // two scenes may not fit into memory
-        loaded = load(o, command, start);
+        loaded = load(o, command, start, std::move(loaded));
         position.loaded = position.frame;
     }
 }

@@ -30,8 +30,10 @@ void keepFrom(const std::vector<std::string>& filesOfScene, DistinctFiles files)
     for (const std::string& path : filesOfScene) files.reads("the scene's file", path);
 }
 
-std::unique_ptr<Scene> loadScene(RenderOptions& o) {
-    auto scene = o.overrides.load(o.scene);
+std::unique_ptr<Scene> loadScene(RenderOptions& o, pbrt::KeptContents* kept) {
+    pbrt::LoadOptions options = o.overrides.loadOptions();
+    options.kept = kept;
+    auto scene = o.overrides.load(o.scene, options);
     if (o.outputs.empty()) {
         o.outputs = filmOutputs(scene->sensor.settings);
         for (const std::string& path : o.outputs) checkOutput("-o", path);

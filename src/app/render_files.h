@@ -18,8 +18,8 @@ inline bool namesCellsFile(const RenderOptions& options) { return options.cells 
 // Throws Error if an output would replace a file that the scene names.
 void keepFrom(const std::vector<std::string>& filesOfScene, DistinctFiles files);
 
-// Loads options.scene; if no output is given, uses those named by its film. Throws Error as the functions above, and if
-// the scene cannot be read or an output cannot be written.
-std::unique_ptr<Scene> loadScene(RenderOptions& options);
+// Loads options.scene; if no output is given, uses those named by its film. kept: LoadOptions::kept. Throws Error as
+// the functions above, and if the scene cannot be read or an output cannot be written.
+std::unique_ptr<Scene> loadScene(RenderOptions& options, pbrt::KeptContents* kept = nullptr);
 
 }  // namespace drc

@@ -120,7 +120,6 @@ CellCollection CellCollection::load(StateReader& from) {
             cell.count == 0 || (i > 0 && !before(all.cells[i - 1], cell)))
             from.fail("there cannot be such a radiance cell");
     }
-    from.finish();
     return all;
 }
 

@@ -16,6 +16,12 @@ struct CellPlace {
     auto operator<=>(const CellPlace&) const = default;
 };
 
+// The key of the cell in a table.
+inline uint64_t keyOf(const CellPlace& place) {
+    return CellGrid::keyOf({{place.cube[0], place.cube[1], place.cube[2]}}, place.facing, place.generation,
+                           place.points);
+}
+
 // CellSums of one cell.
 struct CollectedCell {
     CellPlace place;
@@ -51,7 +57,7 @@ struct CellCollection {
     size_t bound();
 
     void save(StateWriter& to) const;
-    // Throws Error if the file's values contradict each other.
+    // Reads what save() wrote; the file may go on. Throws Error if the values contradict each other.
     static CellCollection load(StateReader& from);
 };
 

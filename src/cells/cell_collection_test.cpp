@@ -142,7 +142,9 @@ TEST(CellCollection, NonsenseIsRefused) {
         file.commit();
         return errorOf([&] {
             StateReader reader(folder.path("cells"), "cells", "cells");
-            const RadianceCells cells(CellCollection::load(reader), settingsOf().capacity);
+            const CellCollection all = CellCollection::load(reader);
+            reader.finish();
+            const RadianceCells cells(all, settingsOf().capacity);
         });
     };
     EXPECT_EQ(load([](std::string&) {}), "");

@@ -32,7 +32,8 @@ struct CellSums {
     int32_t normal[3]{};
     GridCube cube;
     uint32_t countWithin = 0;  // deposits in the cells of the next smaller size; nonzero like `within`
-    uint32_t count : 22 = 0;
+    uint32_t count : 21 = 0;
+    uint32_t carried : 1 = 0;     // whether the sums contain those of CarriedCells
     uint32_t generation : 5 = 0;  // of the cell's size, see CellGrid::generationOf
     uint32_t facing : 5 = 0;
 };

@@ -75,6 +75,7 @@ size_t RadianceCells::commit(std::span<std::vector<CacheDeposit>* const> lists) 
     deposits.bound(table_, grid_, statistics_, totals_.mean == 0 ? deposits.robustMean() : totals_.mean, deposits_);
     deposits_ += count;
     deposits.addTo(table_, grid_, statistics_, now_, placed_);
+    if (carried_) forgotten_ += carried_->forget(table_, grid_, statistics_);
     for (auto* list : lists) list->clear();
     renewAnswers();
     return count;

@@ -7,10 +7,12 @@
 // no error builds up. Look-ups see the deposits of earlier calls of commit(). The same deposits give the same bits on
 // any number of threads. The memory is bounded. Cells live in world space and survive camera moves.
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/state_file.h"
+#include "cells/carried_cells.h"
 #include "cells/cell_answers.h"
 #include "cells/cell_collection.h"
 #include "cells/cell_deposits.h"
@@ -36,6 +38,9 @@ class RadianceCells final : public RadianceCache {
     // Cells that know what a collection does, as far as the capacity allows; where a bucket of the table is full, the
     // cells with the most deposits stay.
     RadianceCells(const CellCollection& collection, size_t capacity);
+    // Cells that begin with those of the frame before, from carry(), and forget them where fresh deposits disagree
+    // (CarriedCells).
+    RadianceCells(CarriedCells carried, size_t capacity);
 
     bool accepts(const CachePoint& at) const override { return at.reach >= grid_.reachFor(0); }
     void prefetch(const CachePoint& at) const override;
@@ -46,18 +51,25 @@ class RadianceCells final : public RadianceCache {
     size_t commit(std::span<std::vector<CacheDeposit>* const> lists);
     // Halves the sizes of all cells. Cells of the sizes that remain keep their deposits. Must not run during look-ups.
     void refine();
-    // Writes all cells as the latest call of commit() left them. load reads them into an object that was made with the
-    // same settings, which then continues as this one would. It throws Error if the values contradict each other; after
-    // that, the object may only be destroyed. Neither may run during look-ups.
+    // Writes all cells as the latest call of commit() left them. load reads them into an object of the same capacity,
+    // which then continues as this one would. It throws Error if the values contradict each other; after that, the
+    // object may only be destroyed. Neither may run during look-ups.
     void save(StateWriter& to) const;
     void load(StateReader& from);
     // All cells, for a file. origin: Scene::origin. Not while others look up.
     CellCollection collect(const Vec3& origin) const;
+    // The cells for the next frame of an animation, in which something else than the camera changes: bounded as
+    // CarriedCells says. Not while others look up.
+    CellCollection carry(const Vec3& origin) const;
+    // Number of cells that have forgotten what they carried.
+    size_t forgotten() const { return forgotten_; }
     // The number of commits so far.
     int commits() const { return int(now_ - 1); }
 
     // The settings, with the present size of the finest cells.
     const RadianceCellSettings& settings() const { return settings_; }
+    // How often the sizes have been halved.
+    int refined() const { return grid_.refined(); }
     size_t used() const { return totals_.used; }
     // The mean of the answers' relative standard errors, weighted by deposits; 1 if there are none.
     double error() const { return totals_.any ? totals_.error : 1; }
@@ -74,6 +86,8 @@ class RadianceCells final : public RadianceCache {
     CellTable table_;
     CellTotals totals_;
     std::vector<PlacedDeposits> placed_;
+    std::optional<CarriedCells> carried_;
+    size_t forgotten_ = 0;
     uint32_t now_ = 1;       // number of commits, plus 1
     uint64_t deposits_ = 0;  // number of deposits so far
     float training_ = 1;     // CacheAnswer::training of points with an answer

@@ -1,6 +1,7 @@
 // Radiance cells in checkpoints and in files of their own.
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "cells/radiance_cells.h"
 
@@ -11,6 +12,11 @@ namespace drc {
 void RadianceCells::save(StateWriter& to) const {
     size_t cells = 0;
     for (size_t i = 0; i < table_.size(); ++i) cells += table_.answer(i).key != 0;
+    to.value(settings_.size * float(1 << grid_.refined()));
+    to.value(int32_t(settings_.sizes));
+    to.value(settings_.lightScale);
+    to.value(uint8_t(carried_.has_value()));
+    if (carried_) carried_->cells().save(to);
     to.value(int32_t(grid_.refined()));
     to.value(now_);
     to.value(deposits_);
@@ -25,6 +31,7 @@ void RadianceCells::save(StateWriter& to) const {
         to.value(answer.points);
         to.value(answer.lastUse);
         to.value(uint32_t(sums.count));
+        to.value(uint8_t(sums.carried));
         to.values(std::span(sums.cube.at));
         to.values(std::span(sums.light));
         to.value(sums.square);
@@ -35,6 +42,17 @@ void RadianceCells::save(StateWriter& to) const {
 }
 
 void RadianceCells::load(StateReader& from) {
+    const auto edge = from.value<float>();
+    const auto sizes = from.value<int32_t>();
+    const auto lightScale = from.value<float>();
+    if (!(edge > 0) || !std::isfinite(edge) || sizes < 1 || sizes > CellGrid::kMostSizes || !std::isfinite(lightScale))
+        from.fail("there cannot be radiance cells of such a size");
+    RadianceCellSettings settings = settings_;
+    settings.size = edge;
+    settings.sizes = sizes;
+    settings.lightScale = lightScale;
+    *this = RadianceCells(settings);
+    if (from.value<uint8_t>() != 0) carried_.emplace(CellCollection::load(from));
     const auto refined = from.value<int32_t>();
     now_ = from.value<uint32_t>();
     deposits_ = from.value<uint64_t>();
@@ -50,6 +68,7 @@ void RadianceCells::load(StateReader& from) {
         CellSums sums;
         answer.lastUse = from.value<uint16_t>();
         const auto count = from.value<uint32_t>();
+        sums.carried = from.value<uint8_t>() != 0;
         from.values(std::span(sums.cube.at));
         from.values(std::span(sums.light));
         from.values(std::span(&sums.square, 1));
@@ -57,7 +76,8 @@ void RadianceCells::load(StateReader& from) {
         from.values(std::span(sums.position));
         from.values(std::span(sums.normal));
         if (grid_.levelOf(generation) < 0 || grid_.levelOf(generation) >= grid_.levels() + grid_.refined() ||
-            facing >= CellGrid::kFacings || count == 0 || count >= CellStatistics::kMostDeposits)
+            facing >= CellGrid::kFacings || count == 0 || count >= CellStatistics::kMostDeposits ||
+            (sums.carried && !carried_))
             from.fail("there cannot be such a radiance cell");
         sums.generation = generation;
         sums.facing = facing;
@@ -93,6 +113,11 @@ RadianceCells::RadianceCells(const CellCollection& collection, size_t capacity)
         if (fill(collection) == 0 || places >= std::min(kSmall, settings_.capacity)) break;
     }
     renewAnswers();
+}
+
+RadianceCells::RadianceCells(CarriedCells carried, size_t capacity) : RadianceCells(carried.cells(), capacity) {
+    for (size_t i = 0; i < table_.size(); ++i) table_.sums(i).carried = table_.answer(i).key != 0;
+    carried_ = std::move(carried);
 }
 
 size_t RadianceCells::fill(const CellCollection& collection) {
@@ -161,6 +186,20 @@ CellCollection RadianceCells::collect(const Vec3& origin) const {
         cell.count = sums.count;
     }
     std::ranges::sort(all.cells, {}, &CollectedCell::place);
+    return all;
+}
+
+CellCollection RadianceCells::carry(const Vec3& origin) const {
+    CellCollection all = collect(origin);
+    for (CollectedCell& cell : all.cells) {
+        const size_t at = table_.find(keyOf(cell.place));
+        const CollectedCell* old = carried_ && table_.sums(at).carried ? carried_->find(cell.place) : nullptr;
+        const uint64_t fresh = old ? cell.count - std::min(cell.count, old->count) : cell.count;
+        cell.reduce(std::min(fresh, CarriedCells::kMostCarried) + 1);
+    }
+    std::erase_if(all.cells, [](const CollectedCell& cell) { return cell.count == 0; });
+    // Deposits are bounded anew: their bound may have been that of other light.
+    all.deposits = 0;
     return all;
 }
 

@@ -34,10 +34,12 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         const RenderParams& params = context.params;
         if (!params.cells) return;
         RadianceCellSettings& settings = cellSettings_;
-        if (params.startCells) {
-            cells_.emplace(*params.startCells, settings.capacity);
-            settings = cells_->settings();
-            settings.size = params.startCells->size;  // as checkpoints begin
+        if (params.carriedCells || params.startCells) {
+            if (params.carriedCells)
+                cells_.emplace(CarriedCells(*params.carriedCells), settings.capacity);
+            else
+                cells_.emplace(*params.startCells, settings.capacity);
+            refineAt_ *= std::pow(kRefineFactor, cells_->refined());
             plan();
             return;
         }
@@ -92,6 +94,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
 
     // Also saves the deposits that have not been committed yet, as within a pass.
     void saveState(StateWriter& to) const override {
+        to.value(uint8_t(cells_.has_value()));
         if (!cells_) return;
         cells_->save(to);
         planner_->save(to);
@@ -108,7 +111,8 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         }
     }
     std::function<void()> loadState(StateReader& from) override {
-        if (!cells_) return [] {};
+        if (from.value<uint8_t>() == 0) return [this] { cells_.reset(); };
+        if (!planner_) plan();
         // Shared, because std::function must be copyable.
         const auto state = std::make_shared<State>(RadianceCells(cellSettings_), *planner_);
         state->cells.load(from);
@@ -128,7 +132,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
             }
         }
         return [this, state] {
-            *cells_ = std::move(state->cells);
+            cells_ = std::move(state->cells);
             *planner_ = std::move(state->planner);
             refineAt_ = state->refineAt;
             for (size_t i = 0; i < rows_.size(); ++i) rows_[i].deposits = std::move(state->deposits[i]);
@@ -198,6 +202,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         stats.add("cells/look-ups/refused: the segment is short or the lobe narrow", all.refused);
         stats.add("cells/look-ups/refused: too little is known", all.asked - all.answered);
         stats.add("cells/deposits", int64_t(deposits));
+        if (context_.params.carriedCells) stats.set("cells/forgotten", int64_t(cells_->forgotten()));
         stats.set("cells/cells", int64_t(cells_->used()));
         stats.set("cells/bytes", int64_t(cells_->bytes()));
     }

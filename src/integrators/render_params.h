@@ -53,6 +53,9 @@ struct RenderParams {
     bool cells = true;  // whether paths of integrator drc end in radiance cells; false: it is the path tracer
     // Cells to begin with, in place of none; null: none. cellSize is then theirs.
     std::shared_ptr<const CellCollection> startCells;
+    // Cells of the frame before, which are forgotten where they no longer hold (CarriedCells), in place of startCells;
+    // null: none.
+    std::shared_ptr<const CellCollection> carriedCells;
     // The cells stay as they are at first: pictures depend on them, the seed and the samples alone.
     bool freezeCells = false;
     // Every path deposits that may, as if the cells were all that is wanted.

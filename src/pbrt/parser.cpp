@@ -46,6 +46,7 @@ std::unique_ptr<Scene> Parser::parse(const LoadOptions& options, bool untilWorld
     builder_.limitCurves(options.curvePieces);
     builder_.overrideCamera(options.camera);
     if (options.names) builder_.keepNames();
+    if (options.kept && !untilWorld) builder_.reuse(*options.kept);
     try {
         readDirectives(untilWorld);
         std::unique_ptr<Scene> scene = builder_.finish(options);

@@ -401,9 +401,11 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     }
     media_.forgetUndefined(scene_->sensor.medium);
     scene_->media = media_.finish();
+    if (kept_) takeKept();
     loadMeshes(options);
     makeAreaLights();
     finishTextures();
+    if (kept_) keepContents();
     for (PendingPrimitive& p : pending_) {
         auto& primitives = p.object ? scene_->objects[*p.object].primitives : scene_->primitives;
         primitives.push_back(std::move(p.primitive));

@@ -12,6 +12,7 @@
 #include "pbrt/file_search.h"
 #include "pbrt/graphics_state.h"
 #include "pbrt/instance_budget.h"
+#include "pbrt/kept_contents.h"
 #include "pbrt/later_names.h"
 #include "pbrt/normalized_name.h"
 #include "pbrt/param_parser.h"
@@ -37,6 +38,13 @@ class SceneBuilder {
 
     // Fills Scene::names with the file's names for each surface. Call before the first shape.
     void keepNames() { keepsNames_ = true; }
+
+    // Takes contents over from the frame before, and gives it those of this scene at the end (LoadOptions::kept). Call
+    // before the first texture and shape.
+    void reuse(KeptContents& kept) {
+        kept_ = &kept;
+        textureFiles_.reuse(kept);
+    }
 
     // Transformations. apply() multiplies the current transformation from the right.
     void apply(const Transform& t, const SourcePos& pos);
@@ -103,6 +111,7 @@ class SceneBuilder {
         std::string shape;  // type of the shape
         std::shared_ptr<const MaterialInstance> material;
         AreaLightBuilder areaLight;
+        ContentKey key;                   // of the geometry; set if contents are kept
         std::optional<size_t> lightSlot;  // index into Scene::lights, reserved for areaLight
         std::optional<size_t> object;     // index into Scene::objects; none: the scene itself
         bool inObject = false, moves = false, blocksLight = true;
@@ -160,6 +169,9 @@ class SceneBuilder {
     // In pbrt-v4, warns about a name that is defined twice, which pbrt-v4 itself refuses.
     void warnIfRedefined(bool isKnown, const std::string& kind, const std::string& name, const SourcePos& pos) const;
     void loadMeshes(const LoadOptions& options);
+    // Takes over meshes and shapes of the frame before that are the same.
+    void takeKept();
+    void keepContents();
     void makeAreaLights();
     // Calls work for all pending primitives, on all cores, and then rethrows the exception of the first primitive in
     // the file for which work threw.
@@ -171,6 +183,7 @@ class SceneBuilder {
     const FileSearch& files_;
     Dialect dialect_;
     Transform fromFile_;  // from the file's world space to the scene's: moves Scene::origin to zero
+    KeptContents* kept_ = nullptr;
     const DialectFactories& make_;
     GraphicsState state_;
     Blocks blocks_;

@@ -31,6 +31,12 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     pending.moves = moves;
     pending.object = moves ? movingObject(params.owner(), params.pos()) : openObject_;
     pending.geometry = std::move(*geometry);
+    if (kept_) {
+        std::optional<FileStamp> file;
+        if (!pending.geometry.meshFile.empty())
+            file.emplace(files_.find(pending.geometry.meshFile, params.pos(), "PLY file"));
+        pending.key = contentKeyOf(type, context, file);
+    }
     pending.primitive.shape = pending.geometry.shape;
     pending.primitive.visibleToCamera = params.getBool("visibletocamera", true);
     pending.primitive.visibleToDiffuse = params.getBool("visibletodiffuse", true);
@@ -127,7 +133,29 @@ bool SceneBuilder::joinCurves(const PendingPrimitive& next) {
         last.primitive.visibleToDiffuse == next.primitive.visibleToDiffuse;
     if (last.areaLight || !alike) return false;
     last.geometry.curves->append(*next.geometry.curves);
+    last.key = last.key.with(next.key);
     return true;
+}
+
+void SceneBuilder::takeKept() {
+    for (PendingPrimitive& p : pending_) {
+        if (p.geometry.loadMesh) {
+            p.primitive.mesh = kept_->mesh(p.key);
+            if (p.primitive.mesh) p.geometry.loadMesh = nullptr;
+        } else if (ShapePtr shape = kept_->shape(p.key)) {
+            p.primitive.shape = std::move(shape);
+        }
+    }
+}
+
+void SceneBuilder::keepContents() {
+    KeptContents::Contents contents;
+    for (const PendingPrimitive& p : pending_) {
+        if (p.primitive.mesh) contents.meshes.emplace(p.key, p.primitive.mesh);
+        if (p.primitive.shape) contents.shapes.emplace(p.key, p.primitive.shape);
+    }
+    kept_->replace(std::move(contents), scene_->origin);
+    textureFiles_.keepIn(*kept_);
 }
 
 void SceneBuilder::loadMeshes(const LoadOptions& options) {

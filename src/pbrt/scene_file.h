@@ -11,6 +11,8 @@
 
 namespace drc::pbrt {
 
+class KeptContents;
+
 struct LoadOptions {
     std::optional<FilmGeometry> resolution{};  // overrides the file's resolution
     // Parameters of film, sampler and integrator that override the file's; each has the form described in overrides.h.
@@ -23,6 +25,9 @@ struct LoadOptions {
     size_t curvePieces = limits::kCurvePieces;
     // Whether to fill in Scene::names.
     bool names = false;
+    // Contents of the frame before, which the scene takes over where its file describes the same, and which are
+    // replaced by those of this scene; may be null.
+    KeptContents* kept = nullptr;
 };
 
 // The dialect is determined from the words of the file (dialect_scan.h); -v reports it and the deciding word. Before

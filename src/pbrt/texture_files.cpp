@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "image/image_io.h"
+#include "pbrt/kept_contents.h"
 #include "pbrt/mean_or_alpha.h"
 
 namespace drc::pbrt {
@@ -32,6 +33,10 @@ std::shared_ptr<const MipPyramid<T>> TextureFiles::find(Cache<T>& cache, const s
                                                         const TexelReading& how, const SourcePos& pos) {
     auto& entry = cache[{path, how}];
     if (entry) return entry;
+    if (kept_ != nullptr) {
+        const FileStamp& stamp = stamps_.try_emplace(path, path).first->second;
+        if ((entry = kept_->pyramid<T>(stamp, how))) return entry;
+    }
     entry = std::make_shared<MipPyramid<T>>();
     Reading& reading = *readings_.emplace_back(std::make_unique<Reading>(pos));
     tasks_.start([&reading, pyramid = entry, path, how] {
@@ -71,6 +76,17 @@ void TextureFiles::finish() {
             fail(reading->pos, "there is not enough memory for the texture");
         }
     }
+}
+
+void TextureFiles::keepIn(KeptContents& kept) const {
+    const auto keep = [&]<typename T>(const Cache<T>& cache) {
+        KeptContents::Pyramids<T> pyramids;
+        for (const auto& [key, pyramid] : cache)
+            pyramids.emplace(std::pair(stamps_.at(key.first), key.second), pyramid);
+        kept.replace<T>(std::move(pyramids));
+    };
+    keep(colors_);
+    keep(scalars_);
 }
 
 size_t TextureFiles::bytes() const {

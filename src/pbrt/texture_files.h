@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/file_stamp.h"
 #include "base/parallel.h"
 #include "pbrt/source.h"
 #include "scene/textures/mip_pyramid.h"
@@ -29,8 +30,12 @@ struct TexelReading {
     auto operator<=>(const TexelReading&) const = default;
 };
 
+class KeptContents;
+
 class TextureFiles {
   public:
+    // Takes images from those of an earlier frame, instead of reading them again. Call before the first request.
+    void reuse(const KeptContents& kept) { kept_ = &kept; }
     // Starts reading an image. The pyramid stays empty until finish(). pos: where the scene names the file, for errors.
     std::shared_ptr<const RgbPyramid> color(const std::string& path, const TexelReading& how, const SourcePos& pos);
     std::shared_ptr<const FloatPyramid> scalar(const std::string& path, const TexelReading& how, const SourcePos& pos);
@@ -38,6 +43,8 @@ class TextureFiles {
     // Waits until all requested files have been read. Throws Error, located where the scene names it, for the first
     // file that failed.
     void finish();
+    // Keeps all images for the next frame, in place of those that were kept. Only after finish().
+    void keepIn(KeptContents& kept) const;
     // The memory of all pyramids in bytes; valid after finish().
     size_t bytes() const;
 
@@ -52,6 +59,8 @@ class TextureFiles {
     std::shared_ptr<const MipPyramid<T>> find(Cache<T>& cache, const std::string& path, const TexelReading& how,
                                               const SourcePos& pos);
 
+    const KeptContents* kept_ = nullptr;
+    std::map<std::string, FileStamp> stamps_;  // of the files, before they were read; empty without kept_
     Cache<Rgb> colors_;
     Cache<float> scalars_;
     std::vector<std::unique_ptr<Reading>> readings_;  // in the order of the requests

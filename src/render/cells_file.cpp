@@ -53,7 +53,9 @@ Identity identityOfCells(const std::string& what, const std::string& path) {
 CellCollection loadCells(const std::string& what, const std::string& path, const Identity& identity) {
     requireIdentity(what, identityOfCells(what, path), identity);
     StateReader file(path, kCellsKind, headerOf(identity));
-    return CellCollection::load(file);
+    CellCollection cells = CellCollection::load(file);
+    file.finish();
+    return cells;
 }
 
 }  // namespace drc

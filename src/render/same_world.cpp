@@ -31,19 +31,14 @@ SameWorld::SameWorld(const Scene& scene) : settings_(scene.sensor.settings) {
     if (scene.files.empty() || !isRegularFile(scene.files[0])) return;
     key_ = pbrt::worldKey(scene.files[0]);
     folder_ = folderOf(scene.files[0]);
-    for (size_t i = 1; i < scene.files.size(); ++i) files_.push_back(stampOf(scene.files[i]));
-}
-
-SameWorld::Stamp SameWorld::stampOf(const std::string& path) {
-    std::error_code ignored;
-    return {path, std::filesystem::last_write_time(path, ignored), std::filesystem::file_size(path, ignored)};
+    for (size_t i = 1; i < scene.files.size(); ++i) files_.emplace_back(scene.files[i]);
 }
 
 std::unique_ptr<Scene> SameWorld::cameraIn(const std::string& path, const Scene& loaded,
                                            const pbrt::LoadOptions& options) const {
     if (!key_ || !isRegularFile(path) || folderOf(path) != folder_ || pbrt::worldKey(path) != key_) return nullptr;
-    for (const Stamp& file : files_)
-        if (stampOf(file.path) != file) return nullptr;
+    for (const FileStamp& file : files_)
+        if (FileStamp(file.path) != file) return nullptr;
     std::unique_ptr<Scene> camera = pbrt::loadPbrtCamera(path, loaded.origin, options);
     return sameFilm(camera->sensor.settings, settings_) ? std::move(camera) : nullptr;
 }

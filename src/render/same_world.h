@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/file_stamp.h"
 #include "pbrt/scene_file.h"
 
 namespace drc {
@@ -25,17 +26,9 @@ class SameWorld {
                                     const pbrt::LoadOptions& options) const;
 
   private:
-    struct Stamp {
-        std::string path;
-        std::filesystem::file_time_type time;
-        std::uintmax_t size;
-        bool operator==(const Stamp&) const = default;
-    };
-    static Stamp stampOf(const std::string& path);
-
     std::optional<uint64_t> key_;
     std::filesystem::path folder_;  // in which names of files are looked up
-    std::vector<Stamp> files_;
+    std::vector<FileStamp> files_;
     RenderSettings settings_;
 };
 

@@ -49,17 +49,22 @@ const Scene& ifThereIsMemory(const Scene& scene, const Sensor& sensor, const Ren
 }  // namespace
 
 Session::Session(const Scene& scene, Sensor sensor, const RenderParams& params, Stats* stats,
-                 Schedule::Clock::time_point start)
+                 Schedule::Clock::time_point start, SessionRemains earlier)
     : sensor_(std::move(sensor)),
       params_(resolved(params, sensor_.settings)),
       ownScene_(reducedScene(scene, params_.integrator)),
       scene_(ifThereIsMemory(ownScene_ ? *ownScene_ : scene, sensor_, params_)),
-      accel_(scene_),
+      accel_(scene_, std::move(earlier.accel)),
       lights_(scene_, !sensor_.settings.transparentFilm),
       tracer_(scene_, accel_, lights_, pathSettings(params_)),
       stats_(stats),
       schedule_(params_, start, sensor_.settings.film.height, sensor_.settings.region().count()) {
     if (ownScene_) sensor_.medium = nullptr;
+    const bool serves = earlier.cells && !params_.freezeCells && params_.cells &&
+                        earlier.cells->origin == scene_.origin &&
+                        earlier.cells->lightScale == sensor_.settings.filmScale &&
+                        earlier.maxDepth == *params_.maxDepth && earlier.clamp == params_.clamp;
+    if (serves) params_.carriedCells = std::move(earlier.cells);
     begin();
     warnIfBlack();
 }
@@ -105,6 +110,16 @@ void Session::moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometr
         film_ = std::make_unique<Film>(sensor_.settings, layers());
     }
     restart();
+}
+
+SessionRemains Session::takeRemains() {
+    SessionRemains remains;
+    remains.maxDepth = *params_.maxDepth;
+    remains.clamp = params_.clamp;
+    if (const RadianceCells* cells = integrator_->cells(); cells && !params_.freezeCells)
+        remains.cells = std::make_shared<const CellCollection>(cells->carry(scene_.origin));
+    remains.accel = std::make_unique<Accel>(std::move(accel_));
+    return remains;
 }
 
 void Session::setFocus(const std::optional<PixelRegion>& focus) {
@@ -278,7 +293,7 @@ bool Session::focusPass(const CancelToken* cancel, const CancelToken* abandon) {
 }
 
 std::string Session::fileHeader(const std::string& identity) const {
-    return fmt::format("{} 3 {} {} {}", kFileKind, params_.integrator, film_->description(""), identity);
+    return fmt::format("{} 4 {} {} {}", kFileKind, params_.integrator, film_->description(""), identity);
 }
 
 void Session::save(const std::string& path, const std::string& identity) const {

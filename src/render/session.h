@@ -9,13 +9,22 @@
 
 namespace drc {
 
+// The parts of a session that serve the next frame of an animation, whose scene is another one.
+struct SessionRemains {
+    std::unique_ptr<Accel> accel;
+    std::shared_ptr<const CellCollection> cells;  // RadianceCells::carry(); null: none
+    int maxDepth = 0;                             // PathSettings, on which the cells depend
+    float clamp = 0;
+};
+
 class Session {
   public:
     // Renders the view of `sensor`, by default the scene's own. The scene must outlive the session, which does not
     // change it: several sessions may share one scene. params are resolved here. stats may be null. start: when the
-    // time budget begins. Throws Error if parameters contradict each other or the film does not fit into memory.
+    // time budget begins. earlier: from the frame before in an animation. Throws Error if parameters contradict each
+    // other or the film does not fit into memory.
     Session(const Scene& scene, Sensor sensor, const RenderParams& params, Stats* stats = nullptr,
-            Schedule::Clock::time_point start = Schedule::Clock::now());
+            Schedule::Clock::time_point start = Schedule::Clock::now(), SessionRemains earlier = {});
     Session(const Scene& scene, const RenderParams& params, Stats* stats = nullptr,
             Schedule::Clock::time_point start = Schedule::Clock::now())
         : Session(scene, scene.sensor, params, stats, start) {}
@@ -45,6 +54,10 @@ class Session {
     // Like setCamera(), for a camera that looks around in the same room: keeps what was learned about the scene, such
     // as radiance cells. This helps the new picture, which therefore depends on where the camera has been.
     void moveCamera(std::shared_ptr<const Camera> camera, const FilmGeometry& film);
+
+    // Returns what the next frame can use, if more than the camera changes. The session may only be destroyed
+    // afterwards.
+    SessionRemains takeRemains();
 
     // Sets RenderParams::firstSample for later films, so that a camera that is visited again gets other samples.
     void setFirstSample(int index) { params_.firstSample = index; }

@@ -6,10 +6,11 @@
 
 namespace drc {
 
-MemoryClaim claimForTracing(const Scene& scene) {
+MemoryClaim claimForTracing(const Scene& scene, const std::unordered_set<const void*>& built) {
     double triangles = 0, vertices = 0, pieces = 0;
     const auto count = [&](const std::vector<Primitive>& primitives) {
         for (const Primitive& p : primitives) {
+            if (built.contains(p.mesh.get()) || built.contains(p.shape.get())) continue;
             if (p.mesh) {
                 triangles += p.mesh->triangleCount();
                 vertices += double(p.mesh->positions.size());

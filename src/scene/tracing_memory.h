@@ -3,6 +3,8 @@
 // (subdivision, curves) claims it already when it creates them, by the constants below, because its error can name a
 // place in the file.
 #pragma once
+#include <unordered_set>
+
 #include "base/memory.h"
 #include "scene/scene.h"
 
@@ -12,8 +14,8 @@ namespace drc {
 inline constexpr double kTracingBytesPerTriangle = 120, kTracingBytesPerVertex = 32;
 inline constexpr double kTracingBytesPerCurvePiece = 104;
 
-// Claims the memory for all meshes and curves of the scene, counting each object once. Throws Error if less memory is
-// available.
-MemoryClaim claimForTracing(const Scene& scene);
+// Claims the memory for all meshes and curves of the scene, counting each object once and without those in `built`
+// (addresses of TriangleMesh and Shape). Throws Error if less memory is available.
+MemoryClaim claimForTracing(const Scene& scene, const std::unordered_set<const void*>& built = {});
 
 }  // namespace drc
