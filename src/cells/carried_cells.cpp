@@ -129,6 +129,12 @@ void takeOut(const CollectedCell& carried, CellAnswer& answer, CellSums& sums) {
     }
 }
 
+// The cell in the table that still contains the carried sums, or kNone.
+size_t carrierOf(const CollectedCell& cell, const CellTable& table) {
+    const size_t at = table.find(keyOf(cell.place));
+    return at != CellTable::kNone && table.sums(at).carried ? at : CellTable::kNone;
+}
+
 }  // namespace
 
 const CollectedCell* CarriedCells::find(const CellPlace& place) const {
@@ -139,11 +145,6 @@ const CollectedCell* CarriedCells::find(const CellPlace& place) const {
 size_t CarriedCells::forget(CellTable& table, const CellGrid& grid, const CellStatistics& statistics) const {
     const std::vector<CollectedCell>& cells = cells_.cells;
     const int largest = grid.generationOf(grid.levels() - 1);
-    // The cell in the table that still contains the carried sums, or kNone.
-    const auto placeOf = [&](const CollectedCell& cell) {
-        const size_t at = table.find(keyOf(cell.place));
-        return at != CellTable::kNone && table.sums(at).carried ? at : CellTable::kNone;
-    };
     const int pieces = (int(cells.size()) + kCellsAtOnce - 1) / kCellsAtOnce;
     const auto forEachPiece = [&](const auto& f) {
         parallelFor(0, pieces, 1, [&](int begin, int end) {
@@ -154,7 +155,7 @@ size_t CarriedCells::forget(CellTable& table, const CellGrid& grid, const CellSt
     };
     std::vector<std::vector<const CollectedCell*>> noticed{size_t(pieces)};
     forEachPiece([&](size_t piece, const CollectedCell& cell) {
-        const size_t at = placeOf(cell);
+        const size_t at = carrierOf(cell, table);
         if (at != CellTable::kNone && disagree(sumsOf(table.sums(at)), sumsOf(cell), statistics))
             noticed[piece].push_back(&cell);
     });
@@ -165,7 +166,7 @@ size_t CarriedCells::forget(CellTable& table, const CellGrid& grid, const CellSt
     std::vector<size_t> forgotten(static_cast<size_t>(pieces));
     forEachPiece([&](size_t piece, const CollectedCell& cell) {
         if (!changed.contains(cell.place, largest)) return;
-        const size_t at = placeOf(cell);
+        const size_t at = carrierOf(cell, table);
         if (at == CellTable::kNone) return;
         takeOut(cell, table.answer(at), table.sums(at));
         ++forgotten[piece];
@@ -173,6 +174,12 @@ size_t CarriedCells::forget(CellTable& table, const CellGrid& grid, const CellSt
     size_t all = 0;
     for (const size_t count : forgotten) all += count;
     return all;
+}
+
+void CarriedCells::forgetAll(CellTable& table) const {
+    for (const CollectedCell& cell : cells_.cells)
+        if (const size_t at = carrierOf(cell, table); at != CellTable::kNone)
+            takeOut(cell, table.answer(at), table.sums(at));
 }
 
 }  // namespace drc

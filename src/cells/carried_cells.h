@@ -2,8 +2,8 @@
 // light itself whether this still holds: fresh deposits of a cell are compared with the carried ones, and where they
 // disagree beyond their noise, that cell and those around it forget what was carried.
 //
-// A cell carries at most kMostCarried deposits, and no more than it received in the frame before: the weight of an
-// error too small to be noticed halves with each frame.
+// A cell carries at most kMostCarried deposits, and only those of the frame before: a change that was too small to be
+// noticed is gone in the second frame.
 #pragma once
 #include <vector>
 
@@ -26,6 +26,8 @@ class CarriedCells {
     // Takes what no longer holds out of the table's sums, from cells with CellSums::carried. Returns the number of
     // cells that have forgotten. To be called after deposits were added and before answers are renewed.
     size_t forget(CellTable& table, const CellGrid& grid, const CellStatistics& statistics) const;
+    // Takes all carried sums out of the table.
+    void forgetAll(CellTable& table) const;
 
   private:
     CellCollection cells_;

@@ -61,7 +61,7 @@ TEST(CarriedCells, AreTheCellsOfTheFrameBefore) {
     EXPECT_NEAR(meanAnswer(cells, 0, kWidth), 1, 0.03);
 }
 
-TEST(CarriedCells, CarryAtMostWhatTheyReceivedBefore) {
+TEST(CarriedCells, CarryTheFrameBeforeAndNothingOlder) {
     RadianceCells cells(settings());
     for (int frame = 0; frame < 4; ++frame) {
         lightFloor(cells, 24, uint64_t(frame), dim);
@@ -114,14 +114,27 @@ TEST(CarriedCells, ChangesOfTintAreNoticed) {
     EXPECT_GT(double(cells.forgotten()), 0.9 * double(cells.used()));
 }
 
-// Changes too small to be noticed in one frame fade from frame to frame.
-TEST(CarriedCells, SmallChangesFade) {
+// Changes too small to be noticed are gone in the second frame: its cells are those of two frames of the new light.
+TEST(CarriedCells, SmallChangesAreGoneInTheSecondFrame) {
+    const auto light = [](const Vec3&) { return 1.1f; };
     RadianceCells cells = carried(16);
-    for (int frame = 0; frame < 4; ++frame) {
-        lightFloor(cells, 16, uint64_t(50 + frame), [](const Vec3&) { return 1.1f; });
-        if (frame < 3) cells = RadianceCells(CarriedCells(cells.carry(Vec3(0.f))), settings().capacity);
-    }
-    EXPECT_NEAR(meanAnswer(cells, 0, kWidth), 1.1, 0.02);
+    lightFloor(cells, 16, 50, light);
+    EXPECT_LT(meanAnswer(cells, 0, kWidth), 1.09);
+    cells = RadianceCells(CarriedCells(cells.carry(Vec3(0.f))), settings().capacity);
+    lightFloor(cells, 16, 51, light);
+    RadianceCells both(settings());
+    lightFloor(both, 16, 50, light);
+    lightFloor(both, 16, 51, light);
+    EXPECT_NEAR(meanAnswer(cells, 0, kWidth), meanAnswer(both, 0, kWidth), 1e-3);
+}
+
+TEST(CarriedCells, CanBeDropped) {
+    RadianceCells cells = carried(16);
+    lightFloor(cells, 16, 50, dim);
+    cells.dropCarried();
+    RadianceCells alone(settings());
+    lightFloor(alone, 16, 50, dim);
+    EXPECT_NEAR(meanAnswer(cells, 0, kWidth), meanAnswer(alone, 0, kWidth), 1e-3);
 }
 
 TEST(CarriedCells, TheSameBitsOnAnyNumberOfThreadsAndAfterLoading) {

@@ -24,6 +24,21 @@ void CollectedCell::add(const CollectedCell& other) {
     }
 }
 
+void CollectedCell::takeOut(const CollectedCell& part) {
+    if (count <= part.count) {
+        count = 0;
+        return;
+    }
+    count -= part.count;
+    square = std::max<int64_t>(0, square - part.square);
+    for (int c = 0; c < 3; ++c) {
+        light[c] -= part.light[c];
+        viewFactor[c] = std::max<int64_t>(0, viewFactor[c] - part.viewFactor[c]);
+        position[c] -= part.position[c];
+        normal[c] -= part.normal[c];
+    }
+}
+
 void CollectedCell::reduce(uint64_t most) {
     while (count >= most) {
         count /= 2;

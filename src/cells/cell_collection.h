@@ -29,6 +29,8 @@ struct CollectedCell {
     int64_t light[3]{}, square = 0;
     int64_t viewFactor[3]{}, position[3]{}, normal[3]{};
     void add(const CollectedCell& other);
+    // Takes out a part of the sums; what is left has no deposits if the part has as many.
+    void takeOut(const CollectedCell& part);
     // Halves all sums until there are fewer deposits than `most`.
     void reduce(uint64_t most);
 };

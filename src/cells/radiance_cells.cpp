@@ -87,6 +87,13 @@ void RadianceCells::renewAnswers() {
     training_ = float(std::clamp(training, kLeastTraining, kMostTraining));
 }
 
+void RadianceCells::dropCarried() {
+    if (!carried_) return;
+    carried_->forgetAll(table_);
+    carried_.reset();
+    renewAnswers();
+}
+
 void RadianceCells::refine() {
     grid_.refine();
     settings_.size = grid_.sizeOf(0);

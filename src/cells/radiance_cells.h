@@ -61,6 +61,8 @@ class RadianceCells final : public RadianceCache {
     // The cells for the next frame of an animation, in which something else than the camera changes: bounded as
     // CarriedCells says. Not while others look up.
     CellCollection carry(const Vec3& origin) const;
+    // Forgets all that was carried. Not while others look up.
+    void dropCarried();
     // Number of cells that have forgotten what they carried.
     size_t forgotten() const { return forgotten_; }
     // The number of commits so far.

@@ -194,8 +194,8 @@ CellCollection RadianceCells::carry(const Vec3& origin) const {
     for (CollectedCell& cell : all.cells) {
         const size_t at = table_.find(keyOf(cell.place));
         const CollectedCell* old = carried_ && table_.sums(at).carried ? carried_->find(cell.place) : nullptr;
-        const uint64_t fresh = old ? cell.count - std::min(cell.count, old->count) : cell.count;
-        cell.reduce(std::min(fresh, CarriedCells::kMostCarried) + 1);
+        if (old) cell.takeOut(*old);
+        cell.reduce(CarriedCells::kMostCarried + 1);
     }
     std::erase_if(all.cells, [](const CollectedCell& cell) { return cell.count == 0; });
     // Deposits are bounded anew: their bound may have been that of other light.

@@ -55,6 +55,7 @@ class FinalGatherIntegrator final : public SampledIntegrator {
     bool cameraMoved() override {
         if (!cells_) return false;
         if (wholeSamplesWait_) commit();
+        cells_->dropCarried();  // it was of another world, one frame earlier
         region_ = context_.sensor.settings.region();
         rows_.clear();
         plan();
