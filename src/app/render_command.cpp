@@ -25,6 +25,7 @@
 #include "render/frame_sequence.h"
 #include "render/render_run.h"
 #include "render/same_world.h"
+#include "render/scene_geometry.h"
 
 namespace drc {
 namespace {
@@ -98,9 +99,10 @@ bool hasAovs(const RenderOptions& o, const RenderSettings& settings) { return o.
 RenderParams paramsOf(const RenderOptions& o, const RenderSettings& settings, const CLI::App& command) {
     RenderParams params = o.params;
     if (o.spacing) params.firstSpacing = *o.spacing / float(settings.film.height);
-    if (hasAovs(o, settings)) params.gBuffer = params.parts = params.variance = true;
+    if (hasAovs(o, settings)) params.gBuffer = params.parts = params.variance = params.surfaces = true;
     if (o.noiseThreshold) estimateErrors(params, *o.noiseThreshold);
     params = asUsage([&] { return resolved(params, settings); });
+    if (params.surfaces && traitsOf(params.integrator).halves) params.independentHalves = true;
     if (o.noiseThreshold && !traitsOf(params.integrator).halves)
         throw UsageError("--noise-threshold: with --integrator " + params.integrator +
                          " the error cannot be estimated; it can with drc, path and direct");
@@ -217,6 +219,7 @@ RenderEnd renderFrame(LoadedScene& loaded, const RenderOptions& o, const std::op
     Session& session = *loaded.session;
     const RenderSettings& settings = session.sensor().settings;
     PictureWriter writer(settings, o.outputs, hasAovs(o, settings), o.display, o.scene);
+    writer.setGeometry(geometryOf(*loaded.scene, session.sensor()));
     PictureFinisher finisher(filtersFor(loaded.params, loaded.denoiser), writer, &loaded.stats,
                              o.noiseThreshold.has_value());
     const auto rendering = Clock::now();

@@ -67,8 +67,9 @@ void addFilm(CLI::App& command, RenderOptions& o) {
         "Picture to write, .exr or .png; may be repeated. Default: an EXR and a PNG, named by the scene's film");
     addSceneOverrides(command, o.overrides);
     command.add_flag("--aovs", o.aovs,
-                     "Also write the inputs of denoisers to EXR files: the G-buffer (albedo, normal, depth), the "
-                     "variance and the number of samples of each pixel");
+                     "Also write to EXR files the inputs of denoisers: the G-buffer (albedo, normal, depth), the "
+                     "variance and the number of samples of each pixel; and what compositing and filters over time "
+                     "need: Position, Depth, IndexOB, IndexMA, and two half buffers");
     addDisplayOptions(command, o.display);
 }
 

@@ -179,5 +179,25 @@ TEST(RenderMerger, WarnsOfWhatIsLikelyAMistake) {
                 AllOf(HasSubstr("different integrators"), HasSubstr("seed1.exr is denoised")));
 }
 
+// With a point that the camera sees, and its number; a depth of 1e10: nothing.
+PictureFile renderOfSurface(const std::string& seed, float samples, float x, float depth, float object) {
+    PictureFile file{"seed" + seed + ".exr",
+                     Image(1, 1, {"R", "G", "B", "Debug Sample Count.X", "Position.X", "Depth.Z", "IndexOB.X"}),
+                     Encoding::Float,
+                     {{"drc:seed", seed}},
+                     {}};
+    file.image.data() = {1, 1, 1, samples, x, depth, object};
+    return file;
+}
+
+TEST(RenderMerger, PointsAreMeansOverTheRendersThatHaveThem) {
+    const PictureFile two = renderOfSurface("0", 2, 3, 5, 7), six = renderOfSurface("1", 6, 4, 6, 7),
+                      none = renderOfSurface("2", 8, 0, kNoDepth, 7);
+    const auto values = [](const Image& m) { return std::vector<float>(m.data().begin() + 4, m.data().end()); };
+    EXPECT_EQ(values(merged({two, six})), (std::vector<float>{3.75f, 5.75f, 7}));
+    EXPECT_EQ(values(merged({none, two, six})), (std::vector<float>{3.75f, 5.75f, 7}));
+    EXPECT_EQ(values(merged({none, renderOfSurface("3", 4, 0, kNoDepth, 7)})), (std::vector<float>{0, kNoDepth, 7}));
+}
+
 }  // namespace
 }  // namespace drc

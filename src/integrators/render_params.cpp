@@ -69,7 +69,8 @@ RenderParams resolved(RenderParams p, const RenderSettings& settings) {
         throw Error(
             "--integrator drc-maps: its pictures have no alpha, which the scene's film asks for by 'transparent'; "
             "drc, path, bdpt and direct have it");
-    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect || settings.transparentFilm) p.gBuffer = true;
+    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect || settings.transparentFilm || p.surfaces)
+        p.gBuffer = true;
     return p;
 }
 

@@ -44,7 +44,10 @@ struct RenderParams {
     // The mode of Open Image Denoise. If unset, the picture and the available time determine it.
     std::optional<OidnQuality> oidnQuality;
     std::optional<bool> oidnPrefilter;
-    bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
+    bool gBuffer = false;  // record albedo, normal and depth: LayeredPicture::gBuffer
+    // Also record which surfaces the camera itself sees: LayeredPicture::surfaces and, with independentHalves, halves.
+    // resolved() then sets gBuffer.
+    bool surfaces = false;
     bool parts = false;     // store direct light separately if the integrator can: LayeredPicture::hasParts
     bool variance = false;  // store half buffers: PictureLayer::variance
     // Makes the half buffers independent, as the estimate of the denoised picture's error requires (DenoisedError):
