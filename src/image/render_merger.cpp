@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "image/frame_geometry.h"
 #include "image/image_layers.h"
 #include "image/picture_window.h"
 
@@ -77,6 +78,15 @@ void RenderMerger::requireFit(const PictureFile& render) const {
     if (valueOf(render.metadata, "drc:integrator") != valueOf(first_.metadata, "drc:integrator"))
         logWarning(fmt::format("{} and {} are of different integrators, whose samples are not worth the same",
                                first_.path, render.path));
+}
+
+void RenderMerger::requireSameFrame(const PictureFile& render) const {
+    const int mine = frameNumberIn(render.metadata), first = frameNumberIn(first_.metadata);
+    if (mine == first) return;
+    throw Error(fmt::format(
+        "{} is of frame {}, but {} is of frame {}: renders of one frame are merged; drc image average makes "
+        "the mean of several, and drc render --frame numbers what is one frame in files of several names",
+        render.path, mine, first_.path, first));
 }
 
 void RenderMerger::requireNewSamples(const PictureFile& render) {
@@ -157,6 +167,7 @@ void RenderMerger::add(const PictureFile& render) {
         varianceSums_.resize(pixels * 3), squares_.resize(pixels * 3);
     } else {
         requireFit(render);
+        requireSameFrame(render);
     }
     requireNewSamples(render);
     const Image counts = sampleCounts(render);

@@ -19,7 +19,7 @@ namespace drc {
 class RenderMerger {
   public:
     // Keeps no reference to `render`. Throws Error, naming the file, if it differs from the others in size, place or
-    // channels, if it shares a seed with one of them, if it is the same picture
+    // channels, if it is another frame of an animation, if it shares a seed with one of them, if it is the same picture
     // as one of them, or if it contains no sample counts.
     void add(const PictureFile& render);
 
@@ -30,6 +30,7 @@ class RenderMerger {
 
   private:
     void requireFit(const PictureFile& render) const;
+    void requireSameFrame(const PictureFile& render) const;
     void requireNewSamples(const PictureFile& render);
     void setSurfaceChannels();
     Image sampleCounts(const PictureFile& render) const;

@@ -199,5 +199,15 @@ TEST(RenderMerger, PointsAreMeansOverTheRendersThatHaveThem) {
     EXPECT_EQ(values(merged({none, renderOfSurface("3", 4, 0, kNoDepth, 7)})), (std::vector<float>{0, kNoDepth, 7}));
 }
 
+TEST(RenderMerger, RefusesOtherFrames) {
+    PictureFile still = render("0", 1, 0.3f, 2), zeroth = render("1", 2, 0.3f, 2), third = render("2", 3, 0.3f, 2),
+                again = render("3", 4, 0.3f, 2);
+    zeroth.metadata["drc:frame"] = "0";
+    third.metadata["drc:frame"] = again.metadata["drc:frame"] = "3";
+    EXPECT_EQ(complaint({still, zeroth}), "");
+    EXPECT_EQ(complaint({third, again}), "");
+    EXPECT_THAT(complaint({still, third}), HasSubstr("seed2.exr is of frame 3, but seed0.exr is of frame 0"));
+}
+
 }  // namespace
 }  // namespace drc

@@ -17,7 +17,7 @@ class MapsIntegrator final : public Integrator, public MapPasses {
           settings_(context.params.indirect),
           gBuffer_(layerIndex(context, kGBufferLayer)),
           met_(layerIndex(context, kMetLayer)) {
-        settings_.seed = hashCombine(context.params.seed, 0xd2c);
+        settings_.seed = hashCombine(context.params.seedOfFrame(), 0xd2c);
     }
 
     void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override {
@@ -86,7 +86,7 @@ class MapsIntegrator final : public Integrator, public MapPasses {
     static constexpr uint64_t kTurnStream = 0x2002, kPassStream = 0x2004;
 
     uint32_t random(uint64_t stream, int index) const {
-        return uint32_t(hashCombine(context_.params.seed, hashCombine(stream, uint64_t(index))) >> 32);
+        return uint32_t(hashCombine(context_.params.seedOfFrame(), hashCombine(stream, uint64_t(index))) >> 32);
     }
 
     // The group of the samples with an index, and whether they also trace broad indirect light.

@@ -34,6 +34,10 @@ struct RenderParams {
     std::optional<int> maxDepth;
     double seconds = 0;  // wall-clock budget; 0: none. Without spp and mapPasses it is the only bound
     uint64_t seed = 0;
+    int frame = 0;  // number of the frame in its animation, from 0
+    // The seed of all samples: that of the frame, so that noise does not stick to the screen. Frame 0, such as a still,
+    // has the seed itself.
+    uint64_t seedOfFrame() const;
     float clamp = 0;  // upper bound on the luminance of a sample; 0: only the film's own, by default none
     IndirectSettings indirect;
     std::optional<int> gatherSamples;

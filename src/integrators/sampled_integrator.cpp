@@ -49,7 +49,7 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
 int SampledIntegrator::groupOf(uint32_t index) const {
     const RenderParams& params = context_.params;
     if (!params.variance) return 0;
-    return params.independentHalves ? int(index & 1) : halfOf(params.seed, index);
+    return params.independentHalves ? int(index & 1) : halfOf(params.seedOfFrame(), index);
 }
 
 LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) const {

@@ -30,6 +30,7 @@ Identity identityOf(const RenderSettings& settings, const RenderParams& params, 
                                              params.parts ? "parts " : "", params.variance ? "variance" : "",
                                              params.independentHalves ? " of independent halves" : "",
                                              params.surfaces ? " surfaces" : "")}};
+    if (params.frame != 0) identity.emplace_back("--frame", std::to_string(params.frame));
     if (traitsOf(params.integrator).cells)
         identity.insert(identity.end(), {{"--cells", params.cells ? "on" : "off"},
                                          {"--cell-size", fmt::format("{}", params.cellSize)}});
