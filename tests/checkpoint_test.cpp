@@ -184,7 +184,8 @@ TEST_F(CheckpointedRender, RefusesWhatItIsNotOf) {
     EXPECT_THAT(error({"--seed", "2"}), HasSubstr("another --seed: '0', here '2'"));
     EXPECT_THAT(error({"--max-depth", "3"}), HasSubstr("another --max-depth"));
     EXPECT_THAT(error({"--cell-size", ".3"}), HasSubstr("another --cell-size"));
-    EXPECT_THAT(error({"--aovs"}), HasSubstr("another layers: nothing, here 'G-buffer parts variance'"));
+    EXPECT_THAT(error({"--aovs"}),
+                HasSubstr("another layers: nothing, here 'G-buffer parts variance of independent halves surfaces'"));
     EXPECT_THAT(error({"-D", "film.scale=2"}), HasSubstr("another -D film.scale: nothing, here 'film.scale=2'"));
     const std::string ball = readFile(path("ball.pbrt"));
     folder_.write("ball.pbrt", ball + "# a word more\n");

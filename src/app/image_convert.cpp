@@ -70,7 +70,11 @@ void resize(PictureFile& picture, const std::string& text) {
     if (const int64_t bad = clearNonFinite(picture.image); bad > 0)
         logWarning(fmt::format("{}: {} pixel(s) are NaN or infinite; they are taken as black", picture.path, bad));
     // These layers cannot be resized: counts and variances are no densities, and filtered neighbours share their noise.
-    picture.image = withoutLayers(picture.image, {kVarianceLayer, kSampleCountLayer, kErrorLayer});
+    // Nor can points and numbers of surfaces, which are no colours, and motion, which is counted in pixels.
+    picture.image =
+        withoutLayers(picture.image, {kVarianceLayer, kSampleCountLayer, kErrorLayer, kPositionLayer, kDepthLayer,
+                                      kObjectIndexLayer, kMaterialIndexLayer, kVectorLayer, kHalfLayers[0],
+                                      kHalfLayers[1], kDirectHalfLayers[0], kDirectHalfLayers[1]});
     picture.image = resized(picture.image, size.width, size.height);
     picture.window = {};
 }
@@ -135,7 +139,8 @@ void addImageConvert(CLI::App& image) {
     command->footer(
         "An EXR keeps all channels of the picture, halves as halves, its attributes, compression and windows, and "
         "stays\n"
-        "linear and unexposed. A resized one has no variance and sample counts. In formats without windows, a part of "
+        "linear and unexposed. A resized one has no variance, sample counts, halves, and points\n"
+        "and numbers of surfaces. In formats without windows, a part of "
         "a\n"
         "picture is placed where it lies in the whole, unless --crop is given.\n\n"
         "Examples:\n"

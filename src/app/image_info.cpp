@@ -10,7 +10,9 @@
 #include "app/image_subcommands.h"
 #include "image/auto_exposure.h"
 #include "image/channel_statistics.h"
+#include "image/exr_matrix.h"
 #include "image/image_layers.h"
+#include "image/object_placements.h"
 #include "image/picture_file.h"
 #include "image/picture_window.h"
 
@@ -58,6 +60,20 @@ std::string printable(std::string text) {
     return text;
 }
 
+// An attribute that is no string: a matrix by its rows, as the file has it for row vectors, others by their type.
+std::string valueOf(const PictureFile& file, const std::string& name, const ExrAttribute& attribute) {
+    if (const std::optional<Transform> matrix = matrixIn(file.storage.attributes, name)) {
+        std::vector<std::string> rows;
+        for (int row = 0; row < 4; ++row)
+            rows.push_back(fmt::format("{:g} {:g} {:g} {:g}", matrix->at(0, row), matrix->at(1, row),
+                                       matrix->at(2, row), matrix->at(3, row)));
+        return fmt::format("{}", fmt::join(rows, ", "));
+    }
+    if (name == ObjectPlacements::kAttribute)
+        return fmt::format("the places of {} objects", ObjectPlacements::in(file.storage.attributes).size());
+    return fmt::format("{} of {} bytes", attribute.type, attribute.value.size());
+}
+
 void printText(const PictureFile& file) {
     const Image& image = file.image;
     fmt::print("{}\n  size      {} x {} pixels", file.path, image.width(), image.height());
@@ -68,6 +84,8 @@ void printText(const PictureFile& file) {
         fmt::print("  exposure  {:+.2f} stops by --auto-exposure\n", autoExposure(rgbOfLayer(image, "")));
     for (const auto& [key, text] : file.metadata)
         if (!text.empty()) fmt::print("  {} = {}\n", printable(key), printable(text));
+    for (const auto& [name, attribute] : file.storage.attributes)
+        fmt::print("  {} = {}\n", printable(name), printable(valueOf(file, name, attribute)));
     const auto statistics = channelStatistics(image);
     size_t width = 7;
     for (const std::string& name : image.channelNames()) width = std::max(width, name.size());
@@ -91,6 +109,11 @@ nlohmann::ordered_json jsonOf(const PictureFile& file) {
     json["layers"] = layerNames(file.image);
     if (hasColours(file.image)) json["auto_exposure"] = autoExposure(rgbOfLayer(file.image, ""));
     json["metadata"] = file.metadata;
+    for (const auto& [name, attribute] : file.storage.attributes) {
+        json["attributes"][name]["type"] = attribute.type;
+        if (const std::optional<Transform> matrix = matrixIn(file.storage.attributes, name))
+            for (int i = 0; i < 16; ++i) json["attributes"][name]["value"].push_back(matrix->at(i % 4, i / 4));
+    }
     const auto statistics = channelStatistics(file.image);
     for (size_t c = 0; c < statistics.size(); ++c) {
         const ChannelStatistics& s = statistics[c];

@@ -22,9 +22,11 @@
 #include "pbrt/kept_contents.h"
 #include "render/cells_file.h"
 #include "render/frame_checkpoint.h"
+#include "render/frame_number.h"
 #include "render/frame_sequence.h"
 #include "render/render_run.h"
 #include "render/same_world.h"
+#include "render/scene_geometry.h"
 
 namespace drc {
 namespace {
@@ -94,13 +96,18 @@ struct LoadedScene {
 
 bool hasAovs(const RenderOptions& o, const RenderSettings& settings) { return o.aovs || settings.auxiliaryLayers; }
 
+// The number of the present frame.
+int frameOf(const RenderOptions& o) { return o.frame.value_or(frameNumberOf(o.scene).value_or(0)); }
+
 // The render parameters, including what other options and the scene's file require.
 RenderParams paramsOf(const RenderOptions& o, const RenderSettings& settings, const CLI::App& command) {
     RenderParams params = o.params;
     if (o.spacing) params.firstSpacing = *o.spacing / float(settings.film.height);
-    if (hasAovs(o, settings)) params.gBuffer = params.parts = params.variance = true;
+    params.frame = frameOf(o);
+    if (hasAovs(o, settings)) params.gBuffer = params.parts = params.variance = params.surfaces = true;
     if (o.noiseThreshold) estimateErrors(params, *o.noiseThreshold);
     params = asUsage([&] { return resolved(params, settings); });
+    if (params.surfaces && traitsOf(params.integrator).halves) params.independentHalves = true;
     if (o.noiseThreshold && !traitsOf(params.integrator).halves)
         throw UsageError("--noise-threshold: with --integrator " + params.integrator +
                          " the error cannot be estimated; it can with drc, path and direct");
@@ -162,6 +169,8 @@ bool moveCamera(LoadedScene& loaded, const RenderOptions& o) {
     const std::unique_ptr<Scene> camera = loaded.world.cameraIn(o.scene, *loaded.scene, o.overrides.loadOptions());
     if (!camera) return false;
     keepFrom(loaded.scene->files, filesOf(o));
+    loaded.params.frame = frameOf(o);
+    loaded.session->setFrame(loaded.params.frame);
     loaded.session->moveCamera(camera->sensor.camera, camera->sensor.settings.film);
     logDebug(o.scene + " keeps the scene and what has been learnt of it: its camera alone is another one");
     return true;
@@ -203,6 +212,7 @@ ExrMetadata metadataOf(const LoadedScene& loaded, const RenderOptions& o) {
     return {{"drc:version", DRC_VERSION},
             {"drc:command", processInfo().commandLine},
             {"drc:seed", std::to_string(loaded.params.seed)},
+            {kFrameNumber, std::to_string(loaded.params.frame)},
             {"drc:integrator", loaded.params.integrator},
             {"drc:map_denoiser", traitsOf(loaded.params.integrator).maps ? o.mapDenoiser : ""},
             {"drc:weights", loaded.weightsHash},
@@ -217,6 +227,7 @@ RenderEnd renderFrame(LoadedScene& loaded, const RenderOptions& o, const std::op
     Session& session = *loaded.session;
     const RenderSettings& settings = session.sensor().settings;
     PictureWriter writer(settings, o.outputs, hasAovs(o, settings), o.display, o.scene);
+    writer.setGeometry(geometryOf(*loaded.scene, session.sensor()));
     PictureFinisher finisher(filtersFor(loaded.params, loaded.denoiser), writer, &loaded.stats,
                              o.noiseThreshold.has_value());
     const auto rendering = Clock::now();

@@ -58,7 +58,13 @@ void addAmounts(CLI::App& command, RenderOptions& o) {
                     "Upper bound on the luminance of a sample, which makes the picture biased; 0: no bound")
         ->capture_default_str()
         ->check(numberFrom(0));
-    addSeedOption(command, o.params.seed, "Seed of all random numbers");
+    addSeedOption(command, o.params.seed, "Seed of all random numbers, together with the frame's number");
+    command
+        .add_option("--frame", o.frame,
+                    "Number of the frame in its animation: frames of different numbers have different noise, and a "
+                    "frame has the same whenever it is rendered. Default: the number at the end of the scene file's "
+                    "name, as in shot.0007.pbrt, or 0")
+        ->check(wholeNumberIn(0, 999999999));
 }
 
 void addFilm(CLI::App& command, RenderOptions& o) {
@@ -67,8 +73,9 @@ void addFilm(CLI::App& command, RenderOptions& o) {
         "Picture to write, .exr or .png; may be repeated. Default: an EXR and a PNG, named by the scene's film");
     addSceneOverrides(command, o.overrides);
     command.add_flag("--aovs", o.aovs,
-                     "Also write the inputs of denoisers to EXR files: the G-buffer (albedo, normal, depth), the "
-                     "variance and the number of samples of each pixel");
+                     "Also write to EXR files the inputs of denoisers: the G-buffer (albedo, normal, depth), the "
+                     "variance and the number of samples of each pixel; and what compositing and filters over time "
+                     "need: Position, Depth, IndexOB, IndexMA, and two half buffers");
     addDisplayOptions(command, o.display);
 }
 
@@ -197,6 +204,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
             "after a tab, the picture to write. Where they differ in the camera alone, scene and radiance cells "
             "are kept. --time is for each frame; a line on standard output tells that its picture is there")
         ->excludes("--lookat")
+        ->excludes("--frame")
         ->excludes("--timing");
     command
         .add_option(

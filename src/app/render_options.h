@@ -28,6 +28,7 @@ struct RenderOptions : FrameFiles {
     std::optional<double> noiseThreshold;
     std::string displayServer;
     std::string frames;
+    std::optional<int> frame;  // the frame's number, in place of that in the scene file's name
     std::string cells = "on";  // or off, or a file
     bool aovs = false, stats = false, quiet = false, verbose = false;
 };

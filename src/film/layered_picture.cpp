@@ -88,6 +88,9 @@ void LayeredPicture::balance(const RgbMatrix& matrix) {
         if (layer.variance) forEachPixel(*layer.variance, [&](const Rgb& v) { return matrix.ofVariance(v); });
     }
     if (direct) forEachPixel(*direct, [&](const Rgb& c) { return matrix * c; });
+    for (std::optional<HalfBuffers>* of : {&halves, &directHalves})
+        if (*of)
+            for (Image& half : (*of)->halves) forEachPixel(half, [&](const Rgb& c) { return matrix * c; });
     balanceBeauty(beauty, matrix);
 }
 
@@ -104,6 +107,21 @@ PictureLayer pictureLayer(const Film& film, const std::string& name, const std::
         }
     });
     return layer;
+}
+
+HalfBuffers halvesOf(const FilmLayer& layer, float scale) {
+    const PixelRegion& region = layer.region();
+    HalfBuffers both{{Image(region.width(), region.height()), Image(region.width(), region.height())}};
+    forEachRow(region.height(), [&](int row) {
+        for (int column = 0; column < region.width(); ++column) {
+            const int x = region.x0 + column, y = region.y0 + row;
+            for (int g = 0; g < 2; ++g)
+                both.halves[g].setRgb(column, row,
+                                      (layer.has(x, y, g) ? layer.group(x, y, g) : layer.mean(x, y)) * scale);
+        }
+    });
+    fillUnsampled({&both.halves[0], &both.halves[1]}, layer);
+    return both;
 }
 
 void addGBufferSpec(std::vector<FilmLayerSpec>& layers, int groups) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "film/film.h"
+#include "film/surface_layers.h"
 #include "image/image.h"
 #include "transport/g_buffer_sample.h"
 
@@ -30,6 +31,12 @@ struct GBuffer {
     float noise = 0;
 };
 
+// Two independent pictures of half of the samples each, RGB. A pixel without samples in one half has the mean of all
+// its samples there.
+struct HalfBuffers {
+    Image halves[2];
+};
+
 struct LayeredPicture {
     std::shared_ptr<const Film> film;  // the film that the picture was made from
     // Makes filters treat every pixel as sampled, whatever the film says. Used to measure how long they will take at
@@ -42,6 +49,9 @@ struct LayeredPicture {
     // Direct light (SampleParts::direct), from the same samples as the layers. Set in pictures whose layers each
     // contain both direct and indirect light.
     std::optional<Image> direct;
+    // Set with RenderParams::surfaces; the halves of the picture and of the direct light also need independentHalves.
+    std::optional<SurfaceLayers> surfaces;
+    std::optional<HalfBuffers> halves, directHalves;
     // A: coverage of each pixel (GBufferSample::covered), in [0, 1]. Set with a transparent film. The colours
     // are premultiplied by it.
     std::optional<Image> alpha;
@@ -71,6 +81,9 @@ void balanceBeauty(Image& beauty, const RgbMatrix& matrix);
 
 // Makes a picture layer from a film layer: means, and the variance of the mean if there are several groups.
 PictureLayer pictureLayer(const Film& film, const std::string& name, const std::string& part, float scale);
+
+// The halves of a film layer with two groups. scale: factor on all values.
+HalfBuffers halvesOf(const FilmLayer& layer, float scale);
 
 // The film layer that GBufferSamples are added to. Channels: albedo, normal, depth, and |albedo|^2 + |normal|^2, from
 // which GBuffer::noise is computed.

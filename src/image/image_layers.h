@@ -12,6 +12,16 @@ namespace drc {
 // The layers of `drc render --aovs` that are not means of samples.
 inline constexpr const char* kVarianceLayer = "Denoising Variance";
 inline constexpr const char* kSampleCountLayer = "Debug Sample Count";
+// Layers of `drc render --aovs` for compositing and for filters over time, of the surfaces that the camera itself sees.
+inline constexpr const char* kPositionLayer = "Position";           // X, Y, Z: mean, in the scene file's world space
+inline constexpr const char* kDepthLayer = "Depth";                 // Z: of Position, along the camera's axis
+inline constexpr const char* kObjectIndexLayer = "IndexOB";         // X: at the pixel's centre; 0: nothing
+inline constexpr const char* kMaterialIndexLayer = "IndexMA";       // X: at the pixel's centre; 0: nothing
+inline constexpr const char* kVectorLayer = "Vector";               // X, Y, Z, W: motionVectors()
+inline constexpr const char* kHalfLayers[] = {"Half A", "Half B"};  // two independent halves of the samples
+inline constexpr const char* kDirectHalfLayers[] = {"direct Half A", "direct Half B"};
+// In the layer Depth, where the camera sees no surface.
+inline constexpr float kNoDepth = 1e10f;
 // The layer that `drc render --noise-threshold` writes.
 inline constexpr const char* kErrorLayer = "Estimated Error";
 

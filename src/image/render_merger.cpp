@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "image/frame_geometry.h"
 #include "image/image_layers.h"
 #include "image/picture_window.h"
 
@@ -79,6 +80,15 @@ void RenderMerger::requireFit(const PictureFile& render) const {
                                first_.path, render.path));
 }
 
+void RenderMerger::requireSameFrame(const PictureFile& render) const {
+    const int mine = frameNumberIn(render.metadata), first = frameNumberIn(first_.metadata);
+    if (mine == first) return;
+    throw Error(fmt::format(
+        "{} is of frame {}, but {} is of frame {}: renders of one frame are merged; drc image average makes "
+        "the mean of several, and drc render --frame numbers what is one frame in files of several names",
+        render.path, mine, first_.path, first));
+}
+
 void RenderMerger::requireNewSamples(const PictureFile& render) {
     const auto bytes = std::as_bytes(std::span(render.image.data()));
     const size_t hash = std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -94,6 +104,22 @@ void RenderMerger::requireNewSamples(const PictureFile& render) {
         seedsOf_.insert({seed, render.path});
         seeds_.push_back(seed);
     }
+}
+
+void RenderMerger::setSurfaceChannels() {
+    const Image& image = first_.image;
+    for (const std::string& channel : image.channelNames()) {
+        const std::string layer = layerOfChannel(channel);
+        const int index = image.channelIndex(channel);
+        if (layer == kPositionLayer) surface_.push_back(index);
+        if (layer == kObjectIndexLayer || layer == kMaterialIndexLayer) indices_.push_back(index);
+    }
+    // Without a depth, nothing tells where a position is one.
+    const int depth = image.channelIndex(std::string(kDepthLayer) + ".Z");
+    if (depth < 0)
+        surface_.clear();
+    else
+        surface_.push_back(depth);
 }
 
 Image RenderMerger::sampleCounts(const PictureFile& render) const {
@@ -132,13 +158,16 @@ void RenderMerger::add(const PictureFile& render) {
             if (const int c = image.channelIndex(fmt::format("{}.{}", kVarianceLayer, colour)); c >= 0)
                 variance_.push_back(c);
         if (variance_.size() < 3) variance_.clear();
+        setSurfaceChannels();
         const size_t pixels = image.pixelCount(), channels = size_t(image.channels());
-        const MemoryClaim memory(double(pixels) * (16.0 * double(channels) + 68), "merging pictures");
+        const MemoryClaim memory(double(pixels) * (16.0 * double(channels) + 76), "merging pictures");
         samples_.resize(pixels), knownSamples_.resize(pixels), renders_.resize(pixels);
         sums_.resize(pixels * channels), plainSums_.resize(pixels * channels);
+        metSamples_.resize(pixels);
         varianceSums_.resize(pixels * 3), squares_.resize(pixels * 3);
     } else {
         requireFit(render);
+        requireSameFrame(render);
     }
     requireNewSamples(render);
     const Image counts = sampleCounts(render);
@@ -167,12 +196,17 @@ void RenderMerger::add(const PictureFile& render) {
 
 void RenderMerger::addPixel(size_t pixel, const float* values, double n) {
     const size_t channels = size_t(first_.image.channels());
+    const bool meets = surface_.empty() || values[surface_.back()] < kNoDepth;
+    if (meets) metSamples_[pixel] += n;
     for (size_t c = 0; c < channels; ++c) {
+        if (!meets && std::ranges::find(surface_, int(c)) != surface_.end()) continue;
         // NaN or infinity in another layer must not spoil the sum.
         const double value = std::isfinite(values[c]) ? double(values[c]) : 0;
         sums_[pixel * channels + c] += n * value;
         plainSums_[pixel * channels + c] += value;
     }
+    if (renders_[pixel] == 0)
+        for (const int c : indices_) first_.image.data()[pixel * channels + size_t(c)] = values[c];
     ++renders_[pixel];
     samples_[pixel] += n;
     for (size_t i = 0; i < 3; ++i) {
@@ -194,6 +228,11 @@ PictureFile RenderMerger::merged() const {
         for (size_t c = 0; c < channels; ++c)
             to[c] = float(n > 0 ? sums_[pixel * channels + c] / n
                                 : plainSums_[pixel * channels + c] / std::max(1, renders_[pixel]));
+        for (const int c : surface_)
+            to[c] = metSamples_[pixel] > 0 ? float(sums_[pixel * channels + size_t(c)] / metSamples_[pixel])
+                    : c == surface_.back() ? kNoDepth
+                                           : 0.f;
+        for (const int c : indices_) to[c] = first_.image.data()[pixel * channels + size_t(c)];
         if (count_ >= 0) to[count_] = float(n);
         for (size_t i = 0; i < variance_.size(); ++i) {
             double ofSample = 0;  // the variance of a single sample

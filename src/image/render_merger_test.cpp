@@ -179,5 +179,35 @@ TEST(RenderMerger, WarnsOfWhatIsLikelyAMistake) {
                 AllOf(HasSubstr("different integrators"), HasSubstr("seed1.exr is denoised")));
 }
 
+// With a point that the camera sees, and its number; a depth of 1e10: nothing.
+PictureFile renderOfSurface(const std::string& seed, float samples, float x, float depth, float object) {
+    PictureFile file{"seed" + seed + ".exr",
+                     Image(1, 1, {"R", "G", "B", "Debug Sample Count.X", "Position.X", "Depth.Z", "IndexOB.X"}),
+                     Encoding::Float,
+                     {{"drc:seed", seed}},
+                     {}};
+    file.image.data() = {1, 1, 1, samples, x, depth, object};
+    return file;
+}
+
+TEST(RenderMerger, PointsAreMeansOverTheRendersThatHaveThem) {
+    const PictureFile two = renderOfSurface("0", 2, 3, 5, 7), six = renderOfSurface("1", 6, 4, 6, 7),
+                      none = renderOfSurface("2", 8, 0, kNoDepth, 7);
+    const auto values = [](const Image& m) { return std::vector<float>(m.data().begin() + 4, m.data().end()); };
+    EXPECT_EQ(values(merged({two, six})), (std::vector<float>{3.75f, 5.75f, 7}));
+    EXPECT_EQ(values(merged({none, two, six})), (std::vector<float>{3.75f, 5.75f, 7}));
+    EXPECT_EQ(values(merged({none, renderOfSurface("3", 4, 0, kNoDepth, 7)})), (std::vector<float>{0, kNoDepth, 7}));
+}
+
+TEST(RenderMerger, RefusesOtherFrames) {
+    PictureFile still = render("0", 1, 0.3f, 2), zeroth = render("1", 2, 0.3f, 2), third = render("2", 3, 0.3f, 2),
+                again = render("3", 4, 0.3f, 2);
+    zeroth.metadata["drc:frame"] = "0";
+    third.metadata["drc:frame"] = again.metadata["drc:frame"] = "3";
+    EXPECT_EQ(complaint({still, zeroth}), "");
+    EXPECT_EQ(complaint({third, again}), "");
+    EXPECT_THAT(complaint({still, third}), HasSubstr("seed2.exr is of frame 3, but seed0.exr is of frame 0"));
+}
+
 }  // namespace
 }  // namespace drc

@@ -58,8 +58,8 @@ class BdptIntegrator final : public SampledIntegrator {
 
 }  // namespace
 
-std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene&, const RenderSettings& settings) {
-    std::vector<FilmLayerSpec> layers = sampledLayers(params, settings, false);
+std::vector<FilmLayerSpec> bdptLayers(const RenderParams& params, const Scene& scene, const RenderSettings& settings) {
+    std::vector<FilmLayerSpec> layers = sampledLayers(params, scene, settings, false);
     // The quantum is smaller than in other layers, because a splat is the contribution of one path divided by the
     // number of pixels of the film.
     layers.push_back({.name = kSplats, .weighted = false, .quantum = layers[0].quantum / 256});

@@ -150,12 +150,12 @@ class FinalGatherIntegrator final : public SampledIntegrator {
             .sampler = sampler,
             .cache = *cells_,
             .training = training(place),
-            .seed = pixelStream(context_.params.seed, kCellStream + place.index, place.x, place.y),
+            .seed = pixelStream(context_.params.seedOfFrame(), kCellStream + place.index, place.x, place.y),
             .deposits = row.deposits,
             .counts = row.counts,
             .parts = {.gBuffer = &surface, .direct = parts.direct}};
         const Rgb value = gather_.radiance(ray, sample);
-        const int half = halfOf(pixelStream(context_.params.seed, kHalfStream, place.x, place.y), place.index);
+        const int half = halfOf(pixelStream(context_.params.seedOfFrame(), kHalfStream, place.x, place.y), place.index);
         planner_->add(place.x, place.y, half, luminance(value), surface);
         if (parts.gBuffer) *parts.gBuffer = surface;
         return value;

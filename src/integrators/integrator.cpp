@@ -19,8 +19,8 @@ std::unique_ptr<Integrator> makeDirectIntegrator(const RenderContext& context);
 namespace {
 
 template <bool direct>
-std::vector<FilmLayerSpec> oneLayer(const RenderParams& params, const Scene&, const RenderSettings& settings) {
-    return sampledLayers(params, settings, direct);
+std::vector<FilmLayerSpec> oneLayer(const RenderParams& params, const Scene& scene, const RenderSettings& settings) {
+    return sampledLayers(params, scene, settings, direct);
 }
 
 struct Entry {

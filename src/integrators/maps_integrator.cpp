@@ -13,8 +13,11 @@ enum Layer { kEmission, kLit, kGlossy, kBroad, kMaps, kLobeGBuffer };
 class MapsIntegrator final : public Integrator, public MapPasses {
   public:
     explicit MapsIntegrator(const RenderContext& context)
-        : context_(context), settings_(context.params.indirect), gBuffer_(layerIndex(context, kGBufferLayer)) {
-        settings_.seed = hashCombine(context.params.seed, 0xd2c);
+        : context_(context),
+          settings_(context.params.indirect),
+          gBuffer_(layerIndex(context, kGBufferLayer)),
+          met_(layerIndex(context, kMetLayer)) {
+        settings_.seed = hashCombine(context.params.seedOfFrame(), 0xd2c);
     }
 
     void sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) override {
@@ -37,6 +40,7 @@ class MapsIntegrator final : public Integrator, public MapPasses {
         if (turn.traceBroad) film.layer(kBroad).add(x, y, group, layers.broad, weight);
         LobeGBuffer::add(film, kLobeGBuffer, x, y, layers, weight, seen);
         if (gBuffer_) addGBufferSample(film.layer(*gBuffer_), x, y, gBuffer, weight);
+        if (met_) addMet(film.layer(*met_), x, y, gBuffer);
     }
 
     const MapPasses* mapPasses() const override { return this; }
@@ -72,6 +76,8 @@ class MapsIntegrator final : public Integrator, public MapPasses {
         }
         if (context_.params.variance) picture.samples = sampleCounts(picture.film->layer(kEmission));
         if (gBuffer_) picture.gBuffer = gBufferOf(*picture.film);
+        if (met_)
+            picture.surfaces = surfaceLayersOf(*picture.film, context_.scene, context_.accel, *context_.sensor.camera);
         picture.compose();
         return picture;
     }
@@ -80,7 +86,7 @@ class MapsIntegrator final : public Integrator, public MapPasses {
     static constexpr uint64_t kTurnStream = 0x2002, kPassStream = 0x2004;
 
     uint32_t random(uint64_t stream, int index) const {
-        return uint32_t(hashCombine(context_.params.seed, hashCombine(stream, uint64_t(index))) >> 32);
+        return uint32_t(hashCombine(context_.params.seedOfFrame(), hashCombine(stream, uint64_t(index))) >> 32);
     }
 
     // The group of the samples with an index, and whether they also trace broad indirect light.
@@ -100,7 +106,7 @@ class MapsIntegrator final : public Integrator, public MapPasses {
 
     const RenderContext context_;
     IndirectSettings settings_;
-    const std::optional<size_t> gBuffer_;  // index of the layer; none: the film has no G-buffer
+    const std::optional<size_t> gBuffer_, met_;  // indices of layers; none: the film has no such layer
 };
 
 }  // namespace
@@ -117,6 +123,7 @@ std::vector<FilmLayerSpec> mapsLayers(const RenderParams& params, const Scene& s
     layers[kMaps] = {.name = "maps", .groups = kGroups, .storage = kSingle};
     LobeGBuffer::addSpecs(layers, scene.bounds().radius());
     if (params.gBuffer) addGBufferSpec(layers);
+    if (params.surfaces) addMetSpec(layers, scene.bounds().radius());
     return layers;
 }
 

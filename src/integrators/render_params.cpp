@@ -42,6 +42,11 @@ std::string integratorOfFile(const std::string& name) {
 
 }  // namespace
 
+uint64_t RenderParams::seedOfFrame() const {
+    constexpr uint64_t kFrameStream = 0x2008;
+    return frame == 0 ? seed : hashCombine(seed, hashCombine(kFrameStream, uint64_t(frame)));
+}
+
 RenderParams resolved(RenderParams p, const RenderSettings& settings) {
     const bool byFile = p.integrator == "scene";
     if (byFile) p.integrator = integratorOfFile(settings.integrator);
@@ -69,7 +74,8 @@ RenderParams resolved(RenderParams p, const RenderSettings& settings) {
         throw Error(
             "--integrator drc-maps: its pictures have no alpha, which the scene's film asks for by 'transparent'; "
             "drc, path, bdpt and direct have it");
-    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect || settings.transparentFilm) p.gBuffer = true;
+    if (p.denoise == Denoise::Oidn || p.denoise == Denoise::OidnDirect || settings.transparentFilm || p.surfaces)
+        p.gBuffer = true;
     return p;
 }
 

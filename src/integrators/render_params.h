@@ -34,6 +34,10 @@ struct RenderParams {
     std::optional<int> maxDepth;
     double seconds = 0;  // wall-clock budget; 0: none. Without spp and mapPasses it is the only bound
     uint64_t seed = 0;
+    int frame = 0;  // number of the frame in its animation, from 0
+    // The seed of all samples: that of the frame, so that noise does not stick to the screen. Frame 0, such as a still,
+    // has the seed itself.
+    uint64_t seedOfFrame() const;
     float clamp = 0;  // upper bound on the luminance of a sample; 0: only the film's own, by default none
     IndirectSettings indirect;
     std::optional<int> gatherSamples;
@@ -44,7 +48,10 @@ struct RenderParams {
     // The mode of Open Image Denoise. If unset, the picture and the available time determine it.
     std::optional<OidnQuality> oidnQuality;
     std::optional<bool> oidnPrefilter;
-    bool gBuffer = false;   // record albedo, normal and depth: LayeredPicture::gBuffer
+    bool gBuffer = false;  // record albedo, normal and depth: LayeredPicture::gBuffer
+    // Also record which surfaces the camera itself sees: LayeredPicture::surfaces and, with independentHalves, halves.
+    // resolved() then sets gBuffer.
+    bool surfaces = false;
     bool parts = false;     // store direct light separately if the integrator can: LayeredPicture::hasParts
     bool variance = false;  // store half buffers: PictureLayer::variance
     // Makes the half buffers independent, as the estimate of the denoised picture's error requires (DenoisedError):

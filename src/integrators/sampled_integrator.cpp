@@ -8,11 +8,14 @@ int halfOf(uint64_t seed, uint32_t index) {
     return int((index ^ (hashCombine(seed, hashCombine(kHalfStream, index / 2)) >> 32)) & 1);
 }
 
-std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const RenderSettings& settings, bool direct) {
+std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const Scene& scene, const RenderSettings& settings,
+                                         bool direct) {
     const double quantum = radianceQuantum(settings.filmScale);
     std::vector<FilmLayerSpec> layers{{.name = kBeautyLayer, .groups = params.variance ? 2 : 1, .quantum = quantum}};
-    if (params.parts && direct) layers.push_back({.name = kDirectLayer, .quantum = quantum});
-    if (params.gBuffer) addGBufferSpec(layers, params.independentHalves ? 2 : 1);
+    const int halves = params.independentHalves ? 2 : 1;
+    if (params.parts && direct) layers.push_back({.name = kDirectLayer, .groups = halves, .quantum = quantum});
+    if (params.gBuffer) addGBufferSpec(layers, halves);
+    if (params.surfaces) addMetSpec(layers, scene.bounds().radius());
     if (settings.transparentFilm) layers.push_back({.name = kAlphaLayer, .channels = 1});
     return layers;
 }
@@ -21,7 +24,8 @@ SampledIntegrator::SampledIntegrator(const RenderContext& context)
     : context_(context),
       direct_(layerIndex(context, kDirectLayer)),
       gBuffer_(layerIndex(context, kGBufferLayer)),
-      alpha_(layerIndex(context, kAlphaLayer)) {}
+      alpha_(layerIndex(context, kAlphaLayer)),
+      met_(layerIndex(context, kMetLayer)) {}
 
 void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sample, Film& film) {
     const CameraRay& camera = sample.camera;
@@ -31,12 +35,11 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
         const SampleParts parts{.gBuffer = gBuffer_ ? &gBuffer : nullptr, .direct = direct_ ? &direct : nullptr};
         value = radiance(camera.ray, sample.sampler, {x, y, index}, film, parts) * camera.weight;
     }
-    const int group = groupOf(index);
+    const int group = groupOf(index), half = context_.params.independentHalves ? group : 0;
     film.layer(0).add(x, y, group, value, sample.filterWeight);
-    if (direct_) film.layer(*direct_).add(x, y, 0, direct * camera.weight, sample.filterWeight);
-    if (gBuffer_)
-        addGBufferSample(film.layer(*gBuffer_), x, y, gBuffer, sample.filterWeight,
-                         context_.params.independentHalves ? group : 0);
+    if (direct_) film.layer(*direct_).add(x, y, half, direct * camera.weight, sample.filterWeight);
+    if (gBuffer_) addGBufferSample(film.layer(*gBuffer_), x, y, gBuffer, sample.filterWeight, half);
+    if (met_) addMet(film.layer(*met_), x, y, gBuffer);
     if (alpha_) {  // with a transparent film there is a G-buffer, too: see resolved()
         const float alpha[] = {gBuffer.covered ? 1.f : 0.f};
         film.layer(*alpha_).add(x, y, 0, alpha, sample.filterWeight);
@@ -46,7 +49,7 @@ void SampledIntegrator::sample(int x, int y, uint32_t index, CameraSample& sampl
 int SampledIntegrator::groupOf(uint32_t index) const {
     const RenderParams& params = context_.params;
     if (!params.variance) return 0;
-    return params.independentHalves ? int(index & 1) : halfOf(params.seed, index);
+    return params.independentHalves ? int(index & 1) : halfOf(params.seedOfFrame(), index);
 }
 
 LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) const {
@@ -62,6 +65,12 @@ LayeredPicture SampledIntegrator::picture(std::shared_ptr<const Film> film) cons
     }
     if (context_.params.variance) picture.samples = sampleCounts(samples);
     if (gBuffer_) picture.gBuffer = gBufferOf(*picture.film);
+    if (met_)
+        picture.surfaces = surfaceLayersOf(*picture.film, context_.scene, context_.accel, *context_.sensor.camera);
+    if (met_ && context_.params.independentHalves) {
+        picture.halves = halvesOf(samples, picture.scale);
+        if (direct_) picture.directHalves = halvesOf(picture.film->layer(kDirect), picture.scale);
+    }
     if (alpha_) {
         picture.alpha = alphaOf(picture.film->layer(kAlpha));
         fillUnsampled({&*picture.alpha}, samples);

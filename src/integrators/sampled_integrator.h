@@ -8,7 +8,8 @@ namespace drc {
 // The names of the film's layers.
 inline constexpr const char *kBeautyLayer = "beauty", *kDirectLayer = "direct", *kAlphaLayer = "alpha";
 // The film's layers. direct: whether the integrator can separate direct light.
-std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const RenderSettings& settings, bool direct);
+std::vector<FilmLayerSpec> sampledLayers(const RenderParams& params, const Scene& scene, const RenderSettings& settings,
+                                         bool direct);
 
 class SampledIntegrator : public Integrator {
   public:
@@ -36,7 +37,7 @@ class SampledIntegrator : public Integrator {
     int groupOf(uint32_t index) const;
 
     // The indices of the film's layers; none: the film has no such layer.
-    const std::optional<size_t> direct_, gBuffer_, alpha_;
+    const std::optional<size_t> direct_, gBuffer_, alpha_, met_;
 };
 
 // The half buffer of a sample. The two samples of each pair are divided at random: the even samples of a sequence alone

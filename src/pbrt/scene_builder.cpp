@@ -118,6 +118,7 @@ void SceneBuilder::objectBegin(const std::string& name, const SourcePos& pos) {
     openObject_ = scene_->objects.size();
     objects_[named(name)] = *openObject_;
     scene_->objects.push_back({name, {}});
+    objectToFile_[*openObject_] = state_.ctm.start();
 }
 
 void SceneBuilder::objectEnd(const SourcePos& pos) {
@@ -125,9 +126,9 @@ void SceneBuilder::objectEnd(const SourcePos& pos) {
     openObject_.reset();
 }
 
-void SceneBuilder::addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos) {
+void SceneBuilder::addInstance(size_t object, const AnimatedTransform& toWorld, uint32_t number, const SourcePos& pos) {
     checkPlacement(toWorld, pos);
-    const Instance instance{int(object), toWorld};
+    const Instance instance{int(object), toWorld, number};
     instances_.take(instance, pos);
     scene_->instances.push_back(instance);
 }
@@ -139,6 +140,7 @@ std::vector<std::string_view> SceneBuilder::namesOfObjects() const {
 }
 
 void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos) {
+    const uint32_t number = numbers_.next();
     if (openObject_) {
         const std::string complaint = "ObjectInstance inside of an object: objects cannot be nested";
         if (dialect_ == Dialect::V4) fail(pos, complaint);
@@ -146,7 +148,10 @@ void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos)
         return;
     }
     const AnimatedTransform toWorld = motionOf("object '" + name + "'", pos);
-    const auto place = [this, key = named(name), toWorld, pos] { placeInstance(key, toWorld, pos); };
+    const auto place = [this, key = named(name), toWorld, inFile = state_.ctm.animated(), number, pos] {
+        const size_t object = placeInstance(key, toWorld, number, pos);
+        scene_->placements.add(number, inFile * AnimatedTransform(objectToFile_.at(object)));
+    };
     try {
         place();
     } catch (const UndefinedName&) {
@@ -158,13 +163,16 @@ void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos)
     }
 }
 
-void SceneBuilder::placeInstance(const std::string& name, const AnimatedTransform& toWorld, const SourcePos& pos) {
+size_t SceneBuilder::placeInstance(const std::string& name, const AnimatedTransform& toWorld, uint32_t number,
+                                   const SourcePos& pos) {
     const auto found = objects_.find(name);
     if (found == objects_.end())
         throw UndefinedName(kObjectName, name, pos,
                             "no object '" + name + "' has been defined" + suggestion(name, namesOfObjects()));
-    addInstance(found->second, toWorld, pos);
-    for (const MovingPart& part : movingParts_[found->second]) addInstance(part.object, toWorld * part.motion, pos);
+    addInstance(found->second, toWorld, number, pos);
+    for (const MovingPart& part : movingParts_[found->second])
+        addInstance(part.object, toWorld * part.motion, number, pos);
+    return found->second;
 }
 
 void SceneBuilder::reverseOrientation() { state_.reverseOrientation = !state_.reverseOrientation; }
@@ -356,7 +364,7 @@ size_t SceneBuilder::movingObject(const std::string& shape, const SourcePos& pos
     if (openObject_)
         movingParts_[*openObject_].push_back({object, motion});
     else
-        addInstance(object, motion, pos);
+        addInstance(object, motion, 0, pos);
     movingObject_ = {object, openObject_, state_.ctm};
     return object;
 }

@@ -15,6 +15,7 @@
 #include "pbrt/kept_contents.h"
 #include "pbrt/later_names.h"
 #include "pbrt/normalized_name.h"
+#include "pbrt/object_numbers.h"
 #include "pbrt/param_parser.h"
 #include "pbrt/scene_file.h"
 #include "pbrt/scene_media.h"
@@ -137,7 +138,8 @@ class SceneBuilder {
     // The object for shapes that move with the current transformation; it has a single instance. Consecutive shapes
     // with the same motion share the object.
     size_t movingObject(const std::string& shape, const SourcePos& pos);
-    void addInstance(size_t object, const AnimatedTransform& toWorld, const SourcePos& pos);
+    // number: Instance::objectNumber.
+    void addInstance(size_t object, const AnimatedTransform& toWorld, uint32_t number, const SourcePos& pos);
     // Sets what other directives define for a shape: its masks, its material, and whether it is an area light. Throws
     // UndefinedName if one of these is defined later. params: the shape's parameters; pbrt-v4 uses only the masks.
     void dress(PendingPrimitive& p, const ParamSet& params);
@@ -162,8 +164,10 @@ class SceneBuilder {
     // Throws UndefinedName if the texture uses others that are defined later.
     void defineTexture(const std::string& name, bool isFloat, const std::string& type, const ParamSet& params,
                        const Transform& toWorld);
-    // Throws UndefinedName if the object has not been defined.
-    void placeInstance(const std::string& name, const AnimatedTransform& toWorld, const SourcePos& pos);
+    // Returns the object, an index into Scene::objects. number: Instance::objectNumber. Throws UndefinedName if the
+    // object has not been defined.
+    size_t placeInstance(const std::string& name, const AnimatedTransform& toWorld, uint32_t number,
+                         const SourcePos& pos);
     std::vector<std::string_view> namesOfObjects() const;
     std::string named(const std::string& name) const { return normalizedName(name, dialect_); }
     // In pbrt-v4, warns about a name that is defined twice, which pbrt-v4 itself refuses.
@@ -205,6 +209,8 @@ class SceneBuilder {
     std::optional<size_t> openObject_;
     std::map<std::string, size_t> objects_;
     std::map<size_t, std::vector<MovingPart>> movingParts_;  // by index into Scene::objects
+    // By index into Scene::objects: the transformation where the object begins, which all of its shapes have in common.
+    std::map<size_t, Transform> objectToFile_;
     // The last result of movingObject(), the object that was open at the time, and the transformation.
     struct MovingObject {
         size_t object;
@@ -213,6 +219,7 @@ class SceneBuilder {
     };
     std::optional<MovingObject> movingObject_;
     InstanceBudget instances_;
+    ObjectNumbers numbers_;
     size_t curvePiecesLeft_ = limits::kCurvePieces;
     bool keepsNames_ = false;
     std::vector<PendingPrimitive> pending_;

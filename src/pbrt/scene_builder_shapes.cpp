@@ -13,6 +13,7 @@ namespace drc::pbrt {
 
 void SceneBuilder::shape(const std::string& type, ParamSet params) {
     params = completed("shape", std::move(params));
+    const uint32_t number = openObject_ ? 0 : numbers_.next(), material = numbers_.ofMaterial(state_.material);
     const bool moves = state_.ctm.isAnimated();  // if so, the transformation is applied by an instance
     const ShapeContext context{
         params,   files_,          moves ? Transform() : placement().start(), state_.reverseOrientation,
@@ -42,6 +43,8 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     pending.primitive.visibleToDiffuse = params.getBool("visibletodiffuse", true);
     pending.blocksLight = params.getBool("blockslight", true);
     pending.primitive.media = state_.media;
+    pending.primitive.objectNumber = number;
+    pending.primitive.materialNumber = material;
     try {
         dress(pending, params);
     } catch (const UndefinedName&) {
@@ -52,6 +55,7 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     const ParamSet masks = params.only({"alpha", "shadowalpha"});
     pending.awaitsMasks = pending.awaitsNames && !masks.all().empty();
     if (!pending.areaLight && placedAt(params.pos(), [&] { return joinCurves(pending); })) return;
+    scene_->placements.add(number, state_.ctm.animated());
     // A shape whose names are still undefined may turn out to emit, so it reserves a light slot. Unused slots are
     // removed later.
     if (pending.awaitsNames || pending.areaLight) {

@@ -26,9 +26,11 @@ Identity identityOf(const RenderSettings& settings, const RenderParams& params, 
                       {"--max-depth", std::to_string(*params.maxDepth)},
                       {"--clamp", fmt::format("{}", params.clamp)},
                       {"guiding", params.guide ? "on" : "off"},
-                      {"layers", fmt::format("{}{}{}{}", params.gBuffer ? "G-buffer " : "",
+                      {"layers", fmt::format("{}{}{}{}{}", params.gBuffer ? "G-buffer " : "",
                                              params.parts ? "parts " : "", params.variance ? "variance" : "",
-                                             params.independentHalves ? " of independent halves" : "")}};
+                                             params.independentHalves ? " of independent halves" : "",
+                                             params.surfaces ? " surfaces" : "")}};
+    if (params.frame != 0) identity.emplace_back("--frame", std::to_string(params.frame));
     if (traitsOf(params.integrator).cells)
         identity.insert(identity.end(), {{"--cells", params.cells ? "on" : "off"},
                                          {"--cell-size", fmt::format("{}", params.cellSize)}});

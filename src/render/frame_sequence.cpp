@@ -11,10 +11,11 @@ namespace drc {
 
 FrameSequence::FrameSequence(FrameFiles& present, const std::string& list) : present_(present), listName_(list) {
     if (!list.empty()) list_.emplace(list);
-    claimPictures();
+    begin();
 }
 
-void FrameSequence::claimPictures() {
+void FrameSequence::begin() {
+    numbers_.add(present_.scene);
     if (listName_ == "-") return;
     for (const std::string& path : present_.outputs)
         pictures_.writes(list_ ? fmt::format("frame {}'s picture", number_) : "-o", path);
@@ -30,7 +31,7 @@ bool FrameSequence::next() {
     if (!frame) return false;
     ++number_;
     present_ = std::move(*frame);
-    claimPictures();
+    begin();
     return true;
 }
 

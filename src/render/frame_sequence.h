@@ -4,13 +4,15 @@
 
 #include "base/distinct_files.h"
 #include "render/frame_list.h"
+#include "render/frame_number.h"
 
 namespace drc {
 
 class FrameSequence {
   public:
     // present: the first frame's files, which next() replaces by those of the next frame; must outlive this object.
-    // list: path of a frame list (FrameList); empty if there is only one frame. Throws Error if the list cannot be
+    // list: path of a frame list (FrameList); empty if there is only one frame. Warns where frames have the same number
+    // (FrameNumbers). Throws Error if the list cannot be
     // opened.
     FrameSequence(FrameFiles& present, const std::string& list);
 
@@ -27,12 +29,14 @@ class FrameSequence {
     void skipTo(int number, const std::string& checkpoint);
 
   private:
-    void claimPictures();
+    // Claims the pictures and the number of the present frame.
+    void begin();
 
     FrameFiles& present_;
     std::string listName_;
     std::optional<FrameList> list_;
     DistinctFiles pictures_;
+    FrameNumbers numbers_;
     int number_ = 1;
 };
 

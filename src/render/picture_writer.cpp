@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "base/atomic_file.h"
 #include "base/distinct_files.h"
@@ -45,6 +46,27 @@ bool mayBeBetter(const std::vector<std::string>& paths, int samples) {
         if (old >= 0 && old < samples) return false;
     }
     return exists;
+}
+
+// The objects that a picture shows.
+std::set<uint32_t> objectsIn(const SurfaceLayers& surfaces) {
+    std::set<uint32_t> objects;
+    for (const float number : surfaces.object.data()) objects.insert(uint32_t(number));
+    return objects;
+}
+
+// The layers of --aovs beyond the inputs of denoisers.
+void addForCompositing(std::vector<ExrLayer>& layers, const LayeredPicture& picture) {
+    if (picture.surfaces) {
+        layers.push_back({kPositionLayer, &picture.surfaces->position});
+        layers.push_back({kDepthLayer, &picture.surfaces->depth});
+        layers.push_back({kObjectIndexLayer, &picture.surfaces->object});
+        layers.push_back({kMaterialIndexLayer, &picture.surfaces->material});
+    }
+    for (size_t half = 0; half < 2; ++half) {
+        if (picture.halves) layers.push_back({kHalfLayers[half], &picture.halves->halves[half]});
+        if (picture.directHalves) layers.push_back({kDirectHalfLayers[half], &picture.directHalves->halves[half]});
+    }
 }
 
 }  // namespace
@@ -106,9 +128,19 @@ std::vector<std::string> PictureWriter::encode(const LayeredPicture& picture, co
             layers.push_back({"Denoising Depth", &picture.gBuffer->depth});
             layers.push_back({kVarianceLayer, &variance});
             layers.push_back({kSampleCountLayer, &*picture.samples});
+            addForCompositing(layers, picture);
             if (picture.error) layers.push_back({kErrorLayer, &*picture.error});
         }
-        files.push_back(encodeExr(layers, metadata, window));
+        ExrStorage storage;
+        if (geometry_) {
+            FrameGeometry geometry = *geometry_;
+            if (!aovs_ || !picture.surfaces)
+                geometry.objects = {};
+            else if (geometry.objects.size() > ObjectPlacements::kMostWritten)
+                geometry.objects = geometry.objects.only(objectsIn(*picture.surfaces));
+            storage.attributes = attributesOf(geometry);
+        }
+        files.push_back(encodeExr(layers, metadata, window, storage));
     }
     return files;
 }

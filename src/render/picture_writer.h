@@ -5,6 +5,7 @@
 
 #include "film/layered_picture.h"
 #include "image/display.h"
+#include "image/frame_geometry.h"
 #include "image/image_io.h"
 
 namespace drc {
@@ -23,6 +24,9 @@ class PictureWriter {
     PictureWriter(const RenderSettings& settings, std::vector<std::string> outputs, bool aovs = false,
                   const DisplaySettings& display = {}, std::string scene = "")
         : settings_(settings), outputs_(std::move(outputs)), aovs_(aovs), display_(display), scene_(std::move(scene)) {}
+
+    // Adds the camera, and where the objects are, to EXR files.
+    void setGeometry(FrameGeometry geometry) { geometry_ = std::move(geometry); }
 
     // Encodes the picture for every output and returns the bytes of each file: EXR files with linear radiance, PNG
     // files according to the display settings. All files contain the metadata, including displayMetadata() of the
@@ -48,6 +52,7 @@ class PictureWriter {
     bool aovs_;
     DisplaySettings display_;
     std::string scene_;
+    std::optional<FrameGeometry> geometry_;
     bool allInPlace_ = true;
 };
 

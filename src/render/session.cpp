@@ -143,7 +143,7 @@ template <class F>
 void Session::probe(int side, F&& f) const {
     const PixelRegion region = sensor_.settings.region();
     for (uint32_t i = 0; i < uint32_t(side * side); ++i) {
-        Sampler sampler(hashCombine(params_.seed, kProbeStream), i);
+        Sampler sampler(hashCombine(params_.seedOfFrame(), kProbeStream), i);
         const Vec2 u = sampler.get2D();
         const Vec2 film(float(region.x0) + u.x * float(region.width()),
                         float(region.y0) + u.y * float(region.height()));
@@ -257,8 +257,8 @@ bool Session::samplePass(int index, const CancelToken* cancel, const CancelToken
 }
 
 void Session::takeSamples(int x, int y, const PixelSamples& samples) {
-    const uint64_t stream = pixelStream(params_.seed, kSampleStream, x, y);
-    const uint64_t odd = params_.independentHalves ? pixelStream(params_.seed, kOddSampleStream, x, y) : 0;
+    const uint64_t stream = pixelStream(params_.seedOfFrame(), kSampleStream, x, y);
+    const uint64_t odd = params_.independentHalves ? pixelStream(params_.seedOfFrame(), kOddSampleStream, x, y) : 0;
     for (uint32_t i = samples.first; i < samples.first + uint32_t(samples.count); ++i) {
         CameraSample sample = !params_.independentHalves ? cameraSample(sensor_, x, y, stream, i)
                                                          : cameraSample(sensor_, x, y, i & 1 ? odd : stream, i / 2);

@@ -61,6 +61,8 @@ class Session {
 
     // Sets RenderParams::firstSample for later films, so that a camera that is visited again gets other samples.
     void setFirstSample(int index) { params_.firstSample = index; }
+    // Sets RenderParams::frame, whose samples the next camera gets.
+    void setFrame(int number) { params_.frame = number; }
     // Sets RenderParams::cellSize for later calls of setCamera().
     void setCellSize(float size) { params_.cellSize = size; }
     // The radiance cells so far; null if there are none. Not while step runs.

@@ -75,6 +75,7 @@ std::unique_ptr<Scene> withoutMedia(const Scene& scene) {
     copy->lights = scene.lights;
     copy->sensor = scene.sensor;
     copy->origin = scene.origin;
+    copy->placements = scene.placements;
     copy->files = scene.files;
     const auto remove = [](std::vector<Primitive>& from) {
         for (Primitive& primitive : from) primitive.media = {};

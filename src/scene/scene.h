@@ -7,6 +7,7 @@
 #include "scene/lights/light.h"
 #include "scene/materials/material.h"
 #include "scene/media/medium.h"
+#include "scene/scene_placements.h"
 #include "scene/sensor.h"
 #include "scene/shapes/shape.h"
 #include "scene/shapes/triangle_mesh.h"
@@ -26,6 +27,8 @@ struct Primitive {
     bool visibleToCamera = true;                 // if not, rays from the camera pass through
     bool visibleToDiffuse = true;                // if not, shadow rays and rays neither fromCamera nor mirrored pass
     uint32_t name = SurfaceNames::kNone;         // row in Scene::names
+    uint32_t objectNumber = 0;                   // see Scene::placements; 0: none, or that of the instance
+    uint32_t materialNumber = 0;                 // in the order of first use in the file, from 1; 0: none
     MediumInterface media = {};                  // owned by Scene::media
 };
 
@@ -38,6 +41,7 @@ struct ObjectDefinition {
 struct Instance {
     int object = 0;  // index into Scene::objects
     AnimatedTransform objectToWorld;
+    uint32_t objectNumber = 0;  // see Scene::placements; 0: that of the primitive
     // Memory for the instance, including its acceleration structure, in bytes.
     double memory() const;
 };
@@ -51,6 +55,10 @@ struct Scene {
     Sensor sensor;  // as the file describes it; a render may use another one
     // Offset subtracted from the file's world coordinates, because floats are finest near zero.
     Vec3 origin{0.f};
+    // Where the file's objects are, in the file's world space. An object is a shape of the file,
+    // or an instance of several; they are numbered in the file's order, from 1. The numbers are the same in files that
+    // differ in transformations, the camera, or parameters alone.
+    ScenePlacements placements;
     // Names of the surfaces in the scene file, only for display; may be empty.
     SurfaceNames names;
     // The files from which the scene was read, each once: the scene file first, then the files that it refers to.

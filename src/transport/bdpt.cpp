@@ -256,6 +256,7 @@ Rgb BidirectionalTracer::traceCamera(const Ray& cameraRay, Sampler& sampler, Pat
         };
         const Arrival arrival = toSurface(accel_, step.ray, hit, [&](const SurfaceInteraction& surface) {
             distance += surface.t;
+            if (gBuffer && first) gBuffer->meet(surface);
             own = first ? camera_.pixelsPerArea(cameraRay, length(surface.p - from)) * absDot(surface.ng, surface.wo)
                         : perArea(step.pdf, from, surface);
             DirectLighting::forLightAt(surface, [&](const AreaLight& light, const Rgb& radiance) {

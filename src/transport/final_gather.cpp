@@ -92,7 +92,10 @@ class GatherVisitor : public RadianceVisitor {
         RadianceVisitor::passed(path, passage);
         trainings_.scatter(passage.end.weight, Rgb(1.f));
     }
-    void met(const PathState&, const SurfaceInteraction& surface) { distance_ += surface.t; }
+    void met(const PathState& path, const SurfaceInteraction& surface) {
+        RadianceVisitor::met(path, surface);
+        distance_ += surface.t;
+    }
     void emitted(const PathState& path, const Rgb& light) {
         if (isBlack(light)) return;
         if (shown_) add(path.throughput * share_ * light);

@@ -25,7 +25,7 @@ void GBufferSample::recordMedium(const Accel& accel, const PathState& path, cons
         return true;
     };
     const Arrival arrival = toSurface(
-        accel, ray, found, any, hit, [](const SurfaceInteraction&) {}, goesOn);
+        accel, ray, found, any, hit, [&](const SurfaceInteraction& surface) { meet(surface); }, goesOn);
     if (arrival == Arrival::Surface) record(seen, hit, hit.bsdf(), distance);
 }
 

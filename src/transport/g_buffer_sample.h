@@ -17,9 +17,19 @@ struct GBufferSample {
     // length), and the length of the chain up to it (world units).
     Vec3 normal{0.f};
     float depth = 0;
+    // The first surface that the camera's own ray meets, such as a mirror itself, or the one behind a particle of a
+    // medium: whether there is one, and the point on it, world space.
+    bool meets = false;
+    Vec3 position{0.f};
     // Whether the camera's own ray met anything: a surface with a material, or a particle of a medium.
     bool covered = false;
 
+    // To be called for each surface with a material or a light that the path meets before it is scattered.
+    void meet(const SurfaceInteraction& at) {
+        if (meets) return;
+        meets = true;
+        position = at.p;
+    }
     void record(const Rgb& throughput, const SurfaceInteraction& at, const Bsdf& bsdf, float distance) {
         if (!bsdf.hasNonSpecular()) return;
         albedo += throughput * bsdf.albedo(at.wo, LobeFlags::NonSpecular);

@@ -70,6 +70,9 @@ class PathTracer::LayersVisitor : public PathVisitor {
           traceBroad_(traceBroad),
           gBuffer_(gBuffer) {}
 
+    void met(const PathState&, const SurfaceInteraction& surface) {
+        if (gBuffer_) gBuffer_->meet(surface);
+    }
     void emitted(const PathState& path, const Rgb& light) { layers_.emission += path.throughput * light; }
     std::optional<LobeMask> leavesBy(PathState& path, const SurfaceInteraction& at, const Bsdf& bsdf) {
         if (gBuffer_) {

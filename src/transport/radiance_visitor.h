@@ -20,6 +20,9 @@ class RadianceVisitor : public PathVisitor {
     void passed(const PathState& path, const MediumPassage& passage) {
         if (parts_.gBuffer && path.depth == 0) parts_.gBuffer->recordMedium(walker_.lighting().accel(), path, passage);
     }
+    void met(const PathState& path, const SurfaceInteraction& surface) {
+        if (parts_.gBuffer && path.depth == 0) parts_.gBuffer->meet(surface);
+    }
     void emitted(const PathState& path, const Rgb& light) { sum_ += path.throughput * light; }
     template <class Vertex>
     bool arrived(const PathState& path, const Vertex&) {

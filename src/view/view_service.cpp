@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "image/auto_exposure.h"
 #include "image/image_io.h"
-#include "view/seen_surface.h"
+#include "transport/seen_surface.h"
 
 namespace drc {
 namespace {

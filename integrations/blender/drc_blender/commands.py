@@ -1,6 +1,11 @@
 """The renderer's command lines, of the settings that the panels show."""
 
 
+def scene_file_name(frame):
+    """The renderer takes the frame's number, on which its noise depends, from the end of this name."""
+    return f"frame_{frame:04d}.pbrt"
+
+
 def render_command(program, scene_file, output, settings, viewer=None, threads=0):
     command = [
         program,

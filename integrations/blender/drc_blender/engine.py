@@ -9,7 +9,7 @@ import time
 
 import bpy
 
-from .commands import render_command
+from .commands import render_command, scene_file_name
 from .export.camera_maths import pixel_bounds
 from .export.scene import SceneExporter
 from .export_place import export_folder, exporter_settings
@@ -76,7 +76,7 @@ class DrcRenderEngine(bpy.types.RenderEngine):
     def _export(self, depsgraph):
         self.update_stats("", "DRC: exporting")
         scene = depsgraph.scene
-        name = os.path.basename(DrcRenderEngine.export_only or "scene.pbrt")
+        name = os.path.basename(DrcRenderEngine.export_only or scene_file_name(scene.frame_current))
         began = time.monotonic()
         exporter = SceneExporter(self._folder(scene), exporter_settings(scene.drc))
         exported = exporter.export(depsgraph, set_frame=self.frame_set, camera=self.camera_override, name=name)
@@ -105,6 +105,8 @@ class DrcRenderEngine(bpy.types.RenderEngine):
             for line in renderer.finish(DRAIN):
                 self.tell("WARNING", line)
             self._show(renderer.receiver, scene, bounds, began, last=True)
+            if not scene.drc.keep_files:
+                os.remove(exported.path)  # frames would pile up
             done = True
         finally:
             if done and self.is_animation:

@@ -7,9 +7,11 @@ renderer as a child, the client of the live view.
 Without the program, the tests that need it are skipped; without numpy all are: it ends with status 77.
 """
 
+import json
 import math
 import os
 import re
+import shutil
 import socket
 import struct
 import subprocess
@@ -28,7 +30,7 @@ except ImportError:
     print("skipped: this Python has no numpy")
     sys.exit(77)
 
-from drc_blender.commands import render_command, view_command
+from drc_blender.commands import render_command, scene_file_name, view_command
 from drc_blender.export.cache import FileCache, digest
 from drc_blender.export.camera_maths import Lens, lens_radius, pixel_bounds, screen_window
 from drc_blender.export.equal_area import directions
@@ -539,6 +541,17 @@ class WithTheProgram(unittest.TestCase):
     def setUp(self):
         if DRC is None:
             self.skipTest("no --drc")
+
+    def test_the_number_of_a_frame_is_known_by_its_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for frame, number in ((7, "7"), (12345, "12345"), (0, "0"), (-3, "3")):
+                scene = os.path.join(folder, scene_file_name(frame))
+                output = os.path.join(folder, "o.exr")
+                shutil.copy(CORNELL, scene)
+                options = ["--spp", "1", "--resolution", "8x8", "--quiet", "--denoise", "off"]
+                subprocess.run([DRC, "render", scene, "-o", output, *options], check=True)
+                told = json.loads(subprocess.run([DRC, "image", "info", "--json", output], capture_output=True).stdout)
+                self.assertEqual(told[0]["metadata"]["drc:frame"], number)
 
     def test_a_render_is_received(self):
         receiver = TevReceiver()

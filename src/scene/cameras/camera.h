@@ -50,8 +50,15 @@ class Camera {
     virtual std::unique_ptr<Camera> withFilm(const FilmGeometry& film) const = 0;
     // A copy for a film of another size, at another place, without motion.
     virtual std::unique_ptr<Camera> placed(const Transform& worldToCamera, const FilmGeometry& film) const = 0;
-    // For a moving camera, the transform in the middle of the exposure.
-    virtual Transform worldToCamera() const = 0;
+    // The transform at the fraction u in [0, 1] of the exposure; and in its middle.
+    virtual Transform worldToCameraAt(float u) const = 0;
+    Transform worldToCamera() const { return worldToCameraAt(0.5f); }
+    // The projection through the middle of the lens: takes camera space to film coordinates x and y, and to a z that
+    // falls with the distance or rises with it. None if the camera has no such projection: environment and realistic
+    // cameras.
+    virtual std::optional<Transform> cameraToFilm() const { return {}; }
+    // Whether the picture shows all directions, so that it has no axis along which depth could be measured.
+    virtual bool isPanoramic() const { return false; }
     // The camera's "up" direction, unit, world space.
     virtual Vec3 up() const = 0;
     virtual const Shutter& shutter() const = 0;

@@ -35,7 +35,8 @@ class EnvironmentCamera final : public Camera {
         params.worldToCamera = {worldToCamera, worldToCamera};
         return std::make_unique<EnvironmentCamera>(params, film);
     }
-    Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
+    Transform worldToCameraAt(float u) const override { return placement_.toWorldAt(shutter().motion(u)).inverse(); }
+    bool isPanoramic() const override { return true; }
 
   private:
     EnvironmentCameraParams params_;

@@ -51,7 +51,8 @@ class OrthographicCamera final : public Camera {
         params.worldToCamera = {worldToCamera, worldToCamera};
         return std::make_unique<OrthographicCamera>(params, film);
     }
-    Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
+    Transform worldToCameraAt(float u) const override { return placement_.toWorldAt(shutter().motion(u)).inverse(); }
+    std::optional<Transform> cameraToFilm() const override { return window_.parallel(); }
 
   private:
     // CameraView::pixelsPerArea for rays whose angle to the camera's axis has this cosine.

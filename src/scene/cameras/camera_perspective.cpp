@@ -59,7 +59,8 @@ class PerspectiveCamera final : public Camera {
         params.worldToCamera = {worldToCamera, worldToCamera};
         return std::make_unique<PerspectiveCamera>(params, film);
     }
-    Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
+    Transform worldToCameraAt(float u) const override { return placement_.toWorldAt(shutter().motion(u)).inverse(); }
+    std::optional<Transform> cameraToFilm() const override { return window_.perspective(); }
 
   private:
     // Film area in pixels per unit solid angle, in a direction whose angle to the axis has this cosine.

@@ -91,7 +91,7 @@ class RealisticCamera final : public Camera {
         params.worldToCamera = {worldToCamera, worldToCamera};
         return std::make_unique<RealisticCamera>(params, film);
     }
-    Transform worldToCamera() const override { return placement_.inTheMiddle().inverse(); }
+    Transform worldToCameraAt(float u) const override { return placement_.toWorldAt(shutter().motion(u)).inverse(); }
 
   private:
     PupilBox findPupil(int ring) const {

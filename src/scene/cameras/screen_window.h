@@ -43,6 +43,14 @@ struct ScreenWindow {
         return Vec2(static_cast<float>((double(screen.x) - left) / pixelX),
                     static_cast<float>((top - double(screen.y)) / pixelY));
     }
+    // Camera space to film coordinates, as Camera::cameraToFilm() has them; for a window on the plane z = 1 that is
+    // seen from the origin, and for parallel rays along z.
+    Transform perspective() const {
+        return Transform({1 / pixelX, 0, -left / pixelX, 0, 0, -1 / pixelY, top / pixelY, 0, 0, 0, 0, 1, 0, 0, 1, 0});
+    }
+    Transform parallel() const {
+        return Transform({1 / pixelX, 0, 0, -left / pixelX, 0, -1 / pixelY, 0, top / pixelY, 0, 0, 1, 0, 0, 0, 0, 1});
+    }
     float pixelArea() const { return static_cast<float>(std::abs(pixelX * pixelY)); }
 };
 

@@ -1,4 +1,4 @@
-#include "view/seen_surface.h"
+#include "transport/seen_surface.h"
 
 #include "transport/ray_queries.h"
 
