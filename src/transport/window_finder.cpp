@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "math/rng.h"
+#include "math/sampler.h"
 #include "math/warp.h"
 #include "transport/to_surface.h"
 
