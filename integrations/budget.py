@@ -5,7 +5,7 @@ import os
 import sys
 import time
 
-from pbrt_tokens import Refused
+from drc_export import Refused
 
 
 def arguments(about):
@@ -16,6 +16,7 @@ def arguments(about):
     parser.add_argument("--height", type=int, required=True)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--threads", type=int, default=os.cpu_count())
+    parser.add_argument("--drc", help="drc, which reads the scene")
     parser.add_argument("--timing", help="JSON file for the seconds of rendering alone")
     budget = parser.add_mutually_exclusive_group(required=True)
     budget.add_argument("--seconds", type=float, help="for the whole process")

@@ -1,4 +1,4 @@
-"""Transformations and meshes of pbrt scenes. Standard library only; matrices are tuples of four rows."""
+"""Transformations and meshes of scenes. Standard library only; matrices are tuples of four rows."""
 import array
 import math
 
@@ -9,35 +9,8 @@ def multiply(a, b):
     return tuple(tuple(sum(row[k] * b[k][j] for k in range(4)) for j in range(4)) for row in a)
 
 
-def translate(x, y, z):
-    return ((1.0, 0.0, 0.0, x), (0.0, 1.0, 0.0, y), (0.0, 0.0, 1.0, z), (0.0, 0.0, 0.0, 1.0))
-
-
 def scale(x, y, z):
     return ((x, 0.0, 0.0, 0.0), (0.0, y, 0.0, 0.0), (0.0, 0.0, z, 0.0), (0.0, 0.0, 0.0, 1.0))
-
-
-def rotate(degrees, x, y, z):
-    x, y, z = normalize((x, y, z))
-    s, c = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
-    t = 1 - c
-    return ((x * x * t + c, x * y * t - z * s, x * z * t + y * s, 0.0),
-            (x * y * t + z * s, y * y * t + c, y * z * t - x * s, 0.0),
-            (x * z * t - y * s, y * z * t + x * s, z * z * t + c, 0.0), (0.0, 0.0, 0.0, 1.0))
-
-
-def look_at(eye, target, up):
-    """World to camera, as pbrt has it: x to the right, y up, z forward, left-handed."""
-    z = normalize(subtract(target, eye))
-    x = normalize(cross(normalize(up), z))
-    y = cross(z, x)
-    rows = [x + (-dot(x, eye),), y + (-dot(y, eye),), z + (-dot(z, eye),)]
-    return tuple(rows) + ((0.0, 0.0, 0.0, 1.0),)
-
-
-def from_file_order(values):
-    """The file has the matrix column by column."""
-    return tuple(tuple(values[4 * j + i] for j in range(4)) for i in range(4))
 
 
 def subtract(a, b):

@@ -2,7 +2,8 @@
 import array
 
 import pbrt_geometry as geometry
-from pbrt_tokens import refuse
+from drc_export import refuse
+from ply_file import read_ply
 
 
 class ImageTexture:
@@ -31,37 +32,44 @@ class Material:
 
 
 class Shape:
-    """kind "mesh", "sphere" (radius) or "disk" (radius, height); `matrix` takes it to the world. `radiance` is None
-    where it is no light. mesh() is in world space, wound as pbrt's normals are."""
+    """kind "mesh" (ply: what `drc export` says of its file), "sphere" (radius) or "disk" (radius, height); `matrix`
+    takes the latter two to the world. `radiance` is None where it is no light."""
 
     def __init__(self, kind, matrix, reverse, material, radiance, two_sided, pos, **values):
         self.kind, self.matrix, self.reverse, self.material, self.pos = kind, matrix, reverse, material, pos
         self.radiance, self.two_sided = radiance, two_sided
-        self.load, self.radius, self.height = values.get("load"), values.get("radius"), values.get("height", 0.0)
+        self.ply, self.radius, self.height = values.get("ply"), values.get("radius"), values.get("height", 0.0)
+
+    def is_complete(self):
+        """Whether it is a mesh whose file has all that the material needs."""
+        return self.kind == "mesh" and (self.ply["uvs"] or not self.material.textured())
 
     def mesh(self):
-        if self.kind == "sphere":
-            mesh = geometry.sphere_mesh(self.radius)
-        elif self.kind == "disk":
-            mesh = geometry.disk_mesh(self.radius, self.height)
+        """In world space, wound as pbrt's normals are."""
+        self.check_sides()
+        if self.kind == "mesh":
+            mesh = read_ply(self.ply["file"])
         else:
-            mesh = self.load()
+            mesh = self.round_mesh()
+        return mesh.with_uvs() if self.material.textured() else mesh
+
+    def round_mesh(self):
+        is_sphere = self.kind == "sphere"
+        mesh = geometry.sphere_mesh(self.radius) if is_sphere else geometry.disk_mesh(self.radius, self.height)
         mirrored = geometry.determinant(self.matrix) < 0
-        self.check_sides(mesh)
-        flip = self.reverse != (mirrored and self.kind != "sphere")
-        mesh = mesh.transformed(self.matrix).oriented(flip if mesh.normals is None else False)
-        if self.kind == "sphere" and self.reverse:
+        mesh = mesh.transformed(self.matrix).oriented(self.reverse != mirrored and not is_sphere)
+        if is_sphere and self.reverse:
             inwards = array.array("d", (-x for x in mesh.normals))
             mesh = geometry.Mesh(mesh.positions, mesh.indices, inwards, mesh.uvs).oriented(False)
-        return mesh.with_uvs() if self.material.textured() else mesh
+        return mesh
 
     def one_sided(self):
         return (self.radiance is not None and not self.two_sided) or self.material.kind == "glass"
 
-    def check_sides(self, mesh=None):
+    def check_sides(self):
         # pbrt-v3 itself is of two minds here: a light's samples leave on one side, rays see it on the other.
         mirrored = geometry.determinant(self.matrix) < 0
-        unclear = mirrored if self.kind != "mesh" else mesh.normals is not None and (mirrored or self.reverse)
+        unclear = mirrored if self.kind != "mesh" else self.ply["normals"] and (mirrored or self.reverse)
         if self.one_sided() and unclear:
             refuse(self.pos, "which side is the outer one of a light or glass with normals that is mirrored or "
                              "reversed is not matched")

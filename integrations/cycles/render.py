@@ -9,15 +9,16 @@ import math
 import os
 import re
 import sys
+import tempfile
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 
 import budget
 import pbrt_geometry as geometry
+from drc_export import refuse
 from pbrt_scene import ImageTexture
 from pbrt_subset import read_scene
-from pbrt_tokens import refuse
 
 MAX_BOUNCES = 128
 MOST_SAMPLES = 1 << 20
@@ -389,13 +390,14 @@ def main():
     parser.add_argument("--denoiser", choices=["off", "oidn"], default="off")
     args = parser.parse_args()
     deadline = budget.Deadline(args.seconds or 0)
-    scene = read_scene(args.scene)
-    # Blender tells of its progress on standard output; what matters is on standard error.
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
-    import bpy
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    configure(bpy, args)
-    Translation(bpy, scene, args.width, args.height)
+    with tempfile.TemporaryDirectory() as folder:
+        scene = read_scene(args.scene, folder, args.drc)
+        # Blender tells of its progress on standard output; what matters is on standard error.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        import bpy
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        configure(bpy, args)
+        Translation(bpy, scene, args.width, args.height)
     seconds = render(bpy, args, deadline)
     if scene.camera.mirrored:
         flip(bpy, args.output)

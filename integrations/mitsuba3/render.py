@@ -14,10 +14,10 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 
 import budget
 import pbrt_geometry as geometry
-from pbrt_ply import write_ply
+from drc_export import refuse
 from pbrt_scene import ImageTexture
 from pbrt_subset import read_scene
-from pbrt_tokens import refuse
+from ply_file import write_ply
 
 # Mitsuba's microfacets shadow without regard to each other's height, pbrt's with it. Up to this alpha reflections
 # differ by less than 0.6 % at 85 degrees.
@@ -123,23 +123,33 @@ class Translation:
             part.update({"type": "sphere", "flip_normals": s.reverse,
                          "to_world": self.transform(geometry.multiply(s.matrix, geometry.scale(*[s.radius] * 3)))})
             return part
+        part.update(self.mesh(s, black, index))
+        return part
+
+    def mesh(self, s, black, index):
+        if s.is_complete() and not (s.radiance is not None and s.ply["normals"]):
+            s.check_sides()
+            self.enclose(*s.ply["bounds"])
+            return {"type": "ply", "filename": s.ply["file"], "face_normals": not s.ply["normals"]}
         mesh = s.mesh()
         if s.radiance is not None and not mesh.normals_follow_faces():
             if not black:
                 refuse(s.pos, "a light with smooth normals that also reflects is not matched by Mitsuba")
             mesh.normals = None
-        for k in range(3):
-            values = mesh.positions[k::3]
-            self.low[k], self.high[k] = min(self.low[k], min(values)), max(self.high[k], max(values))
+        axes = [mesh.positions[k::3] for k in range(3)]
+        self.enclose([min(axis) for axis in axes], [max(axis) for axis in axes])
         path = os.path.join(self.folder, f"{index}.ply")
         write_ply(mesh, path)
-        part.update({"type": "ply", "filename": path, "face_normals": mesh.normals is None})
-        return part
+        return {"type": "ply", "filename": path, "face_normals": mesh.normals is None}
+
+    def enclose(self, low, high):
+        self.low = [min(a, b) for a, b in zip(self.low, low)]
+        self.high = [max(a, b) for a, b in zip(self.high, high)]
 
     def extend(self, matrix, radius):
         size = radius * geometry.uniform_scale(matrix)
-        for k, x in enumerate(geometry.column(matrix, 3)):
-            self.low[k], self.high[k] = min(self.low[k], x - size), max(self.high[k], x + size)
+        center = geometry.column(matrix, 3)
+        self.enclose([x - size for x in center], [x + size for x in center])
 
     def light(self, light):
         if light.kind == "point":
@@ -239,14 +249,14 @@ def main():
     parser.add_argument("--variant", help="of Mitsuba")
     args = parser.parse_args()
     deadline = budget.Deadline(args.seconds or 0)
-    scene = read_scene(args.scene)
-    import mitsuba as mi
-    import numpy as np
-    variant = choose_variant(mi, args.variant)
-    import drjit as dr
-    dr.set_thread_count(args.threads)
-    mi.set_log_level(mi.LogLevel.Error)
     with tempfile.TemporaryDirectory() as folder:
+        scene = read_scene(args.scene, folder, args.drc)
+        import mitsuba as mi
+        import numpy as np
+        variant = choose_variant(mi, args.variant)
+        import drjit as dr
+        dr.set_thread_count(args.threads)
+        mi.set_log_level(mi.LogLevel.Error)
         loaded = mi.load_dict(Translation(mi, scene, args.width, args.height, folder).parts)
     total, seconds = render_passes(mi, loaded, args, variant, deadline)
     picture = total[..., :3] / np.maximum(total[..., 3:4], 1e-30)

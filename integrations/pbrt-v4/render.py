@@ -6,7 +6,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 
 import budget
-import pbrt_rewrite
+import pbrt_program
 
 if __name__ == "__main__":
-    budget.run(lambda: pbrt_rewrite.main(4, __doc__))
+    budget.run(lambda: pbrt_program.main(4, __doc__))

@@ -15,7 +15,7 @@ from .files import read_text
 _KEYS = ("name", "about", "check", "install", "denoisers", "command")
 _UNITS = (SECONDS, SPP)
 _PLACEHOLDERS = (
-    "folder", "scene", "output", "width", "height", "seed", "threads", "seconds", "spp", "denoiser", "timing"
+    "folder", "scene", "output", "width", "height", "seed", "threads", "seconds", "spp", "denoiser", "timing", "drc"
 )  # fmt: skip
 
 

@@ -137,7 +137,7 @@ class Method:
         if self.adapter:
             values = {"scene": job.scene, "output": job.output, "timing": job.timing, "denoiser": self._denoiser}
             values |= {"width": str(job.width), "height": str(job.height), "threads": str(job.threads)}
-            values |= {"seed": str(job.seed), "seconds": amount, "spp": amount}
+            values |= {"seed": str(job.seed), "seconds": amount, "spp": amount, "drc": own.path}
             return self.adapter.command(job.budget.unit, values)
         command = [own.path, "render", job.scene, *self._options]
         if own.oidn_library and self._denoiser.startswith("oidn"):

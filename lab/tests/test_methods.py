@@ -15,7 +15,7 @@ from lab_testing import FolderTest, seconds, spp, tasks, the_program
 
 def only_other(name):
     return (
-        Adapter("other", denoisers=["oidn"], commands={SPP: ["run", "{spp}", "{denoiser}"]})
+        Adapter("other", denoisers=["oidn"], commands={SPP: ["run", "{spp}", "{denoiser}", "{drc}"]})
         if name == "other"
         else None
     )
@@ -74,8 +74,8 @@ class Methods(FolderTest):
             self.assertTrue(Method(text, only_other).keeps(SPP), text)
 
     def test_other_programs_by_their_adapter(self):
-        self.assertEqual(line("other", spp(8)), "run 8 off ")
-        self.assertEqual(line("other+oidn", spp(8)), "run 8 oidn ")
+        self.assertEqual(line("other", spp(8)), "run 8 off drc ")
+        self.assertEqual(line("other+oidn", spp(8)), "run 8 oidn drc ")
         self.assertFalse(Method("other", only_other).keeps(SECONDS))
 
     def test_units_that_ours_keep(self):

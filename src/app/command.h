@@ -26,6 +26,7 @@ std::string sceneTitle(const std::string& path);
 
 void addRenderCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
+void addExportCommand(CLI::App& app);
 void addReferenceCommand(CLI::App& app);
 void addEvaluateCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);

@@ -177,6 +177,7 @@ std::unique_ptr<CLI::App> makeCommandLine() {
     addImageCommand(*app);
     addCellsCommand(*app);
     addInfoCommand(*app);
+    addExportCommand(*app);
     addReferenceCommand(*app);
     addEvaluateCommand(*app);
     addBenchCommand(*app);

@@ -1,26 +1,11 @@
 #include "pbrt/dialect_scan.h"
 
-#include <algorithm>
-#include <vector>
-
+#include "pbrt/directive_form.h"
 #include "pbrt/param_parser.h"
 #include "pbrt/token_stream.h"
 
 namespace drc::pbrt {
 namespace {
-
-// How many strings stand between a directive and its parameters, and which of them is the type.
-struct Form {
-    std::string_view directive;
-    int strings;
-    int type;  // index of the string with the type; -1: none
-};
-constexpr Form kForms[] = {
-    {"Accelerator", 1, 0}, {"AreaLightSource", 1, 0}, {"Attribute", 1, -1},       {"Camera", 1, 0},
-    {"Film", 1, 0},        {"Integrator", 1, 0},      {"LightSource", 1, 0},      {"MakeNamedMaterial", 1, -1},
-    {"Material", 1, 0},    {"Option", 0, -1},         {"MakeNamedMedium", 1, -1}, {"PixelFilter", 1, 0},
-    {"Sampler", 1, 0},     {"Shape", 1, 0},           {"Texture", 3, 2},
-};
 
 class DialectScan {
   public:
@@ -52,9 +37,8 @@ class DialectScan {
             tokens_.include(files_.find(file.value(), file.pos, "file to include"), file.pos);
             return;
         }
-        const auto* form =
-            std::find_if(std::begin(kForms), std::end(kForms), [&](const Form& f) { return f.directive == word.text; });
-        if (form == std::end(kForms)) return;
+        const DirectiveForm* form = formOf(word.text);
+        if (form == nullptr) return;
         std::string type;
         for (int i = 0; i < form->strings; ++i) {
             const Token text = tokens_.expectString("a string");

@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "math/animated_transform.h"
@@ -24,6 +25,12 @@ struct TransformSet {
     bool operator==(const TransformSet&) const = default;
 };
 
+// The part of the graphics state that only a SceneListing needs.
+struct ListedState {
+    std::optional<size_t> areaLight;  // index into SceneListing::areaLights
+    std::string inside, outside;      // names of the media
+};
+
 struct GraphicsState {
     TransformSet ctm;
     std::array<bool, 2> active{true, true};  // which of the two times transform directives affect
@@ -36,6 +43,7 @@ struct GraphicsState {
     // For pbrt-v4: the colour space of "rgb" values; and the parameters set by Attribute, by target ("shape", ...).
     const ColorSpace* colorSpace = &ColorSpace::srgb();
     std::map<std::string, std::shared_ptr<const ParamSet>> attributes;
+    ListedState listed;
 };
 
 }  // namespace drc::pbrt

@@ -19,6 +19,7 @@ struct MaterialInstance {
     MaterialPtr material;  // null for "none"
     std::string name;      // name from MakeNamedMaterial; empty if unnamed
     bool awaited = false;  // uses names that are defined later, and is made once they are
+    size_t listed = 0;     // index into SceneListing::materials, if there is one
 };
 using NamedMaterials = NamedMap<MaterialInstance>;
 

@@ -47,6 +47,10 @@ std::unique_ptr<Scene> Parser::parse(const LoadOptions& options, bool untilWorld
     builder_.overrideCamera(options.camera);
     if (options.names) builder_.keepNames();
     if (options.kept && !untilWorld) builder_.reuse(*options.kept);
+    if (options.listing) {
+        builder_.list(*options.listing);
+        options.listing->dialect = dialect_;
+    }
     try {
         readDirectives(untilWorld);
         std::unique_ptr<Scene> scene = builder_.finish(options);

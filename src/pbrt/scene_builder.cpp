@@ -31,6 +31,11 @@ SceneBuilder::SceneBuilder(const FileSearch& files, Dialect dialect, const Vec3&
     state_.material = make_.material(make_.defaultMaterial, ParamSet("the default material", {}), materialSources());
 }
 
+void SceneBuilder::list(SceneListing& listing) {
+    recorder_.emplace(listing, files_);
+    recorder_->material(make_.defaultMaterial, "", ParamSet(), state_.textures);
+}
+
 void SceneBuilder::apply(const Transform& t, const SourcePos& pos) {
     if (!isUsable(t)) fail(pos, "this transformation cannot be inverted");
     for (size_t i = 0; i < 2; ++i) {
@@ -78,6 +83,7 @@ void SceneBuilder::camera(const std::string& type, ParamSet params) {
     motionOf("camera", camera_.params.pos());
     worldToCamera_ = cameraOverride_.placed(state_.ctm);
     scene_->sensor.medium = state_.media.outside;
+    if (recorder_) recorder_->listing().cameraMedium = state_.listed.outside;
     coordinateSystems_["camera"] = worldToCamera_.inverse();
 }
 void SceneBuilder::film(const std::string& type, ParamSet params) { film_ = {type, std::move(params)}; }
@@ -115,6 +121,7 @@ void SceneBuilder::objectBegin(const std::string& name, const SourcePos& pos) {
     if (openObject_) warn(pos, "ObjectBegin inside of another object, which ends here");
     beginBlock("Object", pos);
     warnIfRedefined(objects_.contains(named(name)), kObjectName, name, pos);
+    if (recorder_) recorder_->objectBegin(name, named(name), pos);
     openObject_ = scene_->objects.size();
     objects_[named(name)] = *openObject_;
     scene_->objects.push_back({name, {}});
@@ -124,6 +131,7 @@ void SceneBuilder::objectBegin(const std::string& name, const SourcePos& pos) {
 void SceneBuilder::objectEnd(const SourcePos& pos) {
     endBlock("Object", pos);
     openObject_.reset();
+    if (recorder_) recorder_->objectEnd();
 }
 
 void SceneBuilder::addInstance(size_t object, const AnimatedTransform& toWorld, uint32_t number, const SourcePos& pos) {
@@ -148,6 +156,7 @@ void SceneBuilder::objectInstance(const std::string& name, const SourcePos& pos)
         return;
     }
     const AnimatedTransform toWorld = motionOf("object '" + name + "'", pos);
+    if (recorder_) recorder_->instance(named(name), state_.ctm, pos);
     const auto place = [this, key = named(name), toWorld, inFile = state_.ctm.animated(), number, pos] {
         const size_t object = placeInstance(key, toWorld, number, pos);
         scene_->placements.add(number, inFile * AnimatedTransform(objectToFile_.at(object)));
@@ -213,15 +222,17 @@ void SceneBuilder::warnIfRedefined(bool isKnown, const std::string& kind, const 
 std::shared_ptr<const MaterialInstance> SceneBuilder::makeMaterial(const std::string& type, ParamSet params,
                                                                    const std::string& name) {
     params = completed("material", std::move(params));
+    const size_t listed = recorder_ ? recorder_->material(type, name, params, state_.textures) : 0;
     auto instance = std::make_shared<MaterialInstance>();
-    const auto make = [this, instance, type, params, name] {
+    const auto make = [this, instance, type, params, name, listed] {
         *instance = *make_.material(type, params, materialSources());
         instance->name = name;
+        instance->listed = listed;
     };
     try {
         make();
     } catch (const UndefinedName&) {
-        *instance = {type, {}, nullptr, name, true};
+        *instance = {type, {}, nullptr, name, true, listed};
         later_.define(kMaterialName, name, make);
     }
     return instance;
@@ -279,6 +290,7 @@ void SceneBuilder::texture(const std::string& name, const std::string& valueType
     const bool isKnown =
         isFloat ? state_.textures.scalars.find(key) != nullptr : state_.textures.colors.find(key) != nullptr;
     warnIfRedefined(isKnown, kind, name, params.pos());
+    if (recorder_) recorder_->texture({{{type, name, {}, {}}, state_.ctm}, isFloat}, key, params, state_.textures);
     const auto define = [this, key, isFloat, type, params, toWorld = staticTransform("textures", params.pos())] {
         defineTexture(key, isFloat, type, params, toWorld);
     };
@@ -307,6 +319,7 @@ void SceneBuilder::defineTexture(const std::string& name, bool isFloat, const st
 
 void SceneBuilder::light(const std::string& type, ParamSet params) {
     params = completed("light", std::move(params));
+    if (recorder_) recorder_->light(type, params, state_.ctm);
     const Transform toWorld = fromFile_ * staticTransform("lights", params.pos());
     SourceLight made = make_.light(type, params, toWorld, fromFile_, files_);
     if (!made.light) return;
@@ -322,18 +335,23 @@ void SceneBuilder::light(const std::string& type, ParamSet params) {
 }
 
 void SceneBuilder::areaLight(const std::string& type, ParamSet params) {
-    state_.areaLight = make_.areaLight(type, completed("light", std::move(params)), files_);
+    params = completed("light", std::move(params));
+    if (recorder_) state_.listed.areaLight = recorder_->areaLight(type, params);
+    state_.areaLight = make_.areaLight(type, params, files_);
 }
 
 void SceneBuilder::makeNamedMedium(const std::string& name, ParamSet params) {
     params = completed("medium", std::move(params));
     warnIfRedefined(media_.isDefined(named(name)), "medium", name, params.pos());
+    if (recorder_) recorder_->medium(name, params);
     media_.define(named(name), makeMedium(params, dialect_));
     params.warnUnused();
 }
 
 void SceneBuilder::mediumInterface(const Token& inside, const Token& outside) {
     state_.media = {media_.named(named(inside.value()), inside.pos), media_.named(named(outside.value()), outside.pos)};
+    state_.listed.inside = inside.value();
+    state_.listed.outside = outside.value();
 }
 
 TransformSet SceneBuilder::placement() const {
@@ -377,6 +395,21 @@ void SceneBuilder::checkComplete(const SourcePos& end) const {
     fail(end, "the file ends without a WorldBegin");
 }
 
+void SceneBuilder::finishListing() {
+    SceneListing& listing = recorder_->listing();
+    listing.origin = scene_->origin;
+    listing.transformTimes = transformTimes_;
+    recorder_->setting(listing.camera, camera_.type, camera_.params);
+    listing.camera.toWorld = worldToCamera_.inverse();
+    recorder_->film(film_.type, film_.params);
+    recorder_->setting(listing.filter, filter_.type, filter_.params);
+    recorder_->setting(listing.sampler, sampler_.type, sampler_.params);
+    recorder_->setting(listing.integrator, integrator_.type, integrator_.params);
+    for (const PendingPrimitive& p : pending_)
+        if (p.primitive.mesh) recorder_->mesh(p.listed, p.primitive.mesh);
+    recorder_->finish(state_.textures);
+}
+
 std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     RenderSettings& settings = scene_->sensor.settings;
     settings.filter = make_.filter(filter_.type, filter_.params);
@@ -414,6 +447,7 @@ std::unique_ptr<Scene> SceneBuilder::finish(const LoadOptions& options) {
     makeAreaLights();
     finishTextures();
     if (kept_) keepContents();
+    if (recorder_) finishListing();
     for (PendingPrimitive& p : pending_) {
         auto& primitives = p.object ? scene_->objects[*p.object].primitives : scene_->primitives;
         primitives.push_back(std::move(p.primitive));

@@ -19,6 +19,7 @@
 #include "pbrt/param_parser.h"
 #include "pbrt/scene_file.h"
 #include "pbrt/scene_media.h"
+#include "pbrt/scene_recorder.h"
 #include "pbrt/texture_factory.h"
 #include "pbrt/tokenizer.h"
 #include "scene/scene.h"
@@ -46,6 +47,9 @@ class SceneBuilder {
         kept_ = &kept;
         textureFiles_.reuse(kept);
     }
+
+    // Fills the listing, which must outlive this object. Call before the first directive.
+    void list(SceneListing& listing);
 
     // Transformations. apply() multiplies the current transformation from the right.
     void apply(const Transform& t, const SourcePos& pos);
@@ -115,6 +119,7 @@ class SceneBuilder {
         ContentKey key;                   // of the geometry; set if contents are kept
         std::optional<size_t> lightSlot;  // index into Scene::lights, reserved for areaLight
         std::optional<size_t> object;     // index into Scene::objects; none: the scene itself
+        size_t listed = 0;                // index into SceneListing::shapes, if there is a listing
         bool inObject = false, moves = false, blocksLight = true;
         SourcePos pos;
         // awaitsNames: the material or a mask is defined later. awaitsMasks: in this case, the shape also has masks.
@@ -176,6 +181,8 @@ class SceneBuilder {
     // Takes over meshes and shapes of the frame before that are the same.
     void takeKept();
     void keepContents();
+    // Adds to the listing what is known only at the end of the file.
+    void finishListing();
     void makeAreaLights();
     // Calls work for all pending primitives, on all cores, and then rethrows the exception of the first primitive in
     // the file for which work threw.
@@ -202,6 +209,7 @@ class SceneBuilder {
     TransformSet worldToCamera_;
     CameraOverride cameraOverride_;
     SceneMedia media_;
+    std::optional<SceneRecorder> recorder_;  // set if there is a listing
     std::array<float, 2> transformTimes_{0, 1};
 
     std::optional<SourcePos> worldBegin_;

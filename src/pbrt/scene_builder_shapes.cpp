@@ -13,6 +13,7 @@ namespace drc::pbrt {
 
 void SceneBuilder::shape(const std::string& type, ParamSet params) {
     params = completed("shape", std::move(params));
+    const size_t listed = recorder_ ? recorder_->shape(type, params, state_) : 0;
     const uint32_t number = openObject_ ? 0 : numbers_.next(), material = numbers_.ofMaterial(state_.material);
     const bool moves = state_.ctm.isAnimated();  // if so, the transformation is applied by an instance
     const ShapeContext context{
@@ -26,6 +27,7 @@ void SceneBuilder::shape(const std::string& type, ParamSet params) {
     PendingPrimitive pending;
     pending.pos = params.pos();
     pending.shape = type;
+    pending.listed = listed;
     pending.material = state_.material;
     pending.areaLight = state_.areaLight;
     pending.inObject = openObject_.has_value();

@@ -1,7 +1,6 @@
 #include "pbrt/scene_file.h"
 
 #include <cmath>
-#include <filesystem>
 
 #include "base/warning_batch.h"
 #include "pbrt/kept_contents.h"
@@ -54,9 +53,7 @@ std::unique_ptr<Scene> load(const std::shared_ptr<const Source>& source, const L
 }  // namespace
 
 std::unique_ptr<Scene> loadPbrtFile(const std::string& path, const LoadOptions& options) {
-    std::error_code ignored;
-    const bool isPipe = path == "-" || std::filesystem::is_fifo(path, ignored);
-    return load(isPipe ? Source::fromPipe(path) : Source::fromFile(path), options);
+    return load(Source::open(path), options);
 }
 
 std::unique_ptr<Scene> loadPbrtCamera(const std::string& path, const Vec3& origin, const LoadOptions& options) {

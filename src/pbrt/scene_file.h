@@ -12,6 +12,7 @@
 namespace drc::pbrt {
 
 class KeptContents;
+struct SceneListing;
 
 struct LoadOptions {
     std::optional<FilmGeometry> resolution{};  // overrides the file's resolution
@@ -28,6 +29,8 @@ struct LoadOptions {
     // Contents of the frame before, which the scene takes over where its file describes the same, and which are
     // replaced by those of this scene; may be null.
     KeptContents* kept = nullptr;
+    // Filled with what the file says, if it is not null: see scene_listing.h.
+    SceneListing* listing = nullptr;
 };
 
 // The dialect is determined from the words of the file (dialect_scan.h); -v reports it and the deciding word. Before

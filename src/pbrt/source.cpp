@@ -65,6 +65,12 @@ std::unique_ptr<Source> Source::fromFile(const std::string& path, const std::str
     return source;
 }
 
+std::unique_ptr<Source> Source::open(const std::string& path) {
+    std::error_code ignored;
+    const bool isPipe = path == "-" || std::filesystem::is_fifo(path, ignored);
+    return isPipe ? fromPipe(path) : fromFile(path);
+}
+
 std::unique_ptr<Source> Source::fromText(std::string text, std::string name, std::string directory) {
     auto source = std::make_unique<Source>();
     source->text_ = std::move(text);

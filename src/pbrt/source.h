@@ -27,6 +27,8 @@ class Source {
     // Reads a pipe, or standard input for "-", to its end. Relative paths in it start in the working folder. Throws
     // Error if it cannot be read.
     static std::unique_ptr<Source> fromPipe(const std::string& path);
+    // fromPipe() if the path is "-" or that of a named pipe, otherwise fromFile().
+    static std::unique_ptr<Source> open(const std::string& path);
     // name is used in place of a file name; relative paths start in directory.
     static std::unique_ptr<Source> fromText(std::string text, std::string name, std::string directory);
 

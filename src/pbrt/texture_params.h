@@ -19,6 +19,7 @@ struct NamedTextures {
     NamedMap<FloatTexture> scalars;
     NamedMap<RgbTexture> colors;
     NamedMap<TextureCost> scalarCosts, colorCosts;  // under the names of the textures
+    NamedMap<size_t> scalarsListed, colorsListed;   // likewise: indices into SceneListing::textures, if there is one
     Dialect dialect = Dialect::V3;
 };
 
