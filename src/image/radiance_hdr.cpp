@@ -23,7 +23,7 @@ struct Layout {
     int height() const { return rowsAreColumns ? rowLength : rows; }
 };
 
-std::string_view nextWord(std::string_view& text) {
+std::string_view nextHeaderWord(std::string_view& text) {
     const size_t start = std::min(text.find_first_not_of(" \t"), text.size());
     text.remove_prefix(start);
     const std::string_view word = text.substr(0, text.find_first_of(" \t"));
@@ -33,7 +33,7 @@ std::string_view nextWord(std::string_view& text) {
 
 // Reads an axis such as "+X 640": the sign, the axis 'X' or 'Y', and the size. False if the text is no axis.
 bool readAxis(std::string_view& text, char& axis, bool& isPositive, int& size) {
-    const std::string_view name = nextWord(text), number = nextWord(text);
+    const std::string_view name = nextHeaderWord(text), number = nextHeaderWord(text);
     if (name.size() != 2 || (name[0] != '+' && name[0] != '-') || (name[1] != 'X' && name[1] != 'Y')) return false;
     isPositive = name[0] == '+';
     axis = name[1];
@@ -69,7 +69,7 @@ Layout readHeader(const EncodedImage& encoded, ByteReader& in) {
     for (std::string_view line = nextLine(in); !line.empty(); line = nextLine(in)) {
         if (!line.starts_with(kFormat)) continue;
         line.remove_prefix(kFormat.size());
-        if (const std::string_view format = nextWord(line); format != "32-bit_rle_rgbe")
+        if (const std::string_view format = nextHeaderWord(line); format != "32-bit_rle_rgbe")
             failDecoding(encoded, fmt::format("its FORMAT is {}, and 32-bit_rle_rgbe is read", format.substr(0, 80)));
     }
     return readLayout(encoded, nextLine(in));
