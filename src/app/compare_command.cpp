@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/compare_sequence.h"
 #include "app/image_output.h"
 #include "app/option_checks.h"
 #include "app/usage_error.h"
@@ -33,6 +34,7 @@ struct CompareOptions {
     std::string diff;
     std::string signedDiff;
     std::string layer;
+    std::string sequence;
     bool json = false;
     float exposure = 0;
 };
@@ -209,6 +211,15 @@ void run(const CompareOptions& options) {
     options.pictures.size() == 2 ? compareWithOne(options) : compareWithTwo(options);
 }
 
+void runSequence(const CompareOptions& options) {
+    if (options.pictures.size() != 3)
+        throw UsageError("--sequence: needs REF1 REF2 TEST, two reference animations of different seeds");
+    if (!options.diff.empty() || !options.signedDiff.empty())
+        throw UsageError("--sequence: writes no pictures; --diff and --signed-diff are for single ones");
+    compareSequence({options.sequence, options.pictures[0], options.pictures[1], options.pictures[2], options.layer,
+                     options.exposure, options.json});
+}
+
 // own: the command as the user types it.
 void addComparison(CLI::App& app, const std::string& name, const std::string& own) {
     const auto options = std::make_shared<CompareOptions>();
@@ -223,6 +234,12 @@ void addComparison(CLI::App& app, const std::string& name, const std::string& ow
         ->expected(2, 3);
     command->add_option("--layer", options->layer,
                         "The layer or the channel of EXR files to compare in place of the beauty: direct, or depth.Z");
+    command
+        ->add_option(
+            "--sequence", options->sequence,
+            "Compare animations, REF1 REF2 TEST with #### in place of the frames' numbers, and measure flicker. "
+            "REF1 was rendered with --aovs")
+        ->type_name("LIST");
     command->add_flag(
         "--json", options->json,
         "Print one JSON object. With one reference: ssim, flip, relmse, block_relmse, mse, l1, mean_ratio "
@@ -246,8 +263,11 @@ void addComparison(CLI::App& app, const std::string& name, const std::string& ow
         own +
         " reference.exr drc.exr --diff difference.png\n"
         "  " +
-        own + " seed1.exr seed2.exr drc.exr");
-    command->callback([options] { run(*options); });
+        own +
+        " seed1.exr seed2.exr drc.exr\n"
+        "  " +
+        own + " --sequence 1-24 a_####.exr b_####.exr drc_####.exr");
+    command->callback([options] { options->sequence.empty() ? run(*options) : runSequence(*options); });
 }
 
 }  // namespace
