@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -137,6 +138,54 @@ TEST_F(Animation, GoesOnFromACheckpoint) {
             EXPECT_EQ(pixels("parts/" + file), pixels("whole/" + file)) << signal << " " << file << "\n" << rest;
             EXPECT_THAT(rest, testing::HasSubstr("\n" + path("parts/" + file) + "\n"));
         }
+    }
+}
+
+// With --temporal, frames are averaged with their neighbours: all are written, in their order, with less noise.
+TEST_F(Animation, TemporalFramesAreWrittenLate) {
+    std::string frames;
+    for (const int i : {0, 1, 2, 3}) folder_.write(fmt::format("f{}.pbrt", i), scene(.05 * i));
+    for (const int i : {1, 2, 3}) frames += frame(fmt::format("f{}.pbrt", i), fmt::format("t{}.exr", i));
+    int status = 0;
+    const std::string options = "--resolution 96x64 --integrator path --spp 16 ";
+    const std::string said = rendered("f0.pbrt", "t0.exr", frames, options + "--temporal", status);
+    ASSERT_EQ(status, 0) << said;
+    size_t at = 0;
+    for (const int i : {0, 1, 2, 3}) {
+        const size_t found = said.find("\n" + path(fmt::format("t{}.exr", i)) + "\n", at);
+        ASSERT_NE(found, std::string::npos) << said;
+        at = found;
+    }
+    EXPECT_LT(said.find("/t0.exr\n"), said.find("f3.pbrt keeps the scene"));
+    rendered("f0.pbrt", "s0.exr", frame("f1.pbrt", "s1.exr"), options, status);
+    rendered("f1.pbrt", "long.exr", frame("f2.pbrt", "s2.exr"), "--resolution 96x64 --integrator path --spp 512",
+             status);
+    const std::vector<float> expected = pixels("long.exr");
+    const auto error = [&](const std::string& name) {
+        const std::vector<float> found = pixels(name);
+        double sum = 0;
+        for (size_t i = 0; i < found.size(); ++i)
+            sum += std::pow(double(found[i] - expected[i]), 2) / (std::pow(double(expected[i]), 2) + .01);
+        return sum;
+    };
+    EXPECT_LT(error("t1.exr"), .5 * error("s1.exr"));
+}
+
+// Frames that wait for their neighbours are not lost where a later one cannot be rendered.
+TEST_F(Animation, TemporalFramesSurviveAFault) {
+    for (const char* name : {"a", "b"}) folder_.write(std::string(name) + ".pbrt", scene(0));
+    folder_.write("bad.pbrt", "Camera \"none\"");
+    std::string large = scene(0);
+    large.replace(large.find("24"), 2, "26");  // pixels wide
+    folder_.write("large.pbrt", large);
+    for (const std::string last : {"bad", "large"}) {
+        int status = 0;
+        const std::string said = rendered("a.pbrt", "a.exr", frame("b.pbrt", "b.exr") + frame(last + ".pbrt", "c.exr"),
+                                          "--integrator path --spp 1 --temporal", status);
+        EXPECT_EQ(status, 1) << said;
+        EXPECT_THAT(said, testing::HasSubstr(last + ".pbrt"));
+        for (const char* name : {"a.exr", "b.exr"}) EXPECT_TRUE(std::filesystem::remove(path(name))) << name << said;
+        EXPECT_FALSE(std::filesystem::exists(path("c.exr")));
     }
 }
 

@@ -1,102 +1,100 @@
-// `drc image denoise`.
+// `drc image denoise`: of a picture, or of the frames of an animation.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+#include <map>
 #include <memory>
 
+#include "app/image_denoiser.h"
 #include "app/image_output.h"
 #include "app/image_subcommands.h"
 #include "app/option_checks.h"
+#include "app/usage_error.h"
+#include "base/distinct_files.h"
 #include "base/error.h"
+#include "base/frame_pattern.h"
 #include "base/log.h"
 #include "base/parallel.h"
-#include "image/color.h"
-#include "image/image_layers.h"
-#include "reconstruct/open_image_denoise.h"
+#include "reconstruct/temporal_filter.h"
 
 namespace drc {
 namespace {
 
 struct DenoiseOptions {
     std::string input;
-    std::string layer, albedo, normal;
-    std::string quality = "high";
-    std::string prefilter = "on";
-    std::string library;
+    std::string frames;
+    int window = 2;
+    ImageDenoiserOptions denoiser;
     int threads = 0;
     ImageOutput output;
 };
 
-// The names of these layers in DRC and in Blender's Cycles, in pbrt-v4's gbuffer film, and in other programs.
-const std::vector<std::string> kAlbedoNames{"Denoising Albedo", "albedo", "Albedo"},
-    kNormalNames{"Denoising Normal", "normal", "Normal", "Ns", "N"};
+// The frames around the present one. Each file is read once.
+class FrameWindow {
+  public:
+    FrameWindow(FramePattern files, std::vector<int> numbers, int radius)
+        : files_(std::move(files)), numbers_(std::move(numbers)), radius_(radius) {}
 
-// The layer `wanted` or, if that is empty, the first of the known layers, also with another name before it as in
-// "ViewLayer.Denoising Albedo"; empty if there is none. Throws Error if there is no layer `wanted`.
-Image findLayer(const PictureFile& picture, const std::string& wanted, const std::vector<std::string>& known) {
-    if (!wanted.empty()) return coloursOf(picture, wanted);
-    for (const std::string& name : known)
-        for (const std::string& layer : layerNames(picture.image))
-            if (layer == name || layer.ends_with("." + name)) return coloursOf(picture, layer);
-    return {};
-}
+    // The noisy picture of a frame, averaged over the window; picture: the frame's file.
+    Image colours(size_t index, PictureFile& picture) {
+        const size_t first = index - std::min(index, size_t(radius_)),
+                     end = std::min(numbers_.size(), index + size_t(radius_) + 1);
+        std::erase_if(loaded_, [&](const auto& entry) { return entry.first < first; });
+        for (size_t i = first; i < end; ++i) {
+            if (loaded_.contains(i)) continue;
+            loaded_.emplace(i, temporalFrameOf(readPictureFile(files_.path(numbers_[i]))));
+        }
+        picture = readPictureFile(files_.path(numbers_[index]));
+        std::vector<const TemporalFrame*> neighbours;
+        for (size_t i = first; i < end; ++i)
+            // A gap in the numbers is a gap in time.
+            if (i != index && std::abs(numbers_[i] - numbers_[index]) <= radius_) neighbours.push_back(&loaded_.at(i));
+        return filteredOverTime(loaded_.at(index), neighbours).beauty();
+    }
 
-// The names of the guide layers that are missing, for the metadata and a warning; empty if none is.
-std::string missingGuides(const Image& albedo, const Image& normal) {
-    if (!albedo.empty()) return normal.empty() ? "normal" : "";
-    return normal.empty() ? "albedo and normal" : "albedo";
-}
+  private:
+    FramePattern files_;
+    std::vector<int> numbers_;
+    int radius_;
+    std::map<size_t, TemporalFrame> loaded_;  // by index into numbers_
+};
 
-void warnOfMissingGuides(const PictureFile& picture, const std::string& missing) {
-    if (missing.empty()) return;
-    const char* more = missing == "albedo" ? " Without albedo, Open Image Denoise takes no normals either." : "";
-    logWarning(
-        fmt::format("{}: it has no layer of {}, as drc render --aovs writes them: more detail is lost.{} "
-                    "--albedo and --normal name layers of other names, of {}",
-                    picture.path, missing, more, layerList(picture.image)));
-}
-
-OidnSettings settingsOf(const DenoiseOptions& options) {
-    return {options.quality == "high"       ? OidnQuality::High
-            : options.quality == "balanced" ? OidnQuality::Balanced
-                                            : OidnQuality::Fast,
-            options.prefilter == "on"      ? OidnAuxiliaries::Prefiltered
-            : options.prefilter == "clean" ? OidnAuxiliaries::Clean
-                                           : OidnAuxiliaries::Raw};
+void denoiseFrames(const DenoiseOptions& options) {
+    if (!options.denoiser.layer.empty()) throw UsageError("--layer: with --frames it is the whole picture");
+    const FramePattern inputs("RENDER", options.input), outputs("-o", options.output.path);
+    const std::vector<int> numbers = frameNumbers("--frames", options.frames);
+    DistinctFiles files;
+    for (const int number : numbers) {
+        const std::string path = inputs.path(number);
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored))
+            throw Error(fmt::format("--frames {}: there is no {}", options.frames, path));
+        files.reads(fmt::format("frame {}", number), path);
+    }
+    for (const int number : numbers) files.writes(fmt::format("-o of frame {}", number), outputs.path(number));
+    FrameWindow window(inputs, numbers, options.window);
+    const ImageDenoiser denoiser(options.denoiser);
+    for (size_t i = 0; i < numbers.size(); ++i) {
+        PictureFile picture;
+        Image colours = window.colours(i, picture);
+        denoiser.denoise(picture, std::move(colours));
+        picture.metadata["drc:denoiser"] += fmt::format(", {} frames before and after", options.window);
+        ImageOutput output = options.output;
+        output.path = outputs.path(numbers[i]);
+        writeImageOutput(output, std::move(picture), "");
+        logInfo(output.path);
+    }
 }
 
 void denoise(const DenoiseOptions& options, const CLI::App& command) {
     checkImageOutput(command, options.output);
     setThreadCount(options.threads);
+    if (!options.frames.empty()) return denoiseFrames(options);
+    if (command.count("--window") > 0) throw UsageError("--window: it needs --frames");
     PictureFile picture = readPictureFile(options.input);
-    Image albedo = findLayer(picture, options.albedo, kAlbedoNames),
-          normal = findLayer(picture, options.normal, kNormalNames);
-    const std::string missing = missingGuides(albedo, normal);
-    warnOfMissingGuides(picture, missing);
-    if (albedo.empty()) normal = {};
-    Image colours = coloursOf(picture, options.layer);
-    const auto clear = [&](Image& image, const char* name) {
-        if (const int64_t bad = clearNonFinite(image); bad > 0)
-            logWarning(fmt::format("{}: {} pixel(s) of {} are NaN or infinite; they are taken as black", picture.path,
-                                   bad, name));
-    };
-    clear(colours, "the picture"), clear(albedo, "albedo"), clear(normal, "normal");
-    for (float& v : albedo.data()) v = clamp01(v);
-    const OpenImageDenoise library(findOidn(OidnSearch::ofProcess(options.library)));
-    library.denoise(colours, albedo, normal, settingsOf(options));
-    try {
-        setRgbOfLayer(picture.image, layerNamed(picture, options.layer), colours);
-    } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}", picture.path, error.what()));
-    }
-    // The error was that of the picture before denoising.
-    picture.metadata.erase("drc:error");
-    picture.image = withoutLayers(picture.image, {kErrorLayer});
-    picture.metadata["drc:denoiser"] = "oidn " + options.quality +
-                                       (!missing.empty()             ? " without " + missing
-                                        : options.prefilter == "off" ? " without prefilter"
-                                                                     : "");
-    writeImageOutput(options.output, std::move(picture), options.layer);
+    ImageDenoiser(options.denoiser).denoise(picture);
+    writeImageOutput(options.output, std::move(picture), options.denoiser.layer);
 }
 
 }  // namespace
@@ -104,28 +102,44 @@ void denoise(const DenoiseOptions& options, const CLI::App& command) {
 void addImageDenoise(CLI::App& image) {
     const auto options = std::make_shared<DenoiseOptions>();
     CLI::App* command = image.add_subcommand("denoise", "Remove the noise of a render by Open Image Denoise");
-    command->add_option("RENDER", options->input, "An EXR, best with albedo and normal, as drc render --aovs writes it")
+    command
+        ->add_option("RENDER", options->input,
+                     "An EXR, best with albedo and normal, as drc render --aovs writes it. With --frames, #### stands "
+                     "for the frame's number")
         ->required();
+    command
+        ->add_option(
+            "--frames", options->frames,
+            "Frames of an animation, such as 1-24 or 1,3,8-12: each is averaged with its neighbours where they "
+            "show the same surfaces in the same light, and then denoised. They need --aovs and no denoiser")
+        ->type_name("LIST");
+    command
+        ->add_option("--window", options->window,
+                     "With --frames: how many frames before and after a frame it is averaged with")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 8));
     addImageOutput(*command, options->output);
-    command->add_option("--layer", options->layer, "The layer to denoise. Default: the beauty");
-    command->add_option("--albedo", options->albedo,
-                        fmt::format("The layer of the surfaces' albedo. Default: {}", fmt::join(kAlbedoNames, " or ")));
+    command->add_option("--layer", options->denoiser.layer, "The layer to denoise. Default: the beauty");
     command->add_option(
-        "--normal", options->normal,
-        fmt::format("The layer of the surfaces' normals. Default: {}", fmt::join(kNormalNames, " or ")));
-    command->add_option("--quality", options->quality, "high, balanced or fast")
+        "--albedo", options->denoiser.albedo,
+        fmt::format("The layer of the surfaces' albedo. Default: {}", fmt::join(albedoLayerNames(), " or ")));
+    command->add_option(
+        "--normal", options->denoiser.normal,
+        fmt::format("The layer of the surfaces' normals. Default: {}", fmt::join(normalLayerNames(), " or ")));
+    command->add_option("--quality", options->denoiser.quality, "high, balanced or fast")
         ->capture_default_str()
         ->check(CLI::IsMember({"high", "balanced", "fast"}));
     command
-        ->add_option("--prefilter", options->prefilter,
+        ->add_option("--prefilter", options->denoiser.prefilter,
                      "on: denoise albedo and normal first; off: use them as they are; clean: they have no noise")
         ->capture_default_str()
         ->check(CLI::IsMember({"on", "off", "clean"}));
-    command->add_option("--oidn-library", options->library, "As of drc render");
+    command->add_option("--oidn-library", options->denoiser.library, "As of drc render");
     addThreadsOption(*command, options->threads);
     command->footer(
         "An EXR keeps its other layers as they are. Without albedo and normal, more detail is lost.\n\n"
-        "Example: drc image denoise render.exr -o clean.exr");
+        "Examples: drc image denoise render.exr -o clean.exr\n"
+        "          drc image denoise f_####.exr --frames 1-24 --window 2 -o d_####.exr");
     command->callback([options, command] { denoise(*options, *command); });
 }
 

@@ -24,6 +24,7 @@
 #include "render/frame_checkpoint.h"
 #include "render/frame_number.h"
 #include "render/frame_sequence.h"
+#include "render/frame_window.h"
 #include "render/render_run.h"
 #include "render/same_world.h"
 #include "render/scene_geometry.h"
@@ -104,13 +105,16 @@ RenderParams paramsOf(const RenderOptions& o, const RenderSettings& settings, co
     RenderParams params = o.params;
     if (o.spacing) params.firstSpacing = *o.spacing / float(settings.film.height);
     params.frame = frameOf(o);
-    if (hasAovs(o, settings)) params.gBuffer = params.parts = params.variance = params.surfaces = true;
+    if (hasAovs(o, settings) || o.temporal) params.gBuffer = params.parts = params.variance = params.surfaces = true;
     if (o.noiseThreshold) estimateErrors(params, *o.noiseThreshold);
     params = asUsage([&] { return resolved(params, settings); });
     if (params.surfaces && traitsOf(params.integrator).halves) params.independentHalves = true;
     if (o.noiseThreshold && !traitsOf(params.integrator).halves)
         throw UsageError("--noise-threshold: with --integrator " + params.integrator +
                          " the error cannot be estimated; it can with drc, path and direct");
+    if (o.temporal && !traitsOf(params.integrator).halves)
+        throw UsageError("--temporal: with --integrator " + params.integrator +
+                         " frames cannot be compared; they can with drc, path and direct");
     refuseIdleOptions(command, params.integrator);
     return params;
 }
@@ -131,6 +135,10 @@ void useCells(const RenderOptions& o, const Scene& scene, const SessionRemains& 
     params.startCells = std::make_shared<const CellCollection>(std::move(cells));
 }
 
+ChosenDenoiser chosenDenoiser(const RenderOptions& o, const RenderParams& params) {
+    return chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
+}
+
 // Loads the scene of the present frame, and prepares it. start: beginning of the frame's time budget. before: the frame
 // before, of which all that serves this frame is kept; null: none.
 std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clock::time_point start,
@@ -147,8 +155,7 @@ std::unique_ptr<LoadedScene> load(RenderOptions& o, const CLI::App& command, Clo
     if (!o.frames.empty()) loaded->world = SameWorld(*scene);
     RenderParams& params = loaded->params;
     params = paramsOf(o, scene->sensor.settings, command);
-    loaded->denoiser =
-        chooseDenoiser(o.params.denoise, params, [&] { return findOidn(OidnSearch::ofProcess(o.oidnLibrary)); });
+    loaded->denoiser = chosenDenoiser(o, params);
     if (!o.oidnLibrary.empty() && !loaded->denoiser.oidn)
         throw UsageError("--oidn-library: needs --denoise oidn or oidn-direct, or auto where that is not surface");
     useCells(o, *scene, remains, params);
@@ -220,10 +227,47 @@ ExrMetadata metadataOf(const LoadedScene& loaded, const RenderOptions& o) {
             {"drc:passes", std::to_string(session.mapPassesDone())}};
 }
 
+// The frames of --temporal, which are written after those that follow them.
+class LateFrames {
+  public:
+    void add(const LoadedScene& loaded, const RenderOptions& o, ExrMetadata metadata, bool interrupted) {
+        const Session& session = *loaded.session;
+        const FrameGeometry geometry = geometryOf(*loaded.scene, session.sensor());
+        if (interrupted) metadata["drc:interrupted"] = "true";
+        if (!denoiser_) denoiser_ = chosenDenoiser(o, loaded.params);
+        const auto finish = [this, o, metadata, geometry, interrupted, settings = session.sensor().settings,
+                             params = loaded.params, samples = session.samplesDone()](LayeredPicture picture) {
+            PictureWriter writer(settings, o.outputs, hasAovs(o, settings), o.display, o.scene);
+            writer.setGeometry(geometry);
+            if (interrupted) writer.divertFromBetterPictures(samples);
+            PictureFinisher finisher(filtersFor(params, *denoiser_), writer);
+            finisher.finish(std::move(picture), metadata);
+            logInfo(fmt::format("{}{}: {} spp, averaged with {} frames before and after",
+                                interrupted ? "interrupted; " : "", fmt::join(writer.outputs(), ", "), samples,
+                                FrameWindow::kRadius));
+            allInPlace_ = allInPlace_ && writer.allInPlace();
+            if (!interrupted && writer.allInPlace()) FrameList::finished(writer.outputs());
+        };
+        // A snapshot, since the film is the next frame's soon.
+        window_.add(session.snapshot(), geometry, session.sensor().settings.film, o.scene, finish);
+    }
+    // Writes the frames that are left. Returns whether all frames are where the user wanted them.
+    bool end() {
+        window_.end();
+        return allInPlace_;
+    }
+
+  private:
+    FrameWindow window_;
+    std::optional<ChosenDenoiser> denoiser_;  // its own, since frames outlive the scene that they were rendered of
+    bool allInPlace_ = true;
+};
+
 // Renders the present frame and writes its pictures. frame: position in an animation; none: a single picture. start:
 // beginning of the frame's time.
+// late: takes the frame where it is to be averaged with its neighbours, and written later; null: it is written now.
 RenderEnd renderFrame(LoadedScene& loaded, const RenderOptions& o, const std::optional<FramePosition>& frame,
-                      Clock::time_point start) {
+                      Clock::time_point start, LateFrames* late) {
     Session& session = *loaded.session;
     const RenderSettings& settings = session.sensor().settings;
     PictureWriter writer(settings, o.outputs, hasAovs(o, settings), o.display, o.scene);
@@ -250,6 +294,11 @@ RenderEnd renderFrame(LoadedScene& loaded, const RenderOptions& o, const std::op
     loaded.stats.timer("render").add(Clock::now() - rendering);
 
     ExrMetadata metadata = metadataOf(loaded, o);
+    if (late) {
+        if (interrupted && !session.hasPicture()) return RenderEnd::Interrupted;
+        late->add(loaded, o, std::move(metadata), interrupted);
+        return interrupted ? RenderEnd::Interrupted : RenderEnd::Whole;
+    }
     if (interrupted) {
         metadata["drc:interrupted"] = "true";
         writer.divertFromBetterPictures(session.samplesDone());
@@ -285,8 +334,8 @@ void report(LoadedScene& loaded, const RenderOptions& o) {
     fmt::print("{}", stats.report());
 }
 
-// Renders the frames one after the other, and returns how the last one has ended.
-RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& command) {
+// Renders the frames one after the other, and returns how the last one has ended. late: as in renderFrame().
+RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& command, LateFrames* late) {
     std::optional<FramePosition> resumed;
     if (!o.resume.empty()) {
         resumed = framePositionIn(o.resume);
@@ -309,9 +358,9 @@ RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& 
     }
     for (bool first = true;; first = false) {
         const RenderEnd end =
-            renderFrame(*loaded, o, frames.isAnimation() ? std::optional(position) : std::nullopt, start);
+            renderFrame(*loaded, o, frames.isAnimation() ? std::optional(position) : std::nullopt, start, late);
         if (first) report(*loaded, o);
-        if (end == RenderEnd::Whole) frames.finished();
+        if (end == RenderEnd::Whole && !late) frames.finished();
         if (end != RenderEnd::Whole || !frames.isAnimation()) return end;
         if (interruptToken().cancelled()) return RenderEnd::Interrupted;
         setSomethingToSave(false);
@@ -323,6 +372,19 @@ RenderEnd renderFrames(RenderOptions& o, FrameSequence& frames, const CLI::App& 
         if (moveCamera(*loaded, o)) continue;
         loaded = load(o, command, start, std::move(loaded));
         position.loaded = position.frame;
+    }
+}
+
+// Renders all frames and writes their pictures, also those before a frame that cannot be rendered.
+RenderEnd renderAll(RenderOptions& o, FrameSequence& frames, const CLI::App& command) {
+    if (!o.temporal) return renderFrames(o, frames, command, nullptr);
+    LateFrames late;
+    try {
+        const RenderEnd end = renderFrames(o, frames, command, &late);
+        return !late.end() && end == RenderEnd::Whole ? RenderEnd::NotInPlace : end;
+    } catch (...) {
+        late.end();
+        throw;
     }
 }
 
@@ -344,7 +406,7 @@ void render(RenderOptions o, const CLI::App& command) {
     asUsage([&] { durationOf("--every", o.every); });
     filesOf(o);  // throws if outputs collide with other files
     FrameSequence frames(o, o.frames);
-    const RenderEnd end = renderFrames(o, frames, command);
+    const RenderEnd end = renderAll(o, frames, command);
     if (end == RenderEnd::NotInPlace) exitCode() = 1;
     if (end == RenderEnd::Interrupted) exitCode() = 128 + interruptSignal();
 }

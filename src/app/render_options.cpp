@@ -207,11 +207,21 @@ void addRenderOptions(CLI::App& command, RenderOptions& o) {
         ->excludes("--frame")
         ->excludes("--timing");
     command
+        .add_flag("--temporal", o.temporal,
+                  "With --frames: average each frame with the two before and the two after it where they show the same "
+                  "surfaces in the same light, before it is denoised, so that the animation does not flicker. A frame "
+                  "is written when the second one after it is rendered")
+        ->needs("--frames")
+        ->excludes("--checkpoint")
+        ->excludes("--resume")
+        ->excludes("--noise-threshold");
+    command
         .add_option(
             "--display-server", o.displayServer,
             "HOST:PORT at which tev, the image viewer, listens, or unix:PATH of another program's socket: shows "
             "the picture there while it refines, and when it is finished. tev's own port is 14158")
-        ->check(streamAddress());
+        ->check(streamAddress())
+        ->excludes("--temporal");
     command.add_flag("--stats", o.stats, "Print counts and times at the end");
     command.add_flag("--quiet", o.quiet, "Print only warnings and errors");
     command.add_flag("-v,--verbose", o.verbose, "Print more messages");

@@ -30,6 +30,7 @@ struct RenderOptions : FrameFiles {
     std::string frames;
     std::optional<int> frame;  // the frame's number, in place of that in the scene file's name
     std::string cells = "on";  // or off, or a file
+    bool temporal = false;     // average each frame with its neighbours
     bool aovs = false, stats = false, quiet = false, verbose = false;
 };
 
