@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "image/image_layers.h"
 #include "image/picture_window.h"
 
@@ -22,6 +23,33 @@ Vec3 vectorAt(const Image& image, int x, int y) {
     return {p[0], p[1], p[2]};
 }
 
+// Whether two pixels of a frame show one surface that goes on from one to the other.
+bool goesOn(const FrameSurfaces& frame, int ax, int ay, int bx, int by) {
+    if (frame.object.at(ax, ay, 0) != frame.object.at(bx, by, 0)) return false;
+    const float depth = frame.depth.at(ax, ay, 0), its = frame.depth.at(bx, by, 0);
+    if (!(depth < kNoDepth) || !(its < kNoDepth)) return depth == its;
+    const Vec3 a = vectorAt(frame.normal, ax, ay), b = vectorAt(frame.normal, bx, by);
+    const float lengths = length(a) * length(b);
+    if (!(lengths > 0)) return true;
+    const Vec3 between = vectorAt(frame.position, bx, by) - vectorAt(frame.position, ax, ay);
+    return dot(a, b) >= kLeastNormalCosine * lengths &&
+           std::abs(dot(a, between)) <= kOffPlane * std::abs(depth) * length(a);
+}
+
+// Whether each pixel or one of its eight neighbours lies where one surface ends and another begins.
+std::vector<uint8_t> silhouettesOf(const FrameSurfaces& frame) {
+    const int width = frame.object.width(), height = frame.object.height();
+    std::vector<uint8_t> at(frame.object.pixelCount());
+    parallelFor(0, height, 8, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y)
+            for (int x = 0; x < width; ++x)
+                for (int oy = std::max(0, y - 1); oy <= std::min(height - 1, y + 1); ++oy)
+                    for (int ox = std::max(0, x - 1); ox <= std::min(width - 1, x + 1); ++ox)
+                        at[size_t(y) * size_t(width) + size_t(x)] |= uint8_t(!goesOn(frame, x, y, ox, oy));
+    });
+    return at;
+}
+
 }  // namespace
 
 SurfaceMatch::SurfaceMatch(const FrameSurfaces& now, const FrameSurfaces& other)
@@ -39,6 +67,21 @@ SurfaceMatch::SurfaceMatch(const FrameSurfaces& now, const FrameSurfaces& other)
         entry->second.moves = here.isInvertible() && !(here == there);
         if (entry->second.moves) entry->second.toOther = there * here.inverse();
     }
+    silhouettes_ = silhouettesOf(now);
+    itsSilhouettes_ = silhouettesOf(other);
+}
+
+const MatchedPixels::Pixel* SurfaceMatch::nearest(int x, int y, const MatchedPixels& match) const {
+    constexpr float kVeryPlace = 1 / 8.f;
+    if (match.count == 0) return nullptr;
+    const auto first = match.pixels.begin();
+    const MatchedPixels::Pixel& pixel =
+        *std::max_element(first, first + match.count, [](const auto& p, const auto& q) { return p.weight < q.weight; });
+    const auto width = size_t(now_.albedo.width());
+    const bool isSilhouette = silhouettes_[size_t(y) * width + size_t(x)] != 0 ||
+                              itsSilhouettes_[size_t(pixel.y) * width + size_t(pixel.x)] != 0;
+    const float off = std::max(std::abs(match.place.x - float(pixel.x)), std::abs(match.place.y - float(pixel.y)));
+    return isSilhouette && off > kVeryPlace ? nullptr : &pixel;
 }
 
 float SurfaceMatch::albedoRatio(int x, int y, const MatchedPixels::Pixel& pixel, int c) const {
@@ -69,6 +112,7 @@ MatchedPixels SurfaceMatch::at(int x, int y) const {
     if (!(now_.depth.at(x, y, 0) < kNoDepth)) {
         if (!sameCamera_ || other_.depth.at(x, y, 0) < kNoDepth) return match;
         match.pixels[0] = {x, y, 1};
+        match.place = Vec2(float(x), float(y));
         match.count = 1;
         match.seen = 1;
         return match;
@@ -83,6 +127,7 @@ MatchedPixels SurfaceMatch::at(int x, int y) const {
     const float px = float(x) + to->x - from->x, py = float(y) + to->y - from->y;
     constexpr float kFar = 1e6f;
     if (!(std::abs(px) < kFar && std::abs(py) < kFar)) return match;
+    match.place = Vec2(px, py);
     const int x0 = int(std::floor(px)), y0 = int(std::floor(py));
     const float fx = px - float(x0), fy = py - float(y0);
     for (int dy = 0; dy < 2; ++dy)

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <unordered_map>
+#include <vector>
 
 #include "image/frame_surfaces.h"
 #include "image/motion_vectors.h"
@@ -14,10 +15,11 @@ struct MatchedPixels {
         int x, y;
         float weight;
     };
-    std::array<Pixel, 4> pixels;
+    std::array<Pixel, 4> pixels{};
     int count = 0;
     // The share of the interpolation between four pixels that these stand for, in [0, 1].
     float seen = 0;
+    Vec2 place{0.f};  // of the point, in pixels of the other frame, whole numbers at their centres
 };
 
 // Follows the point of a pixel by the cameras and by the matrices of its object, and takes those of the four pixels
@@ -31,6 +33,10 @@ class SurfaceMatch {
 
     // For a pixel of `now`. Any number of threads may call it.
     MatchedPixels at(int x, int y) const;
+    // The nearest of the matched pixels, for light that must not be interpolated; null if it does not serve. At a
+    // silhouette, where pixels show their surfaces by halves, it must lie at the very place: else a lamp or a window
+    // would get a ragged edge.
+    const MatchedPixels::Pixel* nearest(int x, int y, const MatchedPixels& match) const;
     // The albedo of the pixel in `now` divided by that of one in the other frame, in channel c.
     float albedoRatio(int x, int y, const MatchedPixels::Pixel& pixel, int c) const;
 
@@ -44,7 +50,8 @@ class SurfaceMatch {
     const FrameSurfaces &now_, &other_;
     FilmSize film_;
     bool sameCamera_;
-    std::unordered_map<uint32_t, Motion> motions_;  // by object
+    std::unordered_map<uint32_t, Motion> motions_;       // by object
+    std::vector<uint8_t> silhouettes_, itsSilhouettes_;  // whether a pixel is at one, in `now` and in the other frame
 };
 
 }  // namespace drc

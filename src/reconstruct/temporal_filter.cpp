@@ -42,19 +42,18 @@ WarpedLight warped(const TemporalFrame& neighbour, const TemporalFrame& frame) {
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < width; ++x) {
                 const MatchedPixels match = matches.at(x, y);
-                light.seen.at(x, y, 0) = match.seen;
-                if (match.count == 0) continue;
                 // One pixel, not an interpolation: that would spread a pixel's noise over its neighbours, and denoisers
                 // take noise that neighbours share for detail.
-                const auto first = match.pixels.begin();
-                const MatchedPixels::Pixel& pixel = *std::max_element(
-                    first, first + match.count, [](const auto& p, const auto& q) { return p.weight < q.weight; });
+                const MatchedPixels::Pixel* pixel = matches.nearest(x, y, match);
+                if (pixel == nullptr) continue;
+                light.seen.at(x, y, 0) = match.seen;
                 for (int c = 0; c < 3; ++c) {
-                    const float times = matches.albedoRatio(x, y, pixel, c);
+                    const float times = matches.albedoRatio(x, y, *pixel, c);
                     for (size_t half = 0; half < 2; ++half) {
-                        light.direct[half].at(x, y, c) = times * neighbour.direct[half].at(pixel.x, pixel.y, c);
+                        light.direct[half].at(x, y, c) = times * neighbour.direct[half].at(pixel->x, pixel->y, c);
                         if (frame.hasParts())
-                            light.indirect[half].at(x, y, c) = times * neighbour.indirect[half].at(pixel.x, pixel.y, c);
+                            light.indirect[half].at(x, y, c) =
+                                times * neighbour.indirect[half].at(pixel->x, pixel->y, c);
                     }
                 }
             }

@@ -135,6 +135,30 @@ TEST(TemporalFilter, FollowsAMovingObject) {
             << x;
 }
 
+// The edge of a bright object keeps its own share of each pixel: neighbours, in which the edge cuts pixels elsewhere,
+// would make it ragged.
+TEST(TemporalFilter, BrightSilhouettesStayStraight) {
+    std::vector<TemporalFrame> frames;
+    for (int i = -2; i <= 2; ++i) {
+        frames.push_back(frameOf(.023f * float(i), uint64_t(i + 5), .2f, even, 0.f));
+        // The pixel that the object's right edge cuts is as bright as the object's share of it, and as noisy, as few
+        // samples find it.
+        TemporalFrame& frame = frames.back();
+        Pcg32 random(uint64_t(i + 50));
+        const float edge = kWidth / 2 + kFocal * (.5f - .023f * float(i)) / (kPlane - 1);
+        const int x = int(std::floor(edge));
+        for (int y = kHeight / 2 - 8; y < kHeight / 2 + 8; ++y)
+            for (Image& half : frame.direct)
+                half.setRgb(x, y, half.rgb(x, y) + Rgb(100 * (edge - float(x)) + 80 * (random.nextFloat() - .5f)));
+    }
+    const float edge = kWidth / 2 + kFocal * .5f / (kPlane - 1);
+    const int x = int(std::floor(edge));
+    const Image light = middle(frames).directLight();
+    for (int y = kHeight / 2 - 8; y < kHeight / 2 + 8; ++y)
+        EXPECT_NEAR(light.at(x, y, 0), (frames[2].direct[0].at(x, y, 0) + frames[2].direct[1].at(x, y, 0)) / 2, .1f)
+            << y;
+}
+
 // Light that changes over time is not mixed, although the surfaces stay.
 TEST(TemporalFilter, ChangedLightIsNotMixed) {
     std::vector<TemporalFrame> frames;
