@@ -26,7 +26,7 @@ class DenoiseSequence : public ImageCommandFolder {
 Translate {} 0 0
 LookAt 0 1 -3  0 1 0  0 1 0
 Camera "perspective" "float fov" 60
-Film "image" "integer xresolution" 48 "integer yresolution" 32
+Film "image" "integer xresolution" 120 "integer yresolution" 80
 WorldBegin
 AttributeBegin
 AreaLightSource "diffuse" "rgb L" [6 6 6]
@@ -109,7 +109,7 @@ TEST_F(DenoiseSequence, MissingAndUnfitFramesAreOneLine) {
     EXPECT_THAT(complaint(denoising("1-2"), "d_1.exr"), AllOf(HasSubstr("t_1.exr"), HasSubstr("--aovs")));
     render("t", 1, 1, "1");
     std::filesystem::rename(path("t_1.exr"), path("t_2.exr"));
-    render("t", 1, 1, "1", {"--aovs", "--resolution", "24x16"});
+    render("t", 1, 1, "1", {"--aovs", "--resolution", "60x40"});
     EXPECT_THAT(complaint(denoising("1-2"), "d_1.exr"), AllOf(HasSubstr("t_1.exr"), HasSubstr("t_2.exr")));
 }
 

@@ -140,12 +140,12 @@ TEST(TemporalFilter, FollowsAMovingObject) {
 TEST(TemporalFilter, BrightSilhouettesStayStraight) {
     std::vector<TemporalFrame> frames;
     for (int i = -2; i <= 2; ++i) {
-        frames.push_back(frameOf(.023f * float(i), uint64_t(i + 5), .2f, even, 0.f));
+        frames.push_back(frameOf(.013f * float(i), uint64_t(i + 5), .2f, even, 0.f));
         // The pixel that the object's right edge cuts is as bright as the object's share of it, and as noisy, as few
         // samples find it.
         TemporalFrame& frame = frames.back();
         Pcg32 random(uint64_t(i + 50));
-        const float edge = kWidth / 2 + kFocal * (.5f - .023f * float(i)) / (kPlane - 1);
+        const float edge = kWidth / 2 + kFocal * (.5f - .013f * float(i)) / (kPlane - 1);
         const int x = int(std::floor(edge));
         for (int y = kHeight / 2 - 8; y < kHeight / 2 + 8; ++y)
             for (Image& half : frame.direct)
