@@ -23,29 +23,24 @@ Vec3 vectorAt(const Image& image, int x, int y) {
     return {p[0], p[1], p[2]};
 }
 
-// Whether two pixels of a frame show one surface that goes on from one to the other.
-bool goesOn(const FrameSurfaces& frame, int ax, int ay, int bx, int by) {
-    if (frame.object.at(ax, ay, 0) != frame.object.at(bx, by, 0)) return false;
-    const float depth = frame.depth.at(ax, ay, 0), its = frame.depth.at(bx, by, 0);
-    if (!(depth < kNoDepth) || !(its < kNoDepth)) return depth == its;
-    const Vec3 a = vectorAt(frame.normal, ax, ay), b = vectorAt(frame.normal, bx, by);
-    const float lengths = length(a) * length(b);
-    if (!(lengths > 0)) return true;
-    const Vec3 between = vectorAt(frame.position, bx, by) - vectorAt(frame.position, ax, ay);
-    return dot(a, b) >= kLeastNormalCosine * lengths &&
-           std::abs(dot(a, between)) <= kOffPlane * std::abs(depth) * length(a);
-}
-
-// Whether each pixel or one of its eight neighbours lies where one surface ends and another begins.
+// Whether each pixel or one of its eight neighbours lies where a surface meets a lamp or the sky, which have no albedo
+// and may be a thousand times as bright.
 std::vector<uint8_t> silhouettesOf(const FrameSurfaces& frame) {
-    const int width = frame.object.width(), height = frame.object.height();
-    std::vector<uint8_t> at(frame.object.pixelCount());
+    const int width = frame.albedo.width(), height = frame.albedo.height();
+    const auto shines = [&](int x, int y) {
+        const Rgb albedo = frame.albedo.rgb(x, y);
+        return std::max({albedo.x, albedo.y, albedo.z}) < kLeastAlbedo;
+    };
+    std::vector<uint8_t> at(frame.albedo.pixelCount());
     parallelFor(0, height, 8, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
-            for (int x = 0; x < width; ++x)
+            for (int x = 0; x < width; ++x) {
+                bool any = false, all = true;
                 for (int oy = std::max(0, y - 1); oy <= std::min(height - 1, y + 1); ++oy)
                     for (int ox = std::max(0, x - 1); ox <= std::min(width - 1, x + 1); ++ox)
-                        at[size_t(y) * size_t(width) + size_t(x)] |= uint8_t(!goesOn(frame, x, y, ox, oy));
+                        shines(ox, oy) ? any = true : all = false;
+                at[size_t(y) * size_t(width) + size_t(x)] = any && !all;
+            }
     });
     return at;
 }

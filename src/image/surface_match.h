@@ -33,9 +33,9 @@ class SurfaceMatch {
 
     // For a pixel of `now`. Any number of threads may call it.
     MatchedPixels at(int x, int y) const;
-    // The nearest of the matched pixels, for light that must not be interpolated; null if it does not serve. At a
-    // silhouette, where pixels show their surfaces by halves, it must lie at the very place: else a lamp or a window
-    // would get a ragged edge.
+    // The nearest of the matched pixels, for light that must not be interpolated; null if it does not serve. Where
+    // a surface meets a lamp or the sky, it must lie at the very place: a pixel has its own share of the light, and the
+    // edge would become ragged.
     const MatchedPixels::Pixel* nearest(int x, int y, const MatchedPixels& match) const;
     // The albedo of the pixel in `now` divided by that of one in the other frame, in channel c.
     float albedoRatio(int x, int y, const MatchedPixels::Pixel& pixel, int c) const;
@@ -51,7 +51,7 @@ class SurfaceMatch {
     FilmSize film_;
     bool sameCamera_;
     std::unordered_map<uint32_t, Motion> motions_;       // by object
-    std::vector<uint8_t> silhouettes_, itsSilhouettes_;  // whether a pixel is at one, in `now` and in the other frame
+    std::vector<uint8_t> silhouettes_, itsSilhouettes_;  // of lamps and sky, in `now` and in the other frame
 };
 
 }  // namespace drc

@@ -30,7 +30,8 @@ FrameGeometry cameraAt(float x) {
 // A wall with the light light(point), seen by a camera at x, with noise in each half. ball: place along x of an object
 // of 1 x 1 before the wall, 1 unit nearer; its light is that of its own points. none: no ball.
 template <class F>
-TemporalFrame frameOf(float x, uint64_t seed, float noise, const F& light, std::optional<float> ball = {}) {
+TemporalFrame frameOf(float x, uint64_t seed, float noise, const F& light, std::optional<float> ball = {},
+                      bool ballShines = false) {
     TemporalFrame frame;
     FrameSurfaces& s = frame.surfaces;
     s.name = "frame";
@@ -56,7 +57,7 @@ TemporalFrame frameOf(float x, uint64_t seed, float noise, const F& light, std::
             }
             s.position.setRgb(px, py, Rgb(p.x, p.y, p.z));
             s.normal.setRgb(px, py, Rgb(0, 0, -1));
-            s.albedo.setRgb(px, py, Rgb(.5f));
+            s.albedo.setRgb(px, py, Rgb(isBall && ballShines ? 0 : .5f));
             s.depth.at(px, py, 0) = p.z;
             s.object.at(px, py, 0) = isBall ? 2 : 1;
             const float is = isBall ? 3 : light(p);
@@ -140,7 +141,7 @@ TEST(TemporalFilter, FollowsAMovingObject) {
 TEST(TemporalFilter, BrightSilhouettesStayStraight) {
     std::vector<TemporalFrame> frames;
     for (int i = -2; i <= 2; ++i) {
-        frames.push_back(frameOf(.013f * float(i), uint64_t(i + 5), .2f, even, 0.f));
+        frames.push_back(frameOf(.013f * float(i), uint64_t(i + 5), .2f, even, 0.f, true));
         // The pixel that the object's right edge cuts is as bright as the object's share of it, and as noisy, as few
         // samples find it.
         TemporalFrame& frame = frames.back();
