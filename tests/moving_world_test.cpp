@@ -109,6 +109,9 @@ TEST(MovingWorld, ALampThatIsSwitchedLeavesNoLight) {
     EXPECT_LT(worstBlock({room(0, true), room(0, false), room(.01, false), room(.02, false)}), 0.03);
 }
 
+// Already in the frame in which it is switched on, where all that is carried is of the dark room.
+TEST(MovingWorld, ALampIsSeenAtOnce) { EXPECT_LT(worstBlock({room(0, false), room(0, true)}), 0.03); }
+
 TEST(MovingWorld, ABallThatRollsLeavesNoTrail) {
     EXPECT_LT(worstBlock({room(-1.2, true), room(-.9, true), room(-.6, true), room(-.3, true), room(0, true)}), 0.03);
 }

@@ -6,10 +6,12 @@ namespace drc {
 
 size_t CellTable::claim(uint64_t key, uint32_t now) const {
     const auto age = [&](size_t cell) { return uint16_t(now - answers_[cell].lastUse); };
+    // A cell that was cleared may leave an empty place before the key's own cell.
+    if (const size_t known = find(key); known != kNone) return known;
     const size_t first = bucketOf(key) * kWays;
     size_t oldest = first;
     for (size_t cell = first; cell < first + kWays; ++cell) {
-        if (answers_[cell].key == key || answers_[cell].key == 0) return cell;
+        if (answers_[cell].key == 0) return cell;
         if (age(cell) > age(oldest)) oldest = cell;
     }
     return age(oldest) <= 1 ? kNone : oldest;

@@ -39,7 +39,8 @@ class RadianceCells final : public RadianceCache {
     // cells with the most deposits stay.
     RadianceCells(const CellCollection& collection, size_t capacity);
     // Cells that begin with those of the frame before, from carry(), and forget them where fresh deposits disagree
-    // (CarriedCells).
+    // (CarriedCells). They answer only after the first commit, which compares them: else the first samples would show
+    // the light of the frame before.
     RadianceCells(CarriedCells carried, size_t capacity);
 
     bool accepts(const CachePoint& at) const override { return at.reach >= grid_.reachFor(0); }
@@ -63,6 +64,8 @@ class RadianceCells final : public RadianceCache {
     CellCollection carry(const Vec3& origin) const;
     // Forgets all that was carried. Not while others look up.
     void dropCarried();
+    // Whether the carried cells have not been compared yet.
+    bool awaitsComparison() const { return carried_ && commits() == 0; }
     // Number of cells that have forgotten what they carried.
     size_t forgotten() const { return forgotten_; }
     // The number of commits so far.
@@ -79,6 +82,7 @@ class RadianceCells final : public RadianceCache {
 
   private:
     void renewAnswers();
+    void withholdAnswers();
     // Puts a collection into the empty table; returns how many cells found no room.
     size_t fill(const CellCollection& collection);
 

@@ -94,6 +94,7 @@ void RadianceCells::load(StateReader& from) {
         table_.sums(at) = sums;
     }
     renewAnswers();
+    if (awaitsComparison()) withholdAnswers();
 }
 
 RadianceCells::RadianceCells(const CellCollection& collection, size_t capacity)
@@ -118,6 +119,11 @@ RadianceCells::RadianceCells(const CellCollection& collection, size_t capacity)
 RadianceCells::RadianceCells(CarriedCells carried, size_t capacity) : RadianceCells(carried.cells(), capacity) {
     for (size_t i = 0; i < table_.size(); ++i) table_.sums(i).carried = table_.answer(i).key != 0;
     carried_ = std::move(carried);
+    withholdAnswers();
+}
+
+void RadianceCells::withholdAnswers() {
+    for (size_t i = 0; i < table_.size(); ++i) table_.answer(i).known = false;
 }
 
 size_t RadianceCells::fill(const CellCollection& collection) {

@@ -71,6 +71,8 @@ class FinalGatherIntegrator final : public SampledIntegrator {
         if (!cells_) return;
         planner_->update(samples, samples > 0);
         if (isFrozen() || (hasMoved_ && samples == 0 && mostIsKnown())) return;
+        // Carried cells are compared with a sample of each pixel, not with the few of a coarse picture.
+        if (samples == 0 && cells_->awaitsComparison()) return;
         if (samples > 0 && double(samples) * double(region_.count()) >= refineAt_) {
             cells_->refine();
             refineAt_ *= kRefineFactor;
