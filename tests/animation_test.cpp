@@ -158,7 +158,7 @@ TEST_F(Animation, TemporalFramesAreWrittenLate) {
     }
     EXPECT_LT(said.find("/t0.exr\n"), said.find("f3.pbrt keeps the scene"));
     rendered("f0.pbrt", "s0.exr", frame("f1.pbrt", "s1.exr"), options, status);
-    rendered("f1.pbrt", "long.exr", frame("f2.pbrt", "s2.exr"), "--resolution 96x64 --integrator path --spp 512",
+    rendered("f1.pbrt", "long.exr", frame("f2.pbrt", "s2.exr"), "--resolution 96x64 --integrator path --spp 128",
              status);
     const std::vector<float> expected = pixels("long.exr");
     const auto error = [&](const std::string& name) {
