@@ -75,8 +75,8 @@ WorldEnd
 
 TEST_F(DenoiseSequence, AWindowFlickersLessThanFramesByThemselves) {
     if (std::string why; !canDenoise(why)) GTEST_SKIP() << why;
-    render("a", 4, 91, "256");
-    render("b", 4, 92, "256");
+    render("a", 4, 91, "96");
+    render("b", 4, 92, "96");
     render("t", 4, 1, "8");
     run(denoising("1-4"));
     run({"denoise", path("t_#.exr"), "--frames", "1-4", "--window", "0", "-o", path("s_#.exr")});
